@@ -1,0 +1,58 @@
+#include "engine/body.h"
+
+#include "engine/invalid_input.h"
+
+#include <cmath>
+#include <string>
+
+namespace pushfactor::engine {
+
+namespace {
+
+void require_positive(const char* field, double value) {
+    if (!(std::isfinite(value) && value > 0.0)) {
+        throw InvalidInput(field, std::to_string(value), "finite and above 0");
+    }
+}
+
+}  // namespace
+
+Body static_body(const Vector3& position, const Quaternion& orientation) {
+    Body body;
+    body.position = position;
+    body.orientation = orientation;
+    return body;
+}
+
+Body box_body(double mass, const Vector3& size, const Vector3& position, const Quaternion& orientation) {
+    require_positive("mass_kg", mass);
+    for (int axis = 0; axis < 3; ++axis) require_positive("size_m", size[axis]);
+
+    const Vector3 squared = size.cwiseProduct(size);
+    const Vector3 inertia = (mass / 12.0) * (Vector3::Constant(squared.sum()) - squared);
+
+    Body body = static_body(position, orientation);
+    body.inverse_mass = 1.0 / mass;
+    body.inverse_inertia = inertia.cwiseInverse();
+    return body;
+}
+
+Vector3 velocity(const Body& body) {
+    return body.inverse_mass * body.linear_momentum;
+}
+
+Vector3 angular_velocity(const Body& body) {
+    const Vector3 in_body = body.orientation.conjugate() * body.angular_momentum;
+    return body.orientation * body.inverse_inertia.cwiseProduct(in_body).eval();
+}
+
+Matrix3 world_inverse_inertia(const Body& body) {
+    const Matrix3 rotation = body.orientation.toRotationMatrix();
+    return rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
+}
+
+Vector3 velocity_at(const Body& body, const Vector3& point) {
+    return velocity(body) + angular_velocity(body).cross(point - body.position);
+}
+
+}  // namespace pushfactor::engine

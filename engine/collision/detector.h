@@ -1,0 +1,39 @@
+// Collision detection as one thing, paper section 4: colliders -> pairs -> manifolds.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/collision/broad_phase.h"
+#include "engine/collision/manifold.h"
+
+namespace pushfactor::engine::collision {
+
+// Two colliders that touch or nearly do.
+struct Touch {
+    Pair pair;          // collider indices
+    int body_a = 0;     // body indices
+    int body_b = 0;
+    double size = 0.0;  // m, of the smaller movable body; slop, margin and tolerances are fractions of it
+    double friction = 0.0;  // mu of the pair
+    Manifold manifold;  // at least one point, normal from a to b
+};
+
+struct Detection {
+    double margin = 0.0;               // fraction of the size; points with a smaller gap count
+    bool reduce_to_four_points = true;  // of a face manifold, which has up to eight
+};
+
+class Detector {
+  public:
+    // All touches in ascending order of the pair. The result is good until the next call.
+    std::span<const Touch> detect(std::span<const Collider> colliders, std::span<const Body> bodies,
+                                  const Detection& detection);
+
+  private:
+    BroadPhase broad_phase_;
+    std::vector<Pose> poses_;
+    std::vector<Touch> touches_;
+};
+
+}  // namespace pushfactor::engine::collision

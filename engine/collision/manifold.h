@@ -1,0 +1,37 @@
+// Where two shapes touch, paper section 4 ("generate a contact manifold").
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/math.h"
+
+namespace pushfactor::engine::collision {
+
+struct ContactPoint {
+    Vector3 position;           // m, world frame, midway between the two surfaces
+    double gap = 0.0;           // m along the normal; below zero is penetration (d = -gap)
+    std::uint32_t feature = 0;  // names the faces, edges or vertices that made the point, from step to step
+};
+
+struct Manifold {
+    static constexpr int max_points = 8;  // two quadrilaterals meet in an octagon at most
+
+    Vector3 normal = Vector3::UnitY();  // unit length, world frame, from shape a to shape b
+    std::array<ContactPoint, max_points> storage;
+    int count = 0;
+
+    void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
+    std::span<const ContactPoint> points() const { return {storage.data(), static_cast<std::size_t>(count)}; }
+};
+
+// Keeps at most four points: the outermost in four directions of the contact plane, deeper ones preferred. The
+// directions hang on `reference` (a rotation that moves with one of the shapes) and lie off the diagonals of a
+// face, so that rounding does not choose between two points of one corner. Does nothing to four or fewer.
+void reduce_to_four(Manifold& manifold, const Matrix3& reference);
+
+// A unit vector across `normal` that is fixed in the frame `reference`.
+Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal);
+
+}  // namespace pushfactor::engine::collision

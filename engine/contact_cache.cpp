@@ -1,0 +1,53 @@
+#include "engine/contact_cache.h"
+
+namespace pushfactor::engine {
+
+namespace {
+
+constexpr double position_tolerance = 0.02;  // of the size of the pair
+
+}  // namespace
+
+const ContactForce* ContactCache::find(const Entry& entry, const collision::ContactPoint& point,
+                                       double reach) const {
+    const std::span candidates(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
+    for (const Point& candidate : candidates) {
+        if (candidate.feature == point.feature) return &candidate.force;
+    }
+    const Point* nearest = nullptr;
+    double nearest_distance = reach;
+    for (const Point& candidate : candidates) {
+        const double distance = (candidate.position - point.position).norm();
+        if (distance < nearest_distance) {
+            nearest = &candidate;
+            nearest_distance = distance;
+        }
+    }
+    return nearest ? &nearest->force : nullptr;
+}
+
+void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const {
+    forces.clear();
+    auto entry = entries_.begin();
+    for (const collision::Touch& touch : touches) {
+        while (entry != entries_.end() && entry->pair < touch.pair) ++entry;
+        const bool known = entry != entries_.end() && entry->pair == touch.pair;
+        for (const collision::ContactPoint& point : touch.manifold.points()) {
+            const ContactForce* force = known ? find(*entry, point, position_tolerance * touch.size) : nullptr;
+            forces.push_back(force ? *force : ContactForce{});
+        }
+    }
+}
+
+void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces) {
+    entries_.clear();
+    points_.clear();
+    for (const collision::Touch& touch : touches) {
+        entries_.push_back({touch.pair, points_.size(), touch.manifold.count});
+        for (const collision::ContactPoint& point : touch.manifold.points()) {
+            points_.push_back({point.feature, point.position, forces[points_.size()]});
+        }
+    }
+}
+
+}  // namespace pushfactor::engine

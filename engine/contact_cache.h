@@ -1,0 +1,47 @@
+// Contact caching, paper section 6.2.3: the forces of the previous step as the guess of this one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/collision/detector.h"
+#include "engine/constraint_row.h"
+
+namespace pushfactor::engine {
+
+// The force at one contact point in both columns [N]. The friction part is a vector in the world frame, because
+// the tangents may turn from step to step.
+struct ContactForce {
+    Lambda normal;
+    Vector3 friction_first = Vector3::Zero();
+    Vector3 friction_last = Vector3::Zero();
+};
+
+class ContactCache {
+  public:
+    // The cached force for every point of `touches`, point after point; zero where nothing matches. A point is
+    // the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
+
+    // Replaces the cache. `forces` in the order of recall.
+    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
+
+  private:
+    struct Point {
+        std::uint32_t feature = 0;
+        Vector3 position;  // m, world frame
+        ContactForce force;
+    };
+    struct Entry {
+        collision::Pair pair;
+        std::size_t first = 0;  // into points_
+        int count = 0;
+    };
+
+    const ContactForce* find(const Entry& entry, const collision::ContactPoint& point, double reach) const;
+
+    std::vector<Entry> entries_;  // ascending pairs
+    std::vector<Point> points_;
+};
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,39 @@
+// The contact constraint, paper section 5.3: one row a contact point.
+//
+//   j_c = [-n, -r_a x n, n, r_b x n],   v = beta d / dt (5.3.1),   0 <= lambda < inf
+//
+// Symbols: n normal, unit length, from body a to body b; r_i offset of the point from the centre of mass of
+// body i [m]; d penetration depth [m]; v push factor [m/s]; lambda contact force [N]. World frame.
+//
+// Deviations: the text does not say which way n points; from a to b makes lambda >= 0 push the bodies apart.
+// Three choices that the text does not have: up to `slop` of penetration nothing is corrected, so that resting
+// contacts stay contacts; a point that is still apart by g > 0 (it came in through the margin) may close that gap
+// within the step and no faster, which is v = -g/dt in both columns; and the simplification for a static body b
+// is used for a static body a as well.
+#pragma once
+
+#include <span>
+
+#include "engine/collision/manifold.h"
+#include "engine/constraint_row.h"
+#include "engine/sources.h"
+
+namespace pushfactor::engine {
+
+// The bodies of a row with their indices.
+struct BodyPair {
+    int a = 0;
+    int b = 0;
+    const Body& body_a;
+    const Body& body_b;
+};
+
+// j_c of 5.3 for any unit `direction` at `point` [m]; the block of a static body is zero.
+// Friction uses the same formula with another direction (5.4).
+Jacobian point_jacobian(const BodyPair& bodies, const Vector3& point, const Vector3& direction);
+
+// `slop` in metres.
+ConstraintRow contact_row(const BodyPair& bodies, const Vector3& normal, const collision::ContactPoint& point,
+                          const Correction& correction, double slop, double dt);
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,106 @@
+#include "engine/contact_stage.h"
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Sliding that would move a point by less than this share of the size in one step has no direction.
+constexpr double sliding_share = 1e-4;
+
+BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) {
+    return {touch.body_a, touch.body_b, bodies[static_cast<std::size_t>(touch.body_a)],
+            bodies[static_cast<std::size_t>(touch.body_b)]};
+}
+
+}  // namespace
+
+const collision::Touch& ContactStage::touch_of(std::size_t index) const {
+    return touches_[static_cast<std::size_t>(order_[index].touch)];
+}
+
+const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
+    return touch_of(index).manifold.points()[static_cast<std::size_t>(order_[index].point)];
+}
+
+void ContactStage::append_normal(std::size_t index, std::span<const Body> bodies, double dt,
+                                 std::vector<ConstraintRow>& rows) {
+    const collision::Touch& touch = touch_of(index);
+    ConstraintRow row = contact_row(bodies_of(touch, bodies), touch.manifold.normal, point_of(index),
+                                    choices_.correction, choices_.slop * touch.size, dt);
+    row.label.point = order_[index].point;
+    row.guess = forces_[contacts_[index].force].normal;
+    contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
+    rows.push_back(row);
+}
+
+void ContactStage::append_friction(std::size_t index, std::span<const Body> bodies, double dt,
+                                   std::vector<ConstraintRow>& rows) {
+    const collision::Touch& touch = touch_of(index);
+    const collision::ContactPoint& point = point_of(index);
+    const BodyPair pair = bodies_of(touch, bodies);
+    Contact& contact = contacts_[index];
+
+    const Bounds bounds =
+        friction_->bounds({.bodies = pair,
+                           .normal = touch.manifold.normal,
+                           .friction = touch.friction,
+                           .points = touch.manifold.count,
+                           .normal_row = static_cast<int>(first_row_) + contact.normal_row});
+    contact.tangents = friction_tangents(pair, point.position, touch.manifold.normal,
+                                         sliding_share * touch.size / dt);
+    contact.friction_row = static_cast<int>(rows.size() - first_row_);
+    for (const Vector3& tangent : contact.tangents) {
+        ConstraintRow row = friction_row(pair, point.position, tangent, bounds);
+        const ContactForce& force = forces_[contact.force];
+        row.label.point = order_[index].point;
+        row.label.gap = point.gap;
+        row.guess = {tangent.dot(force.friction_first), tangent.dot(force.friction_last)};
+        rows.push_back(row);
+    }
+}
+
+void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    touches_ = detector_.detect(colliders_, bodies, choices_.detection);
+    order_contacts(choices_.order, touches_, bodies, order_);
+
+    first_force_.clear();
+    std::size_t points = 0;
+    for (const collision::Touch& touch : touches_) {
+        first_force_.push_back(points);
+        points += static_cast<std::size_t>(touch.manifold.count);
+    }
+    forces_.assign(points, {});
+    if (cache_) cache_->recall(touches_, forces_);
+
+    first_row_ = rows.size();
+    contacts_.resize(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        contacts_[i] = {};
+        contacts_[i].force = first_force_[static_cast<std::size_t>(order_[i].touch)] +
+                             static_cast<std::size_t>(order_[i].point);
+    }
+    const bool interleaved = choices_.order != RowOrder::normals_first;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        append_normal(i, bodies, dt, rows);
+        if (friction_ && interleaved) append_friction(i, bodies, dt, rows);
+    }
+    for (std::size_t i = 0; friction_ && !interleaved && i < order_.size(); ++i) {
+        append_friction(i, bodies, dt, rows);
+    }
+}
+
+void ContactStage::remember(std::span<const Lambda> answers) {
+    if (!cache_) return;
+    for (const Contact& contact : contacts_) {
+        ContactForce& force = forces_[contact.force];
+        force = {.normal = answers[static_cast<std::size_t>(contact.normal_row)]};
+        for (std::size_t t = 0; contact.friction_row >= 0 && t < 2; ++t) {
+            const Lambda& answer = answers[static_cast<std::size_t>(contact.friction_row) + t];
+            force.friction_first += contact.tangents[t] * answer.first;
+            force.friction_last += contact.tangents[t] * answer.last;
+        }
+    }
+    cache_->store(touches_, forces_);
+}
+
+}  // namespace pushfactor::engine

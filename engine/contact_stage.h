@@ -1,0 +1,68 @@
+// Contacts as a part of the world: colliders -> pairs -> manifolds -> rows (paper sections 4, 5.3, 5.4), and the
+// cache of their forces (6.2.3). A scene whose bodies never touch does not have this part.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/collision/detector.h"
+#include "engine/contact_cache.h"
+#include "engine/friction_constraint.h"
+#include "engine/row_order.h"
+#include "engine/sources.h"
+
+namespace pushfactor::engine {
+
+struct ContactChoices {
+    Correction correction;           // how penetration is corrected (5.3.1, 8.1)
+    double slop = 0.002;             // penetration that is left alone, fraction of the size, >= 0
+    collision::Detection detection;  // margin, points of a manifold
+    RowOrder order = RowOrder::bottom_up;
+};
+
+class ContactStage : public ConstraintSource {
+  public:
+    ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
+        : colliders_(std::move(colliders)), choices_(choices) {}
+
+    // Without a rule there is no friction; without a cache every step starts from zero.
+    void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
+    void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
+
+    void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
+    void remember(std::span<const Lambda> answers) override;
+
+    std::span<const collision::Collider> colliders() const { return colliders_; }
+
+  private:
+    // One contact point of this step: where its answers will stand, and along which directions.
+    struct Contact {
+        std::size_t force = 0;  // into forces_
+        int normal_row = 0;     // relative to the first row of the stage
+        int friction_row = -1;  // the first of two; below zero without friction
+        std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
+    };
+
+    void append_normal(std::size_t index, std::span<const Body> bodies, double dt,
+                       std::vector<ConstraintRow>& rows);
+    void append_friction(std::size_t index, std::span<const Body> bodies, double dt,
+                         std::vector<ConstraintRow>& rows);
+    const collision::Touch& touch_of(std::size_t index) const;
+    const collision::ContactPoint& point_of(std::size_t index) const;
+
+    std::vector<collision::Collider> colliders_;
+    ContactChoices choices_;
+    std::unique_ptr<const FrictionRule> friction_;
+    std::unique_ptr<ContactCache> cache_;
+
+    // Of the current step.
+    collision::Detector detector_;
+    std::span<const collision::Touch> touches_;
+    std::vector<ContactIndex> order_;
+    std::vector<Contact> contacts_;     // in the order of order_
+    std::vector<ContactForce> forces_;  // in the order of the touches and their points
+    std::vector<std::size_t> first_force_;  // of each touch, into forces_
+    std::size_t first_row_ = 0;
+};
+
+}  // namespace pushfactor::engine

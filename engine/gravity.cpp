@@ -1,0 +1,11 @@
+#include "engine/gravity.h"
+
+namespace pushfactor::engine {
+
+void Gravity::add_forces(std::span<Body> bodies) {
+    for (Body& body : bodies) {
+        if (!body.is_static()) body.force += body.mass() * acceleration_;
+    }
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,17 @@
+// Uniform gravity, the external force of paper section 6.1.5.
+#pragma once
+
+#include "engine/sources.h"
+
+namespace pushfactor::engine {
+
+class Gravity : public ForceSource {
+  public:
+    explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
+    void add_forces(std::span<Body> bodies) override;
+
+  private:
+    Vector3 acceleration_;
+};
+
+}  // namespace pushfactor::engine

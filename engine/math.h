@@ -1,0 +1,20 @@
+// The vector types that the engine computes with. Aliases and nothing more.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace pushfactor::engine {
+
+using Vector3 = Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;  // linear part, then angular part (paper 6.1.1)
+using Matrix3 = Eigen::Matrix3d;
+using VectorX = Eigen::VectorXd;
+using MatrixX = Eigen::MatrixXd;
+using Quaternion = Eigen::Quaterniond;
+
+// One line a constraint row, one or two columns (design: the single-frame push factor is one more column).
+// The first column moves positions, the last one sets momenta; with one column they are the same.
+using Columns = Eigen::MatrixXd;
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,39 @@
+// The push factor, paper sections 5.1, 5.2 and 8.1.
+//
+// Symbols: v push factor [m/s], the velocity that a row aims at along its axis; beta [1], the share of a
+// violation that one step corrects (called k in sections 8 and 10); dt time step [s].
+#pragma once
+
+namespace pushfactor::engine {
+
+// The two parts of v that a row carries. `lasting` stays in the momenta (restitution, motors, and the
+// correction of the original method); `correcting` moves the bodies in this step only (8.1).
+struct PushFactor {
+    double correcting = 0.0;  // m/s
+    double lasting = 0.0;     // m/s
+};
+
+enum class PushKind {
+    none,          // violations are not corrected
+    persistent,    // the original method: the correction becomes momentum
+    single_frame,  // section 8.1: the correction moves the bodies and leaves no momentum
+};
+
+// How one kind of constraint corrects its violations.
+struct Correction {
+    PushKind kind = PushKind::single_frame;
+    double beta = 0.2;  // 0..1
+};
+
+// 5.2.3, 5.3.1: `distance` [m] is how far the row has to move along its axis, in one step if beta is 1.
+inline PushFactor correct(const Correction& correction, double distance, double dt) {
+    const double speed = correction.beta * distance / dt;
+    switch (correction.kind) {
+        case PushKind::persistent: return {.correcting = 0.0, .lasting = speed};
+        case PushKind::single_frame: return {.correcting = speed, .lasting = 0.0};
+        case PushKind::none: break;
+    }
+    return {};
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,30 @@
+// The order in which contacts become rows. The paper does not give one, and for a truncated sweep nothing decides
+// more about how long a stack stands.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/collision/detector.h"
+
+namespace pushfactor::engine {
+
+enum class RowOrder {
+    bottom_up,      // pairs by the height of their lower movable body; normal, tangent, tangent a point
+    reverse,        // pairs in descending order of creation, points descending; normal, tangent, tangent
+    creation,       // pairs in the order of creation; normal, tangent, tangent a point
+    normals_first,  // bottom-up, all normals before all tangents
+};
+
+// One contact point: indices into the touches and into the points of its manifold.
+struct ContactIndex {
+    int touch = 0;
+    int point = 0;
+};
+
+// Writes all points of `touches` (ascending order of creation, as the detector gives them) in the named order.
+// Height is measured along world y.
+void order_contacts(RowOrder order, std::span<const collision::Touch> touches, std::span<const Body> bodies,
+                    std::vector<ContactIndex>& contacts);
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,29 @@
+#include "engine/solvers/solver.h"
+
+#include "engine/invalid_input.h"
+#include "engine/solvers/dense.h"
+#include "engine/solvers/pgs.h"
+
+#include <array>
+#include <string>
+
+namespace pushfactor::engine::solvers {
+
+std::span<const SolverEntry> solver_table() {
+    static constexpr std::array table{
+        SolverEntry{"pgs", "projected Gauss-Seidel on the sparse rows", make_pgs},
+        SolverEntry{"dense", "projected Gauss-Seidel on the dense A, as section 7.2 prints it", make_dense},
+    };
+    return table;
+}
+
+std::unique_ptr<Solver> make_solver(std::string_view name) {
+    std::string names;
+    for (const SolverEntry& entry : solver_table()) {
+        if (entry.name == name) return entry.make();
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    throw InvalidInput("solver", std::string(name), "one of " + names);
+}
+
+}  // namespace pushfactor::engine::solvers

@@ -1,0 +1,45 @@
+// What all solvers have in common, paper sections 6.2.3 and 7: one signature, one table of names.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "engine/system_equation.h"
+
+namespace pushfactor::engine::solvers {
+
+// When to stop (6.2.3). The guess is checked first: while its natural-map residual is at most `tolerance_high`
+// nothing is solved; otherwise the solver works until the residual is at most `tolerance_low` or the iterations
+// are used up. Tolerances of zero give the paper's fixed number of iterations.
+//
+// Two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would circle
+// at the tolerance for ever instead of coming to rest.
+struct Termination {
+    int iterations = 25;          // 1 or more
+    double tolerance_high = 0.0;  // m/s
+    double tolerance_low = 0.0;   // m/s, at most tolerance_high
+};
+
+class Solver {
+  public:
+    virtual ~Solver() = default;
+
+    // Solves `system` in all its columns. `lambda` [N, rows x columns] holds the guess and receives the answer.
+    // Returns the number of iterations that it took. A row with A_jj = 0 gets lambda 0.
+    virtual int solve(const SystemEquation& system, const Termination& termination, Columns& lambda) = 0;
+};
+
+struct SolverEntry {
+    std::string_view name;
+    std::string_view description;
+    std::unique_ptr<Solver> (*make)();
+};
+
+// Every solver that there is, by the name that the command line uses.
+std::span<const SolverEntry> solver_table();
+
+// Throws InvalidInput when no solver has that name.
+std::unique_ptr<Solver> make_solver(std::string_view name);
+
+}  // namespace pushfactor::engine::solvers

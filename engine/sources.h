@@ -1,0 +1,32 @@
+// The parts that a world is made of: what pushes its bodies, and what restricts them.
+// What a scene does not need is not constructed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/body.h"
+#include "engine/constraint_row.h"
+
+namespace pushfactor::engine {
+
+// Adds external forces to the bodies at the start of a step (3.1: "keeps track of all the forces applied").
+class ForceSource {
+  public:
+    virtual ~ForceSource() = default;
+    virtual void add_forces(std::span<Body> bodies) = 0;
+};
+
+// Appends the rows that restrict the bodies in this step (section 5) and gets back its own answers (6.2.3).
+class ConstraintSource {
+  public:
+    virtual ~ConstraintSource() = default;
+
+    // Appends rows for the state of `bodies` and a step of `dt` [s]. Their order is kept: nobody sorts later.
+    virtual void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) = 0;
+
+    // The answers of the rows that the last append_rows appended, in that order.
+    virtual void remember(std::span<const Lambda> answers) = 0;
+};
+
+}  // namespace pushfactor::engine

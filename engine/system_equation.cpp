@@ -1,0 +1,115 @@
+#include "engine/system_equation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+namespace {
+
+InverseMass inverse_mass_of(const Body& body) {
+    InverseMass result;
+    if (body.is_static()) return result;
+    result.linear = body.inverse_mass;
+    const Matrix3 rotation = body.orientation.toRotationMatrix();
+    result.angular = rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
+    result.angular_root = rotation * body.inverse_inertia.cwiseSqrt().asDiagonal();
+    return result;
+}
+
+Vector6 stacked(const Vector3& linear, const Vector3& angular) {
+    Vector6 both;
+    both << linear, angular;
+    return both;
+}
+
+// v1/dt + M^-1 f_ext of one body.
+Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt) {
+    const Vector6 velocity = stacked(body.inverse_mass * body.linear_momentum,
+                                     inverse_mass.angular * body.angular_momentum);
+    return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
+}
+
+double diagonal_entry(const ConstraintRow& row, std::span<const InverseMass> inverse_mass) {
+    const auto a = static_cast<std::size_t>(row.body_a);
+    const auto b = static_cast<std::size_t>(row.body_b);
+    return row.jacobian.a.dot(accelerate(inverse_mass[a], row.jacobian.a)) +
+           row.jacobian.b.dot(accelerate(inverse_mass[b], row.jacobian.b));
+}
+
+bool corrects(std::span<const ConstraintRow> rows) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const ConstraintRow& row) { return row.push.correcting != 0.0; });
+}
+
+}  // namespace
+
+Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
+    return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
+}
+
+void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
+                  SystemEquation& system) {
+    system.dt = dt;
+    system.rows = rows;
+    system.inverse_mass.resize(bodies.size());
+    std::vector<Vector6>& free = system.free_acceleration;
+    free.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        system.inverse_mass[i] = inverse_mass_of(bodies[i]);
+        free[i] = free_acceleration(bodies[i], system.inverse_mass[i], dt);
+    }
+
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    system.diagonal.resize(count);
+    system.b.resize(count, corrects(rows) ? 2 : 1);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
+        system.diagonal[j] = diagonal_entry(row, system.inverse_mass);
+        const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                     row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+        system.b(j, 0) = (row.push.correcting + row.push.lasting) / dt - unconstrained;
+        if (system.b.cols() == 2) system.b(j, 1) = row.push.lasting / dt - unconstrained;
+    }
+}
+
+void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                       std::vector<Vector6>& forces) {
+    forces.assign(system.inverse_mass.size(), Vector6::Zero());
+    for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * lambda(j, column);
+        forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * lambda(j, column);
+    }
+}
+
+Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column) {
+    if (row.bounds.of_row < 0) return {row.bounds.c_min, row.bounds.c_max};
+    const double other = lambda(row.bounds.of_row, column);
+    return {row.bounds.c_min * other, row.bounds.c_max * other};
+}
+
+double natural_residual(const SystemEquation& system, const Columns& lambda) {
+    double largest = 0.0;
+    std::vector<Vector6> forces;
+    for (Eigen::Index column = 0; column < system.column_count(); ++column) {
+        constraint_forces(system, lambda, column, forces);
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            forces[i] = accelerate(system.inverse_mass[i], forces[i]);
+        }
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+            const double diagonal = system.diagonal[j];
+            if (diagonal <= 0.0) continue;
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
+                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) -
+                             system.b(j, column);
+            const auto [low, high] = bounds_of(row, lambda, column);
+            const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
+            largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));
+        }
+    }
+    return largest;
+}
+
+}  // namespace pushfactor::engine

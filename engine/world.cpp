@@ -1,0 +1,103 @@
+// The step, paper sections 3.2, 5, 6 and 8.1.
+//
+// The paper solves twice when the single-frame push is used: f_cv with the whole push moves the bodies, f_c0 with
+// the lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
+#include "engine/world.h"
+
+#include <cassert>
+
+namespace pushfactor::engine {
+
+StepCount World::step(double dt, StageObserver* observer) {
+    assert(dt > 0.0);
+    const auto ended = [observer](Stage stage) {
+        if (observer) observer->stage_ended(stage);
+    };
+    add_forces();                            // 3.1
+    ended(Stage::forces);
+    append_rows(dt);                         // 5
+    ended(Stage::rows);
+    build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
+    ended(Stage::system);
+    const int sweeps = solve();              // 7
+    ended(Stage::solve);
+    remember();                              // 6.2.3
+    ended(Stage::remember);
+    integrate(dt);                           // 3.2, 8.1
+    ended(Stage::integrate);
+    return count(sweeps);
+}
+
+void World::add_forces() {
+    for (Body& body : bodies) {
+        body.force.setZero();
+        body.torque.setZero();
+    }
+    for (const auto& source : forces) source->add_forces(bodies);
+}
+
+void World::append_rows(double dt) {
+    rows_.clear();
+    row_ends_.clear();
+    for (const auto& source : constraints) {
+        source->append_rows(bodies, dt, rows_);
+        row_ends_.push_back(rows_.size());
+    }
+}
+
+int World::solve() {
+    const Eigen::Index last = system_.column_count() - 1;
+    lambda_.resize(system_.row_count(), system_.column_count());
+    for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
+        const Lambda& guess = rows_[static_cast<std::size_t>(j)].guess;
+        lambda_(j, 0) = guess.first;
+        lambda_(j, last) = guess.last;
+    }
+    return rows_.empty() ? 0 : solver->solve(system_, termination, lambda_);
+}
+
+void World::remember() {
+    const Eigen::Index last = lambda_.cols() - 1;
+    answers_.resize(rows_.size());
+    for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
+        answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
+    }
+    std::size_t begin = 0;
+    for (std::size_t s = 0; s < constraints.size(); ++s) {
+        constraints[s]->remember(std::span(answers_).subspan(begin, row_ends_[s] - begin));
+        begin = row_ends_[s];
+    }
+}
+
+void World::integrate(double dt) {
+    const Eigen::Index last = lambda_.cols() - 1;
+    constraint_forces(system_, lambda_, 0, moving_);
+    if (last > 0) constraint_forces(system_, lambda_, last, lasting_);
+    const std::vector<Vector6>& momentum_forces = last > 0 ? lasting_ : moving_;
+
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Body& body = bodies[i];
+        if (body.is_static()) continue;
+        const Vector6& f_cv = moving_[i];
+        const Vector6& f_c0 = momentum_forces[i];
+
+        // Momenta that live for this move only (8.1).
+        const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
+        const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
+        body.position = advance_position(body, p, dt);
+        body.orientation = rotate(body, l, dt);
+
+        body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
+        body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
+    }
+}
+
+StepCount World::count(int sweeps) const {
+    StepCount count;
+    for (const ConstraintRow& row : rows_) ++count.rows_of_kind[static_cast<std::size_t>(row.label.kind)];
+    count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
+    count.sweeps = sweeps;
+    return count;
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,69 @@
+// The world: bodies and the parts that act on them, and the step that makes the paper's algorithm of them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "engine/integrator.h"
+#include "engine/solvers/solver.h"
+#include "engine/sources.h"
+#include "engine/system_equation.h"
+
+namespace pushfactor::engine {
+
+enum class Stage { forces, rows, system, solve, remember, integrate };
+
+// Is told when a stage of a step has ended, for whoever wants to count or to time.
+class StageObserver {
+  public:
+    virtual ~StageObserver() = default;
+    virtual void stage_ended(Stage stage) = 0;
+};
+
+// What one step did.
+struct StepCount {
+    std::array<int, 3> rows_of_kind{};  // by RowKind
+    int columns = 0;                    // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
+    int sweeps = 0;                     // iterations of the solver
+
+    int rows() const { return rows_of_kind[0] + rows_of_kind[1] + rows_of_kind[2]; }
+    int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
+};
+
+class World {
+  public:
+    // The parts. A scene fills in what it needs and nothing else; a world without constraints needs no solver.
+    std::vector<Body> bodies;
+    std::vector<std::unique_ptr<ForceSource>> forces;
+    std::vector<std::unique_ptr<ConstraintSource>> constraints;
+    std::unique_ptr<solvers::Solver> solver;
+    solvers::Termination termination;
+    OrientationStep rotate = rotate_splitting;
+
+    // Advances by dt [s], above zero.
+    StepCount step(double dt, StageObserver* observer = nullptr);
+
+    // The rows, the system and its answer of the last step; empty before the first.
+    std::span<const ConstraintRow> rows() const { return rows_; }
+    const SystemEquation& system() const { return system_; }
+    const Columns& lambda() const { return lambda_; }
+
+  private:
+    void add_forces();
+    void append_rows(double dt);
+    int solve();
+    void remember();
+    void integrate(double dt);
+    StepCount count(int sweeps) const;
+
+    std::vector<ConstraintRow> rows_;
+    std::vector<std::size_t> row_ends_;  // one a constraint source
+    SystemEquation system_;
+    Columns lambda_;
+    std::vector<Lambda> answers_;
+    std::vector<Vector6> moving_;   // f_cv = J^T Lambda.first, N and N m
+    std::vector<Vector6> lasting_;  // f_c0 = J^T Lambda.last
+};
+
+}  // namespace pushfactor::engine

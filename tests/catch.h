@@ -1,0 +1,12 @@
+// The one place that knows which Catch2 is installed: 2.13 (one header, `catch.hpp`) or 3 (`catch_all.hpp`).
+// The file that provides main() defines PUSHFACTOR_CATCH_MAIN first; version 3 brings its own main().
+#pragma once
+
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+#else
+#ifdef PUSHFACTOR_CATCH_MAIN
+#define CATCH_CONFIG_MAIN
+#endif
+#include <catch2/catch.hpp>
+#endif

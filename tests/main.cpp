@@ -1,0 +1,2 @@
+#define PUSHFACTOR_CATCH_MAIN
+#include "tests/catch.h"
