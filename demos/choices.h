@@ -1,0 +1,56 @@
+// Everything that somebody chose for one run, from the command line and a config file, before and after it is
+// understood. Precedence: command line, then config, then preset.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "demos/catalogue.h"
+#include "demos/frame_options.h"
+#include "demos/settings.h"
+
+namespace pushfactor::demos {
+
+// The texts as given, by option name without dashes.
+class GivenOptions {
+  public:
+    // `field` is how messages call it: "--dt", or "dt in my.json". The first one given for a name holds.
+    void add(const std::string& name, const std::string& text, const std::string& field);
+
+    struct Given {
+        std::string text;
+        std::string field;
+    };
+    const Given* find(std::string_view name) const;
+    const std::map<std::string, Given, std::less<>>& all() const { return given_; }
+
+  private:
+    std::map<std::string, Given, std::less<>> given_;
+};
+
+// Adds what the JSON file says: an object of option names without dashes, and "scene". Throws UsageError for a file
+// that cannot be read, is no such object or has an unknown key; the message suggests the nearest known one.
+void add_config(const std::filesystem::path& file, GivenOptions& given);
+
+// One run, understood.
+struct Choices {
+    const SceneEntry* scene = nullptr;
+    Settings settings;
+    ParameterValues parameters;
+    FrameChoices frames;
+
+    Scene build() const { return scene->build(parameters, settings); }
+};
+
+// Throws UsageError that names the field, the value and what is allowed; also for a parameter that the scene lacks.
+Choices understand(const std::string& scene, const GivenOptions& given);
+
+// The JSON file that makes the same run again, every option spelled out.
+std::string config_text(const Choices& choices, const GivenOptions& given);
+
+// Names of all options that a config file may hold.
+std::vector<std::string> known_options();
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,12 @@
+// The commands of the program, one file each. All throw the exceptions of errors.h.
+#pragma once
+
+#include "demos/request.h"
+
+namespace pushfactor::demos::commands {
+
+void list(const Request& request);
+void run(const Request& request);
+void render(const Request& request);
+
+}  // namespace pushfactor::demos::commands

@@ -1,0 +1,22 @@
+#include "demos/catalogue.h"
+#include "demos/commands/commands.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::commands {
+
+void list(const Request& request) {
+    for (const SceneEntry& scene : catalogue()) {
+        if (request.names_only) {
+            fmt::print("{}\n", scene.name);
+            continue;
+        }
+        fmt::print("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, scene.made_of);
+        for (const Parameter& parameter : scene.parameters) {
+            fmt::print("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder), parameter.help);
+        }
+        fmt::print("\n");
+    }
+}
+
+}  // namespace pushfactor::demos::commands

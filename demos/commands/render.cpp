@@ -1,0 +1,81 @@
+#include "demos/commands/commands.h"
+#include "demos/draw_list.h"
+#include "demos/errors.h"
+#include "demos/observed_run.h"
+#include "demos/output_file.h"
+#include "demos/progress.h"
+#include "renderer/png.h"
+#include "renderer/renderer.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// Frames of an earlier, longer run would be taken for this one's; they are not ours to delete.
+void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames) {
+    long strangers = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename();
+        const bool ours = std::any_of(frames.begin(), frames.end(), [&](const Frame& f) { return f.name == name; });
+        if (entry.path().extension() == ".png" && !ours) ++strangers;
+    }
+    if (strangers > 0) {
+        fmt::print(stderr, "pushfactor: note: {} holds {} other PNG files that this run does not touch\n",
+                   folder.string(), strangers);
+    }
+}
+
+void render_scene(const Choices& choices, const Request& request, const fs::path& folder,
+                  renderer::Renderer& renderer) {
+    ObservedRun observed(choices, request);
+    const Simulation& simulation = observed.simulation();
+    const std::vector<Frame> frames = plan_frames(choices.frames, choices.settings.dt, simulation.total_steps());
+    warn_of_strangers(folder, frames);
+    write_file(folder / "config.json", config_text(choices, request.given));
+
+    ProgressBar bar(std::string(choices.scene->name), static_cast<long>(frames.size()));
+    for (std::size_t done = 0; done < frames.size(); ++done) {
+        stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
+        while (simulation.sample().step < frames[done].step) observed.advance();
+        const renderer::Image image = renderer.render(draw_list(simulation.scene()));
+        write_file(folder / frames[done].name, as_text(renderer::encode_png(image)));
+        bar.show(static_cast<long>(done) + 1);
+    }
+    while (simulation.sample().step < simulation.total_steps()) observed.advance();
+    write_file(request.summary ? fs::path(*request.summary) : folder / "summary.json", observed.finish());
+}
+
+}  // namespace
+
+void render(const Request& request) {
+    const bool several = request.scenes.size() > 1;
+    for (const auto& [option, path] : {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
+                                       std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary}}) {
+        if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
+    }
+
+    // All input is understood and every folder made before the first frame is drawn.
+    std::vector<std::pair<Choices, fs::path>> runs;
+    for (const std::string& scene : request.scenes) {
+        const Choices choices = understand(scene, request.given);
+        plan_frames(choices.frames, choices.settings.dt, Simulation(choices.build(), choices.settings).total_steps());
+        const fs::path base = request.out.value_or("out");
+        runs.emplace_back(choices, several || !request.out ? base / scene : base);
+    }
+    for (const auto& [choices, folder] : runs) make_folder(folder);
+
+    const auto context = renderer::open_offscreen_context();
+    const FrameChoices& frames = runs.front().first.frames;
+    renderer::Renderer renderer(*context, frames.width, frames.height, fs::path(PUSHFACTOR_ASSET_DIR) / "shaders");
+    for (const auto& [choices, folder] : runs) render_scene(choices, request, folder, renderer);
+}
+
+}  // namespace pushfactor::demos::commands

@@ -1,0 +1,34 @@
+// How the program fails: one exception type an exit status (see README).
+#pragma once
+
+#include <stdexcept>
+
+namespace pushfactor::demos {
+
+enum ExitStatus { done = 0, run_failed = 1, bad_usage = 2, check_failed = 3, output_failed = 4, not_finite = 5 };
+
+// The message is one line that names the option or field, the value, and what is allowed.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// The run could not go on; also an interruption.
+class RunError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// An output could not be written. The message names it and says why.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// The simulation left the finite numbers. The message names the body, the quantity and the step.
+class NonFiniteError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,49 @@
+// pushfactor: one program, a command each for physics, frames and the list of scenes. See --help.
+#include "demos/command_line.h"
+#include "demos/commands/commands.h"
+#include "demos/errors.h"
+#include "demos/progress.h"
+#include "engine/invalid_input.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+
+namespace {
+
+using namespace pushfactor::demos;
+
+int complain(const std::exception& error, ExitStatus status) {
+    fmt::print(stderr, "pushfactor: {}\n", error.what());
+    return status;
+}
+
+int carry_out(const Request& request) {
+    switch (request.command) {
+        case Request::Command::list: commands::list(request); break;
+        case Request::Command::run: commands::run(request); break;
+        case Request::Command::render: commands::render(request); break;
+    }
+    return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    note_interrupts();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of its write, not the end of the program
+    try {
+        const auto request = parse_command_line(argc, argv);
+        return request ? carry_out(*request) : done;
+    } catch (const UsageError& error) {
+        return complain(error, bad_usage);
+    } catch (const pushfactor::engine::InvalidInput& error) {
+        return complain(error, bad_usage);
+    } catch (const OutputError& error) {
+        return complain(error, output_failed);
+    } catch (const NonFiniteError& error) {
+        return complain(error, not_finite);
+    } catch (const std::exception& error) {
+        return complain(error, run_failed);
+    }
+}

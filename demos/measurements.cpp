@@ -1,0 +1,180 @@
+#include "demos/measurements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::Body;
+using engine::Vector3;
+
+template <typename Visit>
+void for_movable(std::span<const Body> bodies, Visit visit) {
+    std::size_t i = 0;
+    for (const Body& body : bodies) {
+        if (!body.is_static()) visit(body, i++);
+    }
+}
+
+std::vector<Vector3> positions_of(const engine::World& world) {
+    std::vector<Vector3> positions;
+    for_movable(world.bodies, [&](const Body& body, std::size_t) { positions.push_back(body.position); });
+    return positions;
+}
+
+double sideways(const Vector3& from, const Vector3& to) {
+    return std::hypot(to.x() - from.x(), to.z() - from.z());
+}
+
+// The length L by which a scene is judged: the smallest movable body that can touch something.
+double judged_size(const Scene& scene) {
+    double size = std::numeric_limits<double>::infinity();
+    if (scene.contacts) {
+        for (const auto& collider : scene.contacts->colliders()) size = std::min(size, size_of(collider.shape));
+    }
+    return std::isfinite(size) ? size : 1.0;
+}
+
+bool below_a_plane(const Scene& scene, const Vector3& position) {
+    if (!scene.contacts) return false;
+    const auto colliders = scene.contacts->colliders();
+    return std::any_of(colliders.begin(), colliders.end(), [&](const auto& collider) {
+        if (!std::holds_alternative<engine::collision::Plane>(collider.shape)) return false;
+        const Body& plane = scene.world.bodies[static_cast<std::size_t>(collider.body)];
+        return (plane.orientation * Vector3::UnitY()).dot(position - plane.position) < 0.0;
+    });
+}
+
+}  // namespace
+
+std::string_view name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::fly: return "fly";
+        case Outcome::tunnel: return "tunnel";
+        case Outcome::fall: return "fall";
+        case Outcome::moving: return "moving";
+        case Outcome::creep: return "creep";
+        case Outcome::jitter: return "jitter";
+        case Outcome::rest: break;
+    }
+    return "rest";
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+Measurements::Measurements(const Simulation& simulation)
+    : standing_(simulation.scene().standing),
+      size_(judged_size(simulation.scene())),
+      speed_(std::sqrt(simulation.scene().gravity.norm() * size_)),
+      last_second_(static_cast<std::size_t>(std::max(1.0, std::round(1.0 / simulation.settings().dt.value())))),
+      start_(positions_of(simulation.scene().world)),
+      latest_(start_) {
+    const Sample& sample = simulation.sample();
+    initial_energy_ = energy_ = sample.kinetic_energy + sample.potential_energy;
+    max_penetration_ = sample.penetration.max;
+    window_.push_back({.max_speed = sample.max_speed, .positions = start_});
+}
+
+double Measurements::lowest_place(std::size_t i) const {
+    const double start = start_[i].y();
+    return standing_ ? std::min(start, standing_->rest_heights[i]) : start;
+}
+
+void Measurements::observe(const Simulation& simulation) {
+    const Sample& sample = simulation.sample();
+    latest_ = positions_of(simulation.scene().world);
+
+    energy_ = sample.kinetic_energy + sample.potential_energy;
+    energy_gain_ = std::max(energy_gain_, energy_ - initial_energy_);
+    max_penetration_ = std::max(max_penetration_, sample.penetration.max);
+    max_length_error_ = std::max(max_length_error_, sample.max_length_error);
+    residuals_.push_back(sample.residual);
+    if (sample.cpu_us) cpu_us_.push_back(*sample.cpu_us);
+
+    for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
+        max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());
+        max_off_axis_ = std::max(max_off_axis_, sideways(start_[i], latest_[i]));
+        if (at_10_s_) drift_ = std::max(drift_, (latest_[i] - (*at_10_s_)[i]).norm());
+    });
+    if (!at_10_s_ && sample.time >= 10.0) at_10_s_ = latest_;
+    if (standing_) watch_standing(sample.time, latest_);
+
+    window_.push_back(judge(simulation, latest_));
+    if (window_.size() > last_second_ + 1) window_.pop_front();
+}
+
+void Measurements::watch_standing(double time, const Positions& positions) {
+    const double half_side = 0.5 * standing_->side;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (!fall_time_ && positions[i].y() < lowest_place(i) - half_side) fall_time_ = time;
+        if (!lean_time_ && sideways(start_[i], positions[i]) > half_side) lean_time_ = time;
+    }
+}
+
+Measurements::Moment Measurements::judge(const Simulation& simulation, const Positions& positions) const {
+    Moment moment{.max_speed = simulation.sample().max_speed, .positions = positions};
+    for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
+        const Vector3& position = positions[i];
+        // Where the body may be: anywhere between its start and its rest height.
+        const double low = lowest_place(i);
+        const double high = standing_ ? std::max(start_[i].y(), standing_->rest_heights[i]) : start_[i].y();
+        const Vector3 nearest(start_[i].x(), std::clamp(position.y(), low, high), start_[i].z());
+
+        moment.flew |= position.y() > start_[i].y() && velocity(body).y() > speed_;
+        moment.flew |= (position - nearest).norm() > 20.0 * size_;
+        moment.tunnelled |= below_a_plane(simulation.scene(), position);
+        moment.fell |= standing_ && position.y() < low - 0.5 * size_;
+    });
+    return moment;
+}
+
+Outcome Measurements::outcome() const {
+    const auto any = [this](bool Moment::*what) {
+        return std::any_of(window_.begin() + 1, window_.end(), [what](const Moment& m) { return m.*what; });
+    };
+    if (window_.size() < 2) return Outcome::moving;  // nothing was simulated
+    if (any(&Moment::flew)) return Outcome::fly;
+    if (any(&Moment::tunnelled)) return Outcome::tunnel;
+    if (any(&Moment::fell)) return Outcome::fall;
+
+    const double speed = max_speed_last_second();
+    if (speed > 0.1 * speed_) return Outcome::moving;
+    double displaced = 0.0;
+    for (std::size_t i = 0; i < latest_.size(); ++i) {
+        displaced = std::max(displaced, (latest_[i] - window_.front().positions[i]).norm());
+    }
+    if (displaced > 1e-5 * size_) return Outcome::creep;
+    return speed > 1e-4 * speed_ ? Outcome::jitter : Outcome::rest;
+}
+
+double Measurements::max_speed_last_second() const {
+    double largest = 0.0;
+    for (std::size_t i = window_.size() > 1 ? 1 : 0; i < window_.size(); ++i) {
+        largest = std::max(largest, window_[i].max_speed);
+    }
+    return largest;
+}
+
+double Measurements::median_residual() const {
+    return median(residuals_);
+}
+
+std::optional<double> Measurements::drift_after_10_s() const {
+    return at_10_s_ ? std::optional(drift_) : std::nullopt;
+}
+
+std::vector<double> Measurements::heights() const {
+    std::vector<double> heights;
+    for (const Vector3& position : latest_) heights.push_back(position.y());
+    return heights;
+}
+
+}  // namespace pushfactor::demos

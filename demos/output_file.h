@@ -1,0 +1,38 @@
+// A file that is either written whole or not at all.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace pushfactor::demos {
+
+// Writes go to a temporary file beside `path`; commit() gives it its name. Without commit() nothing is left and
+// what was there before stays. "-" is standard output, and a path that exists and is no regular file (a device,
+// a pipe) is written to directly. Every member throws OutputError that names the path and the reason.
+class OutputFile {
+  public:
+    explicit OutputFile(std::filesystem::path path);
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+    ~OutputFile();
+
+    void write(std::string_view text);
+    void commit();
+
+  private:
+    [[noreturn]] void fail(int error) const;
+
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;  // empty when written to directly
+    std::FILE* file_ = nullptr;
+};
+
+// The whole of `bytes` as the file `path`.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// Makes the folder and those above it, and finds out whether files can be made in it.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace pushfactor::demos

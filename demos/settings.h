@@ -1,0 +1,54 @@
+// The choices of one simulation, and the presets that name whole sets of them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "demos/rational.h"
+#include "engine/push_factor.h"
+#include "engine/row_order.h"
+
+namespace pushfactor::demos {
+
+enum class FrictionModel { paper, coulomb };
+enum class Rotation { paper, exponential, splitting };
+
+struct Settings {
+    std::string preset;
+
+    Rational dt{1, 60};    // s
+    int substeps = 1;      // engine steps of dt / substeps in one step of the run
+    double seconds = 10.0; // simulated time, whole steps of it
+
+    std::string solver = "pgs";    // name in the solver table
+    int iterations = 25;           // at most, a solve
+    double tolerance_high = 1e-8;  // m/s: below it the cached answer is kept
+    double tolerance_low = 1e-10;  // m/s: above it a solve goes on
+
+    engine::Correction contacts{engine::PushKind::single_frame, 0.2};
+    bool warm_start = true;
+    double slop = 0.002;   // fraction of the body's size
+    double margin = 0.01;  // fraction of the body's size
+    engine::RowOrder row_order = engine::RowOrder::bottom_up;
+    bool four_points = true;  // a face manifold keeps at most four
+
+    FrictionModel friction_model = FrictionModel::paper;
+    std::optional<double> friction;  // mu of all bodies; each scene has its own otherwise
+
+    Rotation rotation = Rotation::splitting;
+};
+
+struct Preset {
+    std::string_view name;
+    std::string_view description;
+    Settings (*settings)();
+};
+
+std::span<const Preset> presets();
+
+// Throws std::out_of_range when there is no such preset.
+Settings preset_settings(std::string_view name);
+
+}  // namespace pushfactor::demos

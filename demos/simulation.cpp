@@ -1,0 +1,71 @@
+#include "demos/simulation.h"
+
+#include "demos/errors.h"
+#include "engine/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::demos {
+
+namespace {
+
+double max_length_error(std::span<const engine::ConstraintRow> rows) {
+    double largest = 0.0;
+    for (const engine::ConstraintRow& row : rows) {
+        if (row.label.kind == engine::RowKind::distance) largest = std::max(largest, std::abs(row.label.gap));
+    }
+    return largest;
+}
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
+    : scene_(std::move(scene)), settings_(settings), clock_(clock) {
+    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
+    total_steps_ = static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
+    measure_state();
+}
+
+const Sample& Simulation::advance() {
+    const long step = sample_.step + 1;
+    sample_ = {};
+    sample_.step = step;
+    sample_.time = (settings_.dt * Rational{step, 1}).value();
+    sample_.substeps = settings_.substeps;
+    if (clock_) sample_.cpu_us = 0.0;
+    for (int i = 0; i < settings_.substeps; ++i) step_engine();
+    require_finite();
+    measure_state();
+    return sample_;
+}
+
+void Simulation::step_engine() {
+    const double dt = settings_.dt.value() / settings_.substeps;
+    const double before = clock_ ? clock_() : 0.0;
+    const int sweeps_so_far = sample_.count.sweeps;
+    sample_.count = scene_.world.step(dt);
+    if (clock_) *sample_.cpu_us += clock_() - before;
+    sample_.count.sweeps += sweeps_so_far;
+    sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));
+    sample_.max_length_error = max_length_error(scene_.world.rows());
+}
+
+void Simulation::measure_state() {
+    const std::span<const engine::Body> bodies = scene_.world.bodies;
+    sample_.kinetic_energy = engine::kinetic_energy(bodies);
+    sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
+    sample_.max_speed = engine::max_speed(bodies);
+    if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders());
+}
+
+void Simulation::require_finite() const {
+    if (const auto found = engine::find_non_finite(scene_.world.bodies)) {
+        throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
+                                         found->body, found->quantity, sample_.step, sample_.time));
+    }
+}
+
+}  // namespace pushfactor::demos

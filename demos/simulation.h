@@ -1,0 +1,53 @@
+// Steps a scene and measures its state after each step. No files, no clock: who wants times brings a clock.
+#pragma once
+
+#include <optional>
+
+#include "demos/scene.h"
+#include "engine/diagnostics.h"
+
+namespace pushfactor::demos {
+
+// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, the residual is
+// the largest, rows and columns are those of the last.
+struct Sample {
+    long step = 0;
+    double time = 0.0;                     // s
+    double kinetic_energy = 0.0;           // J
+    double potential_energy = 0.0;         // J, zero at the origin
+    double max_speed = 0.0;                // m/s, from the stored momenta
+    engine::Penetration penetration;       // of the state after the step
+    double max_length_error = 0.0;         // m, of distance rows
+    double residual = 0.0;                 // m/s, natural map
+    engine::StepCount count;
+    int substeps = 1;
+    std::optional<double> cpu_us;          // of the engine steps alone, when there is a clock
+};
+
+class Simulation {
+  public:
+    using Clock = double (*)();  // us of CPU time of this thread
+
+    Simulation(Scene scene, const Settings& settings, Clock clock = nullptr);
+
+    // One step of settings.dt. Throws NonFiniteError when a number of the state is not finite afterwards.
+    const Sample& advance();
+
+    long total_steps() const { return total_steps_; }  // whole steps in settings.seconds
+    const Scene& scene() const { return scene_; }
+    const Settings& settings() const { return settings_; }
+    const Sample& sample() const { return sample_; }  // of the last step; of the start before the first
+
+  private:
+    void step_engine();
+    void measure_state();
+    void require_finite() const;
+
+    Scene scene_;
+    Settings settings_;
+    Clock clock_;
+    long total_steps_ = 0;
+    Sample sample_;
+};
+
+}  // namespace pushfactor::demos

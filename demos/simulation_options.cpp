@@ -1,0 +1,163 @@
+#include "demos/simulation_options.h"
+
+#include "demos/numbers.h"
+#include "engine/solvers/solver.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::PushKind;
+using engine::RowOrder;
+
+// Takes `text` into `field` when it is a number in [low, high].
+template <typename Number>
+bool take(Number& field, std::optional<Number> parsed, Number low, Number high) {
+    if (!parsed || *parsed < low || *parsed > high) return false;
+    field = *parsed;
+    return true;
+}
+
+template <typename Value, std::size_t n>
+using Names = std::array<std::pair<std::string_view, Value>, n>;
+
+constexpr Names<PushKind, 3> push_names{
+    {{"none", PushKind::none}, {"persistent", PushKind::persistent}, {"single-frame", PushKind::single_frame}}};
+constexpr Names<RowOrder, 4> order_names{{{"bottom-up", RowOrder::bottom_up},
+                                          {"reverse", RowOrder::reverse},
+                                          {"creation", RowOrder::creation},
+                                          {"normals-first", RowOrder::normals_first}}};
+constexpr Names<bool, 2> switch_names{{{"on", true}, {"off", false}}};
+constexpr Names<FrictionModel, 2> friction_names{
+    {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}}};
+constexpr Names<Rotation, 3> rotation_names{{{"paper", Rotation::paper},
+                                             {"exponential", Rotation::exponential},
+                                             {"splitting", Rotation::splitting}}};
+
+template <typename Value, std::size_t n>
+bool take_name(Value& field, const Names<Value, n>& names, std::string_view text) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == text; });
+    if (found == names.end()) return false;
+    field = found->second;
+    return true;
+}
+
+template <typename Value, std::size_t n>
+std::string name_of(const Value& value, const Names<Value, n>& names) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
+    return std::string(found->first);
+}
+
+bool set_dt(Settings& s, std::string_view text) {
+    const auto dt = parse_rational(text);
+    if (!dt || dt->numerator <= 0 || dt->value() > 1.0 || dt->value() < 1e-6) return false;
+    s.dt = *dt;
+    return true;
+}
+
+bool set_tolerance(Settings& s, std::string_view text) {
+    const auto slash = text.find('/');
+    const auto high = parse_number(text.substr(0, slash));
+    const auto low = slash == std::string_view::npos ? high : parse_number(text.substr(slash + 1));
+    if (!high || !low || *low < 0.0 || *high < *low || *high > 1.0) return false;
+    s.tolerance_high = *high;
+    s.tolerance_low = *low;
+    return true;
+}
+
+bool set_solver(Settings& s, std::string_view text) {
+    for (const auto& entry : engine::solvers::solver_table()) {
+        if (entry.name != text) continue;
+        s.solver = text;
+        return true;
+    }
+    return false;
+}
+
+bool set_friction(Settings& s, std::string_view text) {
+    double value = 0.0;
+    if (!take(value, parse_number(text), 0.0, 100.0)) return false;
+    s.friction = value;
+    return true;
+}
+
+std::string solver_names() {
+    std::string names;
+    for (const auto& entry : engine::solvers::solver_table()) {
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    return names;
+}
+
+const std::array options{
+    SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]", "a number of seconds from 0 to 1e6",
+                     [](Settings& s, std::string_view t) { return take(s.seconds, parse_number(t), 0.0, 1e6); },
+                     [](const Settings& s) { return to_text(s.seconds); }},
+    SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
+                     "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
+                     [](const Settings& s) { return to_text(s.dt); }},
+    SimulationOption{"substeps", "N", "engine steps in one step [1]", "a whole number from 1 to 10000",
+                     [](Settings& s, std::string_view t) { return take(s.substeps, parse_integer(t), 1, 10000); },
+                     [](const Settings& s) { return std::to_string(s.substeps); }},
+    SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(), "one of " + solver_names(),
+                     set_solver, [](const Settings& s) { return s.solver; }},
+    SimulationOption{"iterations", "N", "iterations of a solve, at most", "a whole number from 1 to 1000000",
+                     [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
+                     [](const Settings& s) { return std::to_string(s.iterations); }},
+    SimulationOption{"tolerance", "HIGH[/LOW]",
+                     "residual in m/s: up to HIGH the cached answer is kept, a solve works down to LOW; 0: always all iterations",
+                     "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
+                     [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
+    SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
+                     "one of none, persistent, single-frame",
+                     [](Settings& s, std::string_view t) { return take_name(s.contacts.kind, push_names, t); },
+                     [](const Settings& s) { return name_of(s.contacts.kind, push_names); }},
+    SimulationOption{"beta", "X", "share of the penetration that one step corrects", "a number from 0 to 1",
+                     [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
+                     [](const Settings& s) { return to_text(s.contacts.beta); }},
+    SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the step before", "on or off",
+                     [](Settings& s, std::string_view t) { return take_name(s.warm_start, switch_names, t); },
+                     [](const Settings& s) { return name_of(s.warm_start, switch_names); }},
+    SimulationOption{"slop", "F", "penetration that is left alone, fraction of the body's size",
+                     "a fraction of the body's size from 0 to 0.5",
+                     [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
+                     [](const Settings& s) { return to_text(s.slop); }},
+    SimulationOption{"margin", "F", "gap up to which a point already counts as contact, fraction of the body's size",
+                     "a fraction of the body's size from 0 to 1",
+                     [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
+                     [](const Settings& s) { return to_text(s.margin); }},
+    SimulationOption{"row-order", "NAME", "order of the rows: bottom-up, reverse, creation, normals-first",
+                     "one of bottom-up, reverse, creation, normals-first",
+                     [](Settings& s, std::string_view t) { return take_name(s.row_order, order_names, t); },
+                     [](const Settings& s) { return name_of(s.row_order, order_names); }},
+    SimulationOption{"manifold-points", "4|8", "contact points that a pair of faces keeps", "4 or 8",
+                     [](Settings& s, std::string_view t) {
+                         if (t != "4" && t != "8") return false;
+                         s.four_points = t == "4";
+                         return true;
+                     },
+                     [](const Settings& s) { return std::string(s.four_points ? "4" : "8"); }},
+    SimulationOption{"friction", "MU", "friction coefficient of all bodies; 0: no friction rows [the scene's own]",
+                     "a number from 0 to 100", set_friction,
+                     [](const Settings& s) { return s.friction ? to_text(*s.friction) : std::string(); }},
+    SimulationOption{"friction-model", "NAME", "bound of friction: paper (weight) or coulomb (normal force)",
+                     "one of paper, coulomb",
+                     [](Settings& s, std::string_view t) { return take_name(s.friction_model, friction_names, t); },
+                     [](const Settings& s) { return name_of(s.friction_model, friction_names); }},
+    SimulationOption{"rotation", "NAME", "orientation step: paper (3.2.4), exponential (12.4.1), splitting",
+                     "one of paper, exponential, splitting",
+                     [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
+                     [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
+};
+
+}  // namespace
+
+std::span<const SimulationOption> simulation_options() {
+    return options;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,74 @@
+#include "demos/summary.h"
+
+#include "demos/simulation_options.h"
+#include "engine/diagnostics.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json options_of(const Choices& choices) {
+    Json options = Json::object();
+    for (const SimulationOption& option : simulation_options()) {
+        const std::string text = option.get(choices.settings);
+        if (text.empty()) continue;
+        const Json parsed = Json::parse(text, nullptr, false);
+        options[std::string(option.name)] = parsed.is_number() ? parsed : Json(text);
+    }
+    for (const Parameter& parameter : choices.scene->parameters) {
+        const double value = choices.parameters.number(parameter.name);
+        options[std::string(parameter.name)] = parameter.whole ? Json(static_cast<long>(value)) : Json(value);
+    }
+    return options;
+}
+
+double mean(const std::vector<double>& values) {
+    return values.empty() ? 0.0
+                          : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured) {
+    const Scene& scene = simulation.scene();
+    Json summary;
+    summary["scene"] = scene.name;
+    summary["preset"] = choices.settings.preset;
+    summary["options"] = options_of(choices);
+    summary["steps"] = simulation.sample().step;
+    summary["simulated_seconds"] = simulation.sample().time;
+    summary["bodies"] = scene.world.bodies.size();
+    summary["state_hash"] = fmt::format("{:016x}", engine::state_hash(scene.world.bodies));
+    summary["outcome"] = name_of(measured.outcome());
+    summary["max_penetration_m"] = measured.max_penetration();
+    summary["max_length_error_m"] = measured.max_length_error();
+    summary["max_speed_m_per_s_last_second"] = measured.max_speed_last_second();
+    summary["max_upward_speed_m_per_s"] = measured.max_upward_speed();
+    summary["residual_m_per_s_median"] = measured.median_residual();
+    summary["energy_initial_j"] = measured.initial_energy();
+    summary["energy_final_j"] = measured.final_energy();
+    summary["energy_gain_j"] = measured.energy_gain();
+    summary["max_off_axis_m"] = measured.max_off_axis();
+    summary["drift_after_10_s_m"] = number_or_null(measured.drift_after_10_s());
+    summary["lean_time_s"] = number_or_null(measured.lean_time());
+    summary["fall_time_s"] = number_or_null(measured.fall_time());
+    if (!measured.cpu_us().empty()) {
+        summary["cpu_us_per_step_median"] = median(measured.cpu_us());
+        summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
+    }
+    if (scene.standing) summary["heights_m"] = measured.heights();
+    return summary.dump(2) + "\n";
+}
+
+}  // namespace pushfactor::demos

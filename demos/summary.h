@@ -1,0 +1,13 @@
+// The summary of a run as JSON text.
+#pragma once
+
+#include <string>
+
+#include "demos/choices.h"
+#include "demos/measurements.h"
+
+namespace pushfactor::demos {
+
+std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured);
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,187 @@
+#include "renderer/renderer.h"
+
+#include "renderer/gl.h"
+#include "renderer/instanced_mesh.h"
+#include "renderer/instances.h"
+#include "renderer/meshes.h"
+#include "renderer/render_target.h"
+#include "renderer/renderer_error.h"
+#include "renderer/shader_program.h"
+#include "renderer/shadow_map.h"
+#include "renderer/views.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/color_space.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pushfactor::renderer {
+namespace {
+
+const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0.90f));
+
+// In units of the picture's scale: with a squared exponential haze the ground has the background's colour to
+// within a level of 8 bits well before it ends.
+constexpr float haze = 5.0f;
+constexpr float ground_reach = 12.0f;
+
+struct Scene {
+    const Picture& picture;
+    std::span<const Instance> bodies;
+    SunView sun;
+    float scale;  // m
+};
+
+/// From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
+float line_spacing(float scale) {
+    return std::pow(10.0f, std::floor(std::log10(scale / 6.0f)));
+}
+
+/// Bodies beyond the reach of the ground are lost in the haze, however far a simulation has thrown them.
+std::vector<Instance> visible_boxes(const Picture& picture, float scale) {
+    std::vector<Instance> boxes = box_instances(picture.boxes);
+    std::erase_if(boxes, [&](const Instance& box) {
+        return glm::distance(picture.camera.eye, box.position) - bounding_radius(box) > ground_reach * scale;
+    });
+    return boxes;
+}
+
+/// Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
+glm::mat4 texture_from_clip() {
+    return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)), glm::vec3(0.5f));
+}
+
+int checked_side(int pixels) {
+    if (pixels < 1 || pixels > Renderer::max_side) {
+        throw RendererError("a picture's sides are 1 to " + std::to_string(Renderer::max_side) +
+                            " pixels, not " + std::to_string(pixels));
+    }
+    return pixels;
+}
+
+}  // namespace
+
+class Renderer::Pipeline {
+  public:
+    Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders)
+        : gl_(load_gl(context)),
+          aspect_(static_cast<float>(width) / static_cast<float>(height)),
+          target_(gl_, width, height),
+          shadow_map_(gl_),
+          shadow_program_(gl_, shaders, {"body.vert"}),
+          ground_program_(gl_, shaders, {"body.vert", "ground.frag", "light.frag", "haze.frag"}),
+          contact_program_(gl_, shaders, {"contact.vert", "contact.frag", "haze.frag"}),
+          body_program_(gl_, shaders, {"body.vert", "body.frag", "light.frag", "haze.frag"}),
+          boxes_(gl_, box_mesh()),
+          squares_(gl_, square_mesh()) {
+        gl_.Enable(GL_CULL_FACE);
+        gl_.Enable(GL_DEPTH_TEST);
+        gl_.Enable(GL_FRAMEBUFFER_SRGB);
+    }
+
+    Image draw(const Picture& picture) {
+        const float scale = scale_of(picture.camera);
+        const std::vector<Instance> bodies = visible_boxes(picture, scale);
+        const Scene scene{picture, bodies, sun_view(picture, bodies, ShadowMap::max_side), scale};
+        boxes_.set_instances(bodies);
+        draw_shadow(scene);
+        begin_frame();
+        if (picture.ground) {
+            draw_ground(scene, *picture.ground);
+            draw_contacts(scene, *picture.ground);
+        }
+        draw_bodies(scene);
+        return target_.read();
+    }
+
+  private:
+    void draw_shadow(const Scene& scene) {
+        shadow_map_.begin(scene.sun.width, scene.sun.height);
+        shadow_program_.use();
+        shadow_program_.set("world_to_clip", scene.sun.world_to_clip);
+        boxes_.draw();
+    }
+
+    void begin_frame() {
+        target_.bind();
+        gl_.ClearColor(background.r, background.g, background.b, 1.0f);
+        gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        shadow_map_.bind_texture();
+    }
+
+    /// Takes a program into use and sets all that does not depend on what it draws.
+    void use(const ShaderProgram& program, const Scene& scene) const {
+        const Picture& picture = scene.picture;
+        program.use();
+        // The corners of the ground are the farthest that is drawn.
+        const float farthest = 1.5f * ground_reach * scene.scale;
+        program.set("world_to_clip", camera_view(picture.camera, aspect_, farthest));
+        program.set("eye", picture.camera.eye);
+        program.set("towards_sun", glm::normalize(picture.towards_sun));
+        program.set("background", background);
+        program.set("haze_distance", haze * scene.scale);
+        program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
+        program.set("shadow_texel", scene.sun.texel);
+        program.set("shadow_map", 0);
+    }
+
+    void draw_ground(const Scene& scene, const Ground& ground) {
+        const Instance square = ground_instance(ground, scene.picture.camera.eye, ground_reach * scene.scale);
+        squares_.set_instances(std::span(&square, 1));
+        use(ground_program_, scene);
+        ground_program_.set("line_spacing", line_spacing(scene.scale));
+        squares_.draw();
+    }
+
+    /// Nothing but the ground has been drawn when this darkens it, so there is no depth to test.
+    void draw_contacts(const Scene& scene, const Ground& ground) {
+        squares_.set_instances(touching(ground, scene.bodies));
+        use(contact_program_, scene);
+        contact_program_.set("ground_height", ground.height);
+        gl_.Disable(GL_DEPTH_TEST);
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+        squares_.draw();
+        gl_.Disable(GL_BLEND);
+        gl_.Enable(GL_DEPTH_TEST);
+    }
+
+    void draw_bodies(const Scene& scene) {
+        use(body_program_, scene);
+        boxes_.draw();
+    }
+
+    Gl gl_;
+    float aspect_;
+    RenderTarget target_;
+    ShadowMap shadow_map_;
+    ShaderProgram shadow_program_;
+    ShaderProgram ground_program_;
+    ShaderProgram contact_program_;
+    ShaderProgram body_program_;
+    InstancedMesh boxes_;
+    InstancedMesh squares_;
+};
+
+Renderer::Renderer(OffscreenContext& context, int width, int height,
+                   const std::filesystem::path& shader_directory)
+    : context_(context),
+      pipeline_(
+          std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory)) {}
+
+// What the pipeline holds is deleted in its own context.
+Renderer::~Renderer() {
+    context_.make_current();
+}
+
+Image Renderer::render(const Picture& picture) {
+    check(picture);
+    context_.make_current();
+    return pipeline_->draw(picture);
+}
+
+}  // namespace pushfactor::renderer

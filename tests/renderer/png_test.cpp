@@ -1,0 +1,59 @@
+#include "renderer/png.h"
+
+#include "renderer/renderer_error.h"
+#include "tests/catch.h"
+#include "tests/renderer/sample_pictures.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+using namespace pushfactor::renderer;
+
+namespace {
+
+Image decode_png(const std::vector<std::uint8_t>& png) {
+    Image image;
+    int channels = 0;
+    stbi_uc* pixels = stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &image.width,
+                                            &image.height, &channels, 0);
+    REQUIRE(pixels != nullptr);
+    CHECK(channels == 3);
+    image.rgb.assign(pixels, pixels + 3 * image.width * image.height);
+    stbi_image_free(pixels);
+    return image;
+}
+
+Image noise(int width, int height) {
+    std::mt19937 random(1);
+    Image image{width, height, {}};
+    for (int i = 0; i < 3 * width * height; ++i)
+        image.rgb.push_back(static_cast<std::uint8_t>(random() & 255u));
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("A PNG decodes to the bytes of its image") {
+    for (const Image& image : {noise(1, 1), noise(37, 11), Studio(96, 54).render(stack_of_cubes(3))}) {
+        CHECK(decode_png(encode_png(image)) == image);
+    }
+}
+
+TEST_CASE("A frame as PNG takes less than a fifth of its bytes") {
+    const Image image = Studio(640, 360).render(stack_of_cubes(5));
+    const std::size_t size = encode_png(image).size();
+    INFO(size << " of " << image.rgb.size() << " bytes");
+    CHECK(size < image.rgb.size() / 5);
+}
+
+TEST_CASE("An image whose bytes do not fit its size is not encoded") {
+    CHECK_THROWS_AS(encode_png(Image{}), RendererError);
+    CHECK_THROWS_AS(encode_png(Image{2, 2, {1, 2, 3}}), RendererError);
+    CHECK_THROWS_AS(encode_png(Image{-1, -1, {1, 2, 3}}), RendererError);
+}

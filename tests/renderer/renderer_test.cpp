@@ -1,0 +1,97 @@
+#include "renderer/renderer.h"
+
+#include "renderer/renderer_error.h"
+#include "tests/catch.h"
+#include "tests/renderer/sample_pictures.h"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+
+using namespace pushfactor::renderer;
+using Catch::Matchers::Contains;
+
+TEST_CASE("The same picture gives the same bytes, whatever was drawn in between") {
+    Studio studio(160, 90);
+    const Image first = studio.render(stack_of_cubes(5));
+
+    Picture other = stack_of_cubes(40);
+    other.camera.eye *= 3.0f;
+    other.towards_sun = {1.0f, 1.0f, 0.0f};
+    other.ground.reset();
+    CHECK(studio.render(other) != first);
+    CHECK(studio.render(Picture{}) != first);
+    CHECK(studio.render(stack_of_cubes(5)) == first);
+}
+
+TEST_CASE("A fresh context gives the same bytes") {
+    const Image first = Studio(160, 90).render(stack_of_cubes(5));
+    CHECK(Studio(160, 90).render(stack_of_cubes(5)) == first);
+}
+
+TEST_CASE("Renderers that live at the same time do not disturb each other") {
+    Studio wide(160, 90);
+    const Image alone = wide.render(stack_of_cubes(5));
+    Studio square(64, 64);
+    const Image small = square.render(stack_of_cubes(2));
+    CHECK(wide.render(stack_of_cubes(5)) == alone);
+    CHECK(square.render(stack_of_cubes(2)) == small);
+}
+
+TEST_CASE("Two renderers may share a context") {
+    const auto context = open_offscreen_context();
+    Renderer wide(*context, 160, 90, shader_directory);
+    const Image alone = wide.render(stack_of_cubes(5));
+    Renderer(*context, 32, 32, shader_directory).render(stack_of_cubes(2));
+    CHECK(wide.render(stack_of_cubes(5)) == alone);
+}
+
+TEST_CASE("A body thrown out of sight changes nothing") {
+    Studio studio(160, 90);
+    Picture picture = stack_of_cubes(3);
+    const Image before = studio.render(picture);
+    for (const float far : {1e4f, 1e20f, 1e38f}) {
+        picture.boxes.push_back({.position = {far, -far, far}});
+        CHECK(studio.render(picture) == before);
+    }
+}
+
+TEST_CASE("The image has the size that was asked for") {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, std::pair{3, 200}, std::pair{Renderer::max_side, 2}}) {
+        const Image image = Studio(width, height).render(stack_of_cubes(1));
+        CHECK(image.width == width);
+        CHECK(image.height == height);
+        CHECK(image.rgb.size() == static_cast<std::size_t>(3 * width * height));
+    }
+}
+
+TEST_CASE("Sizes that are empty or too large are refused") {
+    const auto context = open_offscreen_context();
+    for (const auto& [width, height] :
+         {std::pair{0, 90}, std::pair{160, 0}, std::pair{-160, 90}, std::pair{Renderer::max_side + 1, 90},
+          std::pair{160, Renderer::max_side + 1}}) {
+        CHECK_THROWS_AS(Renderer(*context, width, height, shader_directory), RendererError);
+    }
+}
+
+TEST_CASE("A missing shader is named") {
+    const auto context = open_offscreen_context();
+    CHECK_THROWS_AS(Renderer(*context, 8, 8, "no/such/folder"), RendererError);
+    CHECK_THROWS_WITH(Renderer(*context, 8, 8, "no/such/folder"), Contains("no/such/folder/body.vert"));
+}
+
+TEST_CASE("A shader that does not compile is named, with the compiler's message") {
+    namespace fs = std::filesystem;
+    const fs::path copy = fs::temp_directory_path() / "pushfactor_broken_shaders";
+    fs::remove_all(copy);
+    fs::copy(shader_directory, copy);
+    std::ofstream(copy / "ground.frag") << "#version 330 core\nvoid main() { unheard_of = 1.0; }\n";
+
+    const auto context = open_offscreen_context();
+    CHECK_THROWS_WITH(Renderer(*context, 8, 8, copy), Contains("ground.frag") && Contains("unheard_of"));
+
+    std::ofstream(copy / "ground.frag") << "#version 330 core\nvoid missing();\nvoid main() { missing(); }\n";
+    CHECK_THROWS_WITH(Renderer(*context, 8, 8, copy), Contains("ground.frag") && Contains("missing"));
+    fs::remove_all(copy);
+}
