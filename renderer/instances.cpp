@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 
 std::vector<Instance> box_instances(std::span<const Box> boxes) {
-    constexpr float bevel = 0.06f;  // of the smallest half extent
+    constexpr float bevel = 0.08f;  // of the smallest half extent
     std::vector<Instance> instances;
     instances.reserve(boxes.size());
     for (const Box& box : boxes) {

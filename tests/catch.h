@@ -3,10 +3,20 @@
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)
+
 #include <catch2/catch_all.hpp>
+
+// The names of version 2, which the tests use.
+using Catch::Approx;
+namespace Catch {
+inline auto Contains(const std::string& text) { return Matchers::ContainsSubstring(text); }
+}  // namespace Catch
+
 #else
+
 #ifdef PUSHFACTOR_CATCH_MAIN
 #define CATCH_CONFIG_MAIN
 #endif
 #include <catch2/catch.hpp>
+
 #endif

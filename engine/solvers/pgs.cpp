@@ -36,6 +36,9 @@ class Sweep {
             const Row& row = rows_[static_cast<std::size_t>(j)];
             for (int c = 0; c < columns; ++c) {
                 lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
+                // The bounds once more: scaling back may pass them by a rounding.
+                const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, c);
+                lambda(j, c) = std::max(std::min(lambda(j, c), high), low);
             }
         }
     }

@@ -7,7 +7,7 @@
 #include <limits>
 
 using namespace pushfactor::renderer;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("A picture that cannot be drawn is refused by the name of the field") {
     Picture picture = stack_of_cubes(3);

@@ -9,7 +9,7 @@
 #include <fstream>
 
 using namespace pushfactor::renderer;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("The same picture gives the same bytes, whatever was drawn in between") {
     Studio studio(160, 90);

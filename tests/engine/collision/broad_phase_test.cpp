@@ -1,0 +1,89 @@
+#include "engine/collision/broad_phase.h"
+
+#include "engine/collision/detector.h"
+#include "tests/catch.h"
+#include "tests/random.h"
+
+using namespace pushfactor::engine;
+using namespace pushfactor::engine::collision;
+using pushfactor::tests::Random;
+
+namespace {
+
+struct Crowd {
+    std::vector<Body> bodies;
+    std::vector<Collider> colliders;
+};
+
+Crowd crowd(Random& random, int count, const Vector3& spread) {
+    Crowd result;
+    result.bodies.push_back(static_body({0, -1, 0}, random.rotation()));
+    result.colliders.push_back({.body = 0, .shape = Plane{}});
+    for (int i = 1; i <= count; ++i) {
+        const Vector3 half = random.vector(0.1, 1.0);
+        const Vector3 position = random.vector(-1, 1).cwiseProduct(spread);
+        const bool fixed = i % 5 == 0;
+        result.bodies.push_back(fixed ? static_body(position, random.rotation())
+                                      : box_body(1.0, 2.0 * half, position, random.rotation()));
+        result.colliders.push_back({.body = i, .shape = Box{half}});
+    }
+    return result;
+}
+
+bool boxes_overlap(const Crowd& crowd, std::size_t i, std::size_t j) {
+    const auto reach = [&](std::size_t k) -> Vector3 {
+        return pose_of(crowd.bodies[k]).rotation.cwiseAbs() * std::get<Box>(crowd.colliders[k].shape).half_size;
+    };
+    const Vector3 distance = (crowd.bodies[i].position - crowd.bodies[j].position).cwiseAbs();
+    return (distance.array() < (reach(i) + reach(j)).array()).all();
+}
+
+bool reaches_plane(const Crowd& crowd, std::size_t i) {
+    const Vector3 up = crowd.bodies[0].orientation * Vector3::UnitY();
+    const Vector3 reach =
+        pose_of(crowd.bodies[i]).rotation.cwiseAbs() * std::get<Box>(crowd.colliders[i].shape).half_size;
+    return up.dot(crowd.bodies[i].position - crowd.bodies[0].position) < up.cwiseAbs().dot(reach);
+}
+
+}  // namespace
+
+TEST_CASE("the broad phase finds what comparing all bounding boxes finds, in order") {
+    Random random(7);
+    for (const Vector3& spread : {Vector3(8, 2, 2), Vector3(1, 30, 1), Vector3(4, 4, 4)}) {
+        const Crowd scene = crowd(random, 60, spread);
+        std::vector<Pair> expected;
+        for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
+            for (std::size_t j = i + 1; j < scene.colliders.size(); ++j) {
+                if (scene.bodies[i].is_static() && scene.bodies[j].is_static()) continue;
+                const bool near = i == 0 ? reaches_plane(scene, j) : boxes_overlap(scene, i, j);
+                if (near) expected.push_back({static_cast<int>(i), static_cast<int>(j)});
+            }
+        }
+        BroadPhase broad_phase;
+        const auto pairs = broad_phase.find_pairs(scene.colliders, scene.bodies, 0.0);
+        CHECK(!expected.empty());
+        CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == expected);
+    }
+}
+
+TEST_CASE("two colliders of one body and two static bodies never make a pair") {
+    std::vector<Body> bodies{static_body(Vector3::Zero()), static_body(Vector3::Zero()),
+                             box_body(1.0, Vector3::Ones(), Vector3::Zero())};
+    const std::vector<Collider> colliders{{.body = 0, .shape = Box{}}, {.body = 1, .shape = Box{}},
+                                          {.body = 2, .shape = Box{}}, {.body = 2, .shape = Box{}}};
+    BroadPhase broad_phase;
+    const auto pairs = broad_phase.find_pairs(colliders, bodies, 0.0);
+    const std::vector<Pair> expected{{0, 2}, {0, 3}, {1, 2}, {1, 3}};
+    CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == expected);
+}
+
+TEST_CASE("a pair has the size of its smaller movable body and the root of the friction product") {
+    const std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1.0, {4, 4, 4}, {0, 1.9, 0})};
+    const std::vector<Collider> colliders{{.body = 0, .shape = Box{Vector3::Constant(0.1)}, .friction = 0.2},
+                                          {.body = 1, .shape = Box{Vector3::Constant(2)}, .friction = 0.8}};
+    Detector detector;
+    const auto touches = detector.detect(colliders, bodies, {});
+    REQUIRE(touches.size() == 1);
+    CHECK(touches[0].size == 4.0);
+    CHECK(touches[0].friction == Approx(0.4));
+}

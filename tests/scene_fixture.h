@@ -1,0 +1,37 @@
+// The project's own scenes for tests: a setting or two changed, then stepped.
+#pragma once
+
+#include <string_view>
+
+#include "demos/catalogue.h"
+#include "demos/simulation.h"
+
+namespace pushfactor::tests {
+
+inline demos::Simulation simulate(std::string_view scene, const demos::Settings& settings,
+                                  std::initializer_list<std::pair<std::string_view, std::string_view>> parameters = {}) {
+    const demos::SceneEntry& entry = *demos::find_scene(scene);
+    demos::ParameterValues values(entry.parameters);
+    for (const auto& [name, text] : parameters) {
+        for (const demos::Parameter& parameter : entry.parameters) {
+            if (parameter.name == name) values.set(parameter, text);
+        }
+    }
+    return demos::Simulation(entry.build(values, settings), settings);
+}
+
+inline void advance(demos::Simulation& simulation, double seconds) {
+    const long steps = std::lround(seconds / simulation.settings().dt.value());
+    for (long i = 0; i < steps; ++i) simulation.advance();
+}
+
+// As good as an exact solver on these scenes: the sweep until nothing changes.
+inline demos::Settings solved_exactly(demos::Settings settings) {
+    settings.iterations = 20000;
+    settings.tolerance_high = 1e-13;
+    settings.tolerance_low = 1e-13;
+    settings.warm_start = true;
+    return settings;
+}
+
+}  // namespace pushfactor::tests
