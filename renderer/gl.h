@@ -68,15 +68,15 @@ class OffscreenContext;
     X(VertexAttribPointer)            \
     X(Viewport)
 
-/// The GL functions that are used, without their prefix: `gl.Clear(GL_COLOR_BUFFER_BIT)`.
+// The GL functions that are used, without their prefix: `gl.Clear(GL_COLOR_BUFFER_BIT)`.
 struct Gl {
 #define PUSHFACTOR_GL_MEMBER(name) decltype(&gl##name) name = nullptr;
     PUSHFACTOR_GL_FUNCTIONS(PUSHFACTOR_GL_MEMBER)
 #undef PUSHFACTOR_GL_MEMBER
 };
 
-/// Makes the context current and loads its functions. Throws RendererError when the context is older than
-/// GL 3.3 or lacks a function.
+// Makes the context current and loads its functions. Throws RendererError when the context is older than
+// GL 3.3 or lacks a function.
 Gl load_gl(OffscreenContext& context);
 
 }  // namespace pushfactor::renderer

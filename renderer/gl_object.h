@@ -4,8 +4,8 @@
 
 namespace pushfactor::renderer {
 
-/// A buffer, texture, renderbuffer, framebuffer or vertex array that is deleted with its owner:
-/// `GlObject texture(gl.GenTextures, gl.DeleteTextures)`. Its context must be current at both ends.
+// A buffer, texture, renderbuffer, framebuffer or vertex array that is deleted with its owner:
+// `GlObject texture(gl.GenTextures, gl.DeleteTextures)`. Its context must be current at both ends.
 class GlObject {
   public:
     // All of these kinds share the signatures of the buffers.

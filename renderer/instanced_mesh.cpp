@@ -11,8 +11,8 @@ void upload(const Gl& gl, GLenum target, const GlObject& buffer, const Range& el
     gl.BufferData(target, static_cast<GLsizeiptr>(std::span(elements).size_bytes()), elements.data(), usage);
 }
 
-/// Describes a member of the bound buffer's elements. It advances for each vertex with `divisor` 0, for each
-/// instance with 1.
+// Describes a member of the bound buffer's elements. It advances for each vertex with `divisor` 0, for each
+// instance with 1.
 void attribute(const Gl& gl, GLuint location, GLint components, std::size_t stride, std::size_t offset,
                GLuint divisor) {
     gl.EnableVertexAttribArray(location);

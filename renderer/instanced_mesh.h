@@ -11,23 +11,23 @@
 
 namespace pushfactor::renderer {
 
-/// One body as the vertex shaders see it. World frame, m.
+// One body as the vertex shaders see it. World frame, m.
 struct Instance {
     glm::vec3 position;
-    float bevel;            ///< m, at most the smallest half extent; see Vertex
-    glm::vec4 orientation;  ///< unit quaternion x, y, z, w, body to world
+    float bevel;            // m, at most the smallest half extent; see Vertex
+    glm::vec4 orientation;  // unit quaternion x, y, z, w, body to world
     glm::vec3 half_extents;
-    glm::vec3 colour;  ///< linear light, 0..1
+    glm::vec3 colour;  // linear light, 0..1
 };
 
-/// A mesh on the GPU and the instances of it that a frame shows.
+// A mesh on the GPU and the instances of it that a frame shows.
 class InstancedMesh {
   public:
     InstancedMesh(const Gl& gl, const Mesh& mesh);
 
     void set_instances(std::span<const Instance> instances);
 
-    /// Draws all instances with the program in use.
+    // Draws all instances with the program in use.
     void draw() const;
 
   private:

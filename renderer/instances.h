@@ -8,13 +8,13 @@
 
 namespace pushfactor::renderer {
 
-/// The boxes as the shaders want them, in the same order.
+// The boxes as the shaders want them, in the same order.
 std::vector<Instance> box_instances(std::span<const Box> boxes);
 
-/// A piece of the ground below `centre` that reaches `half_side` m to each side.
+// A piece of the ground below `centre` that reaches `half_side` m to each side.
 Instance ground_instance(const Ground& ground, const glm::vec3& centre, float half_side);
 
-/// Those bodies that are near enough to the ground to darken it.
+// Those bodies that are near enough to the ground to darken it.
 std::vector<Instance> touching(const Ground& ground, std::span<const Instance> bodies);
 
 }  // namespace pushfactor::renderer

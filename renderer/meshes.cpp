@@ -8,13 +8,13 @@
 namespace pushfactor::renderer {
 namespace {
 
-/// A corner of the box by its bits: bit a is set where the coordinate along axis a is positive.
+// A corner of the box by its bits: bit a is set where the coordinate along axis a is positive.
 glm::vec3 corner_position(int corner) {
     return {(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
             (corner & 4) != 0 ? 1.0f : -1.0f};
 }
 
-/// Each corner has one vertex for each of the three faces that meet there.
+// Each corner has one vertex for each of the three faces that meet there.
 int vertex_at(int corner, int face_axis) {
     return 3 * corner + face_axis;
 }
@@ -36,7 +36,7 @@ void add_triangle(Mesh& mesh, const std::array<int, 3>& triangle) {
     }
 }
 
-/// The points are given around the quad, in either direction.
+// The points are given around the quad, in either direction.
 void add_quad(Mesh& mesh, const std::array<int, 4>& quad) {
     add_triangle(mesh, {quad[0], quad[1], quad[2]});
     add_triangle(mesh, {quad[0], quad[2], quad[3]});

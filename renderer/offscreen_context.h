@@ -5,10 +5,10 @@
 
 namespace pushfactor::renderer {
 
-/// A GL 3.3 (or later) core context without a window. It is used and destroyed on the thread that opened it,
-/// after everything that was made in it.
-///
-/// The default framebuffer is not for drawing: it has a few pixels at most. Draw into a framebuffer object.
+// A GL 3.3 (or later) core context without a window. It is used and destroyed on the thread that opened it,
+// after everything that was made in it.
+//
+// The default framebuffer is not for drawing: it has a few pixels at most. Draw into a framebuffer object.
 class OffscreenContext {
   public:
     OffscreenContext() = default;
@@ -16,19 +16,19 @@ class OffscreenContext {
     OffscreenContext& operator=(const OffscreenContext&) = delete;
     virtual ~OffscreenContext() = default;
 
-    /// Makes this the context that GL calls of this thread go to. Throws RendererError.
+    // Makes this the context that GL calls of this thread go to. Throws RendererError.
     virtual void make_current() = 0;
 
-    /// The address of a GL function such as "glClear". A name that the context does not know may still give a
-    /// non-null address: the context's version is what says whether a function can be called.
+    // The address of a GL function such as "glClear". A name that the context does not know may still give a
+    // non-null address: the context's version is what says whether a function can be called.
     virtual void* function(const char* name) = 0;
 
-    /// The backend, for messages: "OSMesa".
+    // The backend, for messages: "OSMesa".
     virtual std::string description() const = 0;
 };
 
-/// Opens the offscreen context of this machine and makes it current. Throws RendererError when there is none;
-/// the message names the package to install.
+// Opens the offscreen context of this machine and makes it current. Throws RendererError when there is none;
+// the message names the package to install.
 std::unique_ptr<OffscreenContext> open_offscreen_context();
 
 }  // namespace pushfactor::renderer

@@ -11,8 +11,8 @@
 namespace pushfactor::renderer {
 namespace {
 
-/// The part of OSMesa that is used, found at run time: a program that only simulates starts without Mesa, and
-/// the GL symbols that libOSMesa exports clash with nobody's.
+// The part of OSMesa that is used, found at run time: a program that only simulates starts without Mesa, and
+// the GL symbols that libOSMesa exports clash with nobody's.
 struct OsmesaLibrary {
     decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
     decltype(&OSMesaDestroyContext) destroy_context = nullptr;
@@ -86,7 +86,7 @@ class OsmesaContext final : public OffscreenContext {
     static constexpr int side = 16;  // pixels
 
     OsmesaLibrary osmesa_;
-    /// The default framebuffer that OSMesa insists on; it lives as long as the context.
+    // The default framebuffer that OSMesa insists on; it lives as long as the context.
     std::array<std::uint8_t, 4 * side * side> buffer_{};
     OSMesaContext context_;
 };

@@ -8,38 +8,38 @@
 
 namespace pushfactor::renderer {
 
-/// Where the picture is taken from. World frame, y up, metres. The distance from eye to target is the scale
-/// of the picture: haze and the spacing of the ground's lines follow it.
+// Where the picture is taken from. World frame, y up, metres. The distance from eye to target is the scale
+// of the picture: haze and the spacing of the ground's lines follow it.
 struct Camera {
     glm::vec3 eye{0.0f, 5.0f, 20.0f};
     glm::vec3 target{0.0f};
-    float vertical_field_of_view_degrees = 38.0f;  ///< in (0, 180)
+    float vertical_field_of_view_degrees = 38.0f;  // in (0, 180)
 };
 
-/// A box with slightly bevelled edges.
+// A box with slightly bevelled edges.
 struct Box {
-    glm::vec3 position{0.0f};                       ///< of the centre, world frame, m
-    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  ///< body to world, unit length
-    glm::vec3 half_extents{0.5f};                   ///< along the body's axes, m, >= 0
-    glm::vec3 colour{0.5f};                         ///< sRGB, each 0..1
+    glm::vec3 position{0.0f};                       // of the centre, world frame, m
+    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
+    glm::vec3 half_extents{0.5f};                   // along the body's axes, m, >= 0
+    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
 };
 
-/// An endless horizontal plane, seen from above only. Its lines are 1 m apart and every fifth is stronger;
-/// from a distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
+// An endless horizontal plane, seen from above only. Its lines are 1 m apart and every fifth is stronger;
+// from a distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
 struct Ground {
-    float height = 0.0f;  ///< y, m
+    float height = 0.0f;  // y, m
 };
 
-/// All that one frame shows.
+// All that one frame shows.
 struct Picture {
     Camera camera;
-    glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  ///< world frame, any length but 0; shadows fall the other way
+    glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any length but 0; shadows fall the other way
     std::optional<Ground> ground{};
     std::vector<Box> boxes{};
 };
 
-/// Throws RendererError that names the first field with which the picture cannot be drawn: a number that is
-/// not finite, a camera or a sun without a direction, an angle of view out of range.
+// Throws RendererError that names the first field with which the picture cannot be drawn: a number that is
+// not finite, a camera or a sun without a direction, an angle of view out of range.
 void check(const Picture& picture);
 
 }  // namespace pushfactor::renderer

@@ -11,8 +11,8 @@
 namespace pushfactor::renderer {
 namespace {
 
-/// Half the time of stb's own settings for files that are a few percent larger. They are globals of stb, so
-/// they are set once, before the first image.
+// Half the time of stb's own settings for files that are a few percent larger. They are globals of stb, so
+// they are set once, before the first image.
 bool set_compression() {
     stbi_write_png_compression_level = 5;
     stbi_write_force_png_filter = 0;

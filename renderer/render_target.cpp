@@ -8,7 +8,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-/// Gives the bound framebuffer an image of its own.
+// Gives the bound framebuffer an image of its own.
 void attach(const Gl& gl, GLenum attachment, const GlObject& image, GLenum format, int samples, int width,
             int height) {
     gl.BindRenderbuffer(GL_RENDERBUFFER, image.name());

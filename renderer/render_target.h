@@ -9,16 +9,16 @@
 
 namespace pushfactor::renderer {
 
-/// What a frame is drawn into: depth and colour (linear light in, sRGB stored), up to four samples a pixel.
+// What a frame is drawn into: depth and colour (linear light in, sRGB stored), up to four samples a pixel.
 class RenderTarget {
   public:
-    /// Throws RendererError when GL refuses the size (pixels).
+    // Throws RendererError when GL refuses the size (pixels).
     RenderTarget(const Gl& gl, int width, int height);
 
-    /// Directs drawing to all of this target.
+    // Directs drawing to all of this target.
     void bind() const;
 
-    /// The finished frame: the mean of each pixel's samples.
+    // The finished frame: the mean of each pixel's samples.
     Image read();
 
   private:

@@ -36,12 +36,12 @@ struct Scene {
     float scale;  // m
 };
 
-/// From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
+// From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
 float line_spacing(float scale) {
     return std::pow(10.0f, std::floor(std::log10(scale / 6.0f)));
 }
 
-/// Bodies beyond the reach of the ground are lost in the haze, however far a simulation has thrown them.
+// Bodies beyond the reach of the ground are lost in the haze, however far a simulation has thrown them.
 std::vector<Instance> visible_boxes(const Picture& picture, float scale) {
     std::vector<Instance> boxes = box_instances(picture.boxes);
     std::erase_if(boxes, [&](const Instance& box) {
@@ -50,7 +50,7 @@ std::vector<Instance> visible_boxes(const Picture& picture, float scale) {
     return boxes;
 }
 
-/// Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
+// Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
 glm::mat4 texture_from_clip() {
     return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)), glm::vec3(0.5f));
 }
@@ -113,7 +113,7 @@ class Renderer::Pipeline {
         shadow_map_.bind_texture();
     }
 
-    /// Takes a program into use and sets all that does not depend on what it draws.
+    // Takes a program into use and sets all that does not depend on what it draws.
     void use(const ShaderProgram& program, const Scene& scene) const {
         const Picture& picture = scene.picture;
         program.use();
@@ -137,7 +137,7 @@ class Renderer::Pipeline {
         squares_.draw();
     }
 
-    /// Nothing but the ground has been drawn when this darkens it, so there is no depth to test.
+    // Nothing but the ground has been drawn when this darkens it, so there is no depth to test.
     void draw_contacts(const Scene& scene, const Ground& ground) {
         squares_.set_instances(touching(ground, scene.bodies));
         use(contact_program_, scene);

@@ -5,17 +5,17 @@
 
 namespace pushfactor::renderer {
 
-/// A depth image seen from the sun. Lookups compare and interpolate; outside of the image everything is lit.
+// A depth image seen from the sun. Lookups compare and interpolate; outside of the image everything is lit.
 class ShadowMap {
   public:
-    static constexpr int max_side = 2048;  ///< texels
+    static constexpr int max_side = 2048;  // texels
 
     explicit ShadowMap(const Gl& gl);
 
-    /// Directs drawing to a new, empty map of this size in texels, each side 1..max_side.
+    // Directs drawing to a new, empty map of this size in texels, each side 1..max_side.
     void begin(int width, int height) const;
 
-    /// Makes the map the texture of unit 0.
+    // Makes the map the texture of unit 0.
     void bind_texture() const;
 
   private:

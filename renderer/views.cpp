@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-/// A direction that is up on the screen: y, except when looking straight along it.
+// A direction that is up on the screen: y, except when looking straight along it.
 glm::vec3 screen_up(const glm::vec3& view_direction) {
     const bool vertical = std::abs(glm::normalize(view_direction).y) > 0.999f;
     return vertical ? glm::vec3(0.0f, 0.0f, -1.0f) : glm::vec3(0.0f, 1.0f, 0.0f);

@@ -10,26 +10,26 @@
 
 namespace pushfactor::renderer {
 
-/// Radius about its position of a sphere that holds the body, m.
+// Radius about its position of a sphere that holds the body, m.
 float bounding_radius(const Instance& body);
 
-/// The distance in m by which haze, ground and shadows are measured: how far away the camera's target is.
+// The distance in m by which haze, ground and shadows are measured: how far away the camera's target is.
 float scale_of(const Camera& camera);
 
-/// World to clip space of a camera. `aspect` is width over height. Shows everything from a hundredth of the
-/// picture's scale up to `farthest` m from the eye.
+// World to clip space of a camera. `aspect` is width over height. Shows everything from a hundredth of the
+// picture's scale up to `farthest` m from the eye.
 glm::mat4 camera_view(const Camera& camera, float aspect, float farthest);
 
-/// How the sun sees the bodies: parallel light, an image just large enough for all of them.
+// How the sun sees the bodies: parallel light, an image just large enough for all of them.
 struct SunView {
     glm::mat4 world_to_clip;
-    int width;    ///< texels
-    int height;   ///< texels
-    float texel;  ///< side of one texel in the world, m
+    int width;    // texels
+    int height;   // texels
+    float texel;  // side of one texel in the world, m
 };
 
-/// A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side.
-/// It moves by whole texels, so that the shadows of resting bodies keep still while others move.
+// A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side.
+// It moves by whole texels, so that the shadows of resting bodies keep still while others move.
 SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int max_side);
 
 }  // namespace pushfactor::renderer

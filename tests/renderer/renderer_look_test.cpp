@@ -24,7 +24,7 @@ bool is_blue(const Pixel& pixel) {
 const Camera from_the_front{.eye = {0.0f, 0.0f, 10.0f}, .target = glm::vec3(0.0f)};
 const Camera from_above{.eye = {0.0f, 20.0f, 0.0f}, .target = glm::vec3(0.0f)};
 
-/// The largest difference of any channel of two images of the same size.
+// The largest difference of any channel of two images of the same size.
 int largest_difference(const Image& a, const Image& b) {
     int largest = 0;
     for (std::size_t i = 0; i < a.rgb.size(); ++i)

@@ -1,0 +1,90 @@
+// How runs are judged, on scenes whose end is known beforehand.
+#include "demos/measurements.h"
+
+#include "demos/errors.h"
+#include "demos/scenes/cube_tower.h"
+#include "tests/catch.h"
+
+#include <limits>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using engine::Vector3;
+
+namespace {
+
+Settings settings() {
+    return preset_settings("default");
+}
+
+// One cube that rests on the ground, for whoever wants to disturb it.
+Scene one_cube() {
+    Scene scene = scenes::cube_tower({.count = 1, .gap = 0.0, .ground_gap = -0.001}, settings());
+    scene.name = "one-cube";
+    return scene;
+}
+
+struct Judged {
+    Outcome outcome;
+    std::optional<double> fall_time, lean_time;
+    double max_off_axis;
+};
+
+Judged judge(Scene scene, double seconds) {
+    Simulation simulation(std::move(scene), settings());
+    Measurements measurements(simulation);
+    for (int i = 0; i < seconds * 60; ++i) {
+        simulation.advance();
+        measurements.observe(simulation);
+    }
+    return {measurements.outcome(), measurements.fall_time(), measurements.lean_time(), measurements.max_off_axis()};
+}
+
+}  // namespace
+
+TEST_CASE("a cube that is left alone rests") {
+    CHECK(judge(one_cube(), 2).outcome == Outcome::rest);
+}
+
+TEST_CASE("a cube that is thrown up flies, one that slides moves, one that slips through the ground tunnels") {
+    Scene thrown = one_cube();
+    thrown.world.bodies[1].linear_momentum = Vector3(0, 30, 0) / thrown.world.bodies[1].inverse_mass;
+    CHECK(judge(std::move(thrown), 1).outcome == Outcome::fly);
+
+    Scene sliding = one_cube();
+    sliding.world.bodies[1].linear_momentum = Vector3(20, 0, 0) / sliding.world.bodies[1].inverse_mass;
+    CHECK(judge(std::move(sliding), 2).outcome == Outcome::moving);
+
+    Scene below = one_cube();
+    below.world.constraints.clear();  // nothing holds it
+    below.contacts = nullptr;
+    const Judged fallen = judge(std::move(below), 1);
+    CHECK(fallen.outcome == Outcome::fall);
+    REQUIRE(fallen.fall_time);
+    // Half a side of 2.4 m in free fall: sqrt(2 1.2 / 10) s = 0.49 s.
+    CHECK(*fallen.fall_time == Approx(0.49).margin(0.02));
+}
+
+TEST_CASE("lean time is the first moment at half a side sideways") {
+    Scene sliding = one_cube();
+    sliding.world.bodies[1].linear_momentum = Vector3(20, 0, 0) / sliding.world.bodies[1].inverse_mass;
+    const Judged judged = judge(std::move(sliding), 1);
+    REQUIRE(judged.lean_time);
+    // v t - mu g t^2 / 2 = 1.2 m with v = 20, mu g = 5.
+    CHECK(*judged.lean_time == Approx(0.0606).margin(1.0 / 60));
+    CHECK(judged.max_off_axis == Approx(20.0 - 2.5).epsilon(0.02));
+}
+
+TEST_CASE("a number that is not finite ends the run with body, quantity and step") {
+    Scene scene = one_cube();
+    scene.world.bodies[1].linear_momentum.x() = std::numeric_limits<double>::quiet_NaN();
+    Simulation simulation(std::move(scene), settings());
+    CHECK_THROWS_AS(simulation.advance(), NonFiniteError);
+    CHECK_THROWS_WITH(simulation.advance(), Catch::Contains("body 1") && Catch::Contains("position") && Catch::Contains("step"));
+}
+
+TEST_CASE("the median is the middle, or the mean of the two in the middle") {
+    CHECK(median({3, 1, 2}) == 2.0);
+    CHECK(median({4, 1, 2, 3}) == 2.5);
+    CHECK(median({}) == 0.0);
+}

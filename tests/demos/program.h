@@ -1,0 +1,71 @@
+// Runs the program as a user would, in a folder of its own.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace pushfactor::tests {
+
+inline std::string read_file(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+// A folder that is gone with the object.
+class Folder {
+  public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "pushfactor-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::string read(const std::string& name) const { return read_file(path_ / name); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+
+    // Names of all files below, "a/b.png".
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
+            if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), path_).string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct Ended {
+    int status = -1;  // exit status
+    std::string out, err;
+};
+
+// Runs a shell command with `pushfactor` as the program, in `folder`.
+inline Ended shell(const Folder& folder, const std::string& command) {
+    const Folder streams;
+    const std::string line = "cd '" + folder.path().string() + "' && pushfactor() { '" PUSHFACTOR_PROGRAM "' \"$@\"; }; { " +
+                             command + "; } >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() + "'";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, streams.read("out"), streams.read("err")};
+}
+
+inline Ended run_program(const std::string& arguments) {
+    return shell(Folder(), "pushfactor " + arguments);
+}
+
+}  // namespace pushfactor::tests

@@ -1,0 +1,135 @@
+// The files of the program: their columns, that equal runs give equal bytes, and that nothing is left half-written.
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace pushfactor::tests;
+
+namespace {
+
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+long lines(const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+}
+
+const std::string tiny = " --size 64x36 ";
+
+}  // namespace
+
+TEST_CASE("the CSV files have the columns of the design and one line for each thing that they list") {
+    const Folder folder;
+    const Ended ended = shell(folder, "pushfactor run stack --count 2 --gap -0.01 --seconds 0.5 --csv steps.csv --trajectory bodies.csv "
+                                      "--rows rows.csv --summary summary.json");
+    REQUIRE(ended.status == 0);
+    CHECK(ended.out.empty());
+    CHECK(folder.files() == std::vector<std::string>{"bodies.csv", "rows.csv", "steps.csv", "summary.json"});
+
+    const std::string steps = folder.read("steps.csv");
+    CHECK(first_line(steps) ==
+          "step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,max_penetration_m,rms_penetration_m,"
+          "max_length_error_m,residual_m_per_s,contacts,rows,columns,substeps,sweeps");
+    CHECK(lines(steps) == 1 + 30);
+    const std::string bodies = folder.read("bodies.csv");
+    CHECK(first_line(bodies) == "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
+                                "wy_rad_per_s,wz_rad_per_s");
+    CHECK(lines(bodies) == 1 + 31 * 2);
+    const std::string rows = folder.read("rows.csv");
+    CHECK(first_line(rows) == "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,"
+                              "push_lasting_m_per_s,c_min_n,c_max_n,lambda_first_n,lambda_last_n");
+    CHECK(lines(rows) == 1 + 30 * 2 * 4 * 3);
+}
+
+TEST_CASE("--timing adds one column and --fps thins the trajectory") {
+    const Folder folder;
+    shell(folder, "pushfactor run stack --seconds 1 --timing --csv steps.csv --fps 10 --trajectory bodies.csv");
+    CHECK(first_line(folder.read("steps.csv")).ends_with(",sweeps,step_us"));
+    CHECK(lines(folder.read("bodies.csv")) == 1 + 11 * 5);
+}
+
+TEST_CASE("two runs give equal files, and a config file gives the run that wrote it") {
+    const Folder folder;
+    const std::string options = " --count 3 --jitter 0.02 --seed 5 --beta 0.3 --dt 0.01 --seconds 2 ";
+    shell(folder, "pushfactor run stack" + options + "--csv a.csv --summary a.json");
+    shell(folder, "pushfactor run stack" + options + "--csv b.csv --summary b.json");
+    CHECK(folder.read("a.csv") == folder.read("b.csv"));
+    CHECK(folder.read("a.json") == folder.read("b.json"));
+
+    shell(folder, "pushfactor render stack" + options + "--at 0" + tiny + "--out frames");
+    REQUIRE(shell(folder, "pushfactor run --config frames/config.json --summary c.json").status == 0);
+    CHECK(folder.read("c.json") == folder.read("a.json"));
+    // The command line comes before the config.
+    shell(folder, "pushfactor run stack --config frames/config.json --seed 6 --summary d.json");
+    CHECK_THAT(folder.read("d.json"), Catch::Contains("\"seed\": 6") && Catch::Contains("\"beta\": 0.3"));
+}
+
+TEST_CASE("a bad config file is refused by file, key and value") {
+    const Folder folder;
+    const auto said = [&](const std::string& config) {
+        folder.write("my.json", config);
+        const Ended ended = shell(folder, "pushfactor run stack --config my.json");
+        CHECK(ended.status == 2);
+        return ended.err;
+    };
+    CHECK_THAT(said("{\"betta\": 0.1}"), Catch::Contains("betta in my.json") && Catch::Contains("did you mean beta?"));
+    CHECK_THAT(said("{\"beta\": 7}"), Catch::Contains("beta in my.json 7") && Catch::Contains("from 0 to 1"));
+    CHECK_THAT(said("{\"beta\": [1]}"), Catch::Contains("must be a string or a number"));
+    CHECK_THAT(said("{\"beta\": "), Catch::Contains("is no JSON"));
+    CHECK_THAT(said("[1]"), Catch::Contains("must be an object"));
+    CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
+}
+
+TEST_CASE("frames show t = n / fps from zero, in one folder or in one a scene, and are the same bytes every time") {
+    const Folder folder;
+    REQUIRE(shell(folder, "pushfactor render stack --seconds 0.1 --fps 30 --out one" + tiny).status == 0);
+    REQUIRE(shell(folder, "pushfactor render stack intersecting-stack --seconds 0.1 --at 0,0.1 --out two" + tiny).status == 0);
+    const std::vector<std::string> expected{"one/config.json", "one/frame_000000.png", "one/frame_000001.png",
+                                            "one/frame_000002.png", "one/frame_000003.png", "one/summary.json",
+                                            "two/intersecting-stack/at_0.1s.png", "two/intersecting-stack/at_0s.png",
+                                            "two/intersecting-stack/config.json", "two/intersecting-stack/summary.json",
+                                            "two/stack/at_0.1s.png", "two/stack/at_0s.png", "two/stack/config.json",
+                                            "two/stack/summary.json"};
+    CHECK(folder.files() == expected);
+    CHECK(folder.read("one/frame_000003.png") == folder.read("two/stack/at_0.1s.png"));
+    CHECK(folder.read("one/frame_000000.png") != folder.read("one/frame_000003.png"));
+    CHECK(folder.read("one/frame_000000.png").starts_with("\x89PNG"));
+}
+
+TEST_CASE("a disk that is full ends with status 4, leaves no half file and keeps what was there") {
+    const Folder folder;
+    folder.write("steps.csv", "precious");
+    // A file size limit of 4 blocks stands for the full disk: the write fails in the middle of the file.
+    const Ended run = shell(folder, "ulimit -f 4; pushfactor run stack --seconds 60 --csv steps.csv");
+    CHECK(run.status == 4);
+    CHECK_THAT(run.err, Catch::Contains("steps.csv"));
+    CHECK(folder.read("steps.csv") == "precious");
+    CHECK(folder.files() == std::vector<std::string>{"steps.csv"});
+
+    const Ended render = shell(folder, "ulimit -f 4; pushfactor render stack --at 0 --size 640x360 --out frames");
+    CHECK(render.status == 4);
+    CHECK_THAT(render.err, Catch::Contains("frames/at_0s.png"));
+    for (const std::string& name : folder.files()) {
+        CHECK_THAT(name, !Catch::Contains(".png") && !Catch::Contains(".partial"));
+    }
+}
+
+TEST_CASE("an interrupted render leaves whole frames only and says how many") {
+    const Folder folder;
+    const Ended ended = shell(folder, "'" PUSHFACTOR_PROGRAM "' render stack --seconds 1000 --out frames" + tiny +
+                                          "& until [ -e frames/frame_000003.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
+    CHECK(ended.status == 1);
+    CHECK_THAT(ended.err, Catch::Contains("interrupted") && Catch::Contains("frames are in frames"));
+    long frames = 0;
+    for (const std::string& name : folder.files()) {
+        CHECK_THAT(name, !Catch::Contains(".partial") && !Catch::Contains("summary"));
+        if (!name.ends_with(".png")) continue;
+        ++frames;
+        // A whole PNG ends with its IEND chunk.
+        CHECK(folder.read(name).substr(folder.read(name).size() - 8, 4) == "IEND");
+    }
+    CHECK(frames >= 4);
+}

@@ -1,0 +1,96 @@
+// The program as a user meets it: what it answers, and what it says to bad input.
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace pushfactor::tests;
+
+namespace {
+
+// One line on standard error that begins with the program's name, nothing on standard output.
+void check_refusal(const std::string& arguments, int status, const std::vector<std::string>& said) {
+    INFO("pushfactor " << arguments);
+    const Ended ended = run_program(arguments);
+    CHECK(ended.status == status);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.starts_with("pushfactor: "));
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    for (const std::string& words : said) CHECK_THAT(ended.err, Catch::Contains(words));
+}
+
+}  // namespace
+
+TEST_CASE("the program says its version, its help at every level and its scenes") {
+    CHECK(run_program("--version").out.starts_with("pushfactor "));
+    for (const char* level : {"--help", "run --help", "render --help", "list --help"}) {
+        const Ended help = run_program(level);
+        CHECK(help.status == 0);
+        CHECK_THAT(help.out, Catch::Contains("Exit status"));
+    }
+    CHECK_THAT(run_program("run --help").out, Catch::Contains("--beta") && Catch::Contains("--jitter"));
+    const Ended list = run_program("list");
+    CHECK(list.status == 0);
+    CHECK_THAT(list.out, Catch::Contains("intersecting-stack") && Catch::Contains("made of: gravity"));
+    CHECK(run_program("list --names").out == "stack\nintersecting-stack\n");
+}
+
+TEST_CASE("unknown words are refused with the nearest known one") {
+    check_refusal("run stak", 2, {"scene stak", "stack, intersecting-stack", "did you mean stack?"});
+    check_refusal("run stack --sede 3", 2, {"--sede", "did you mean --seed?"});
+    check_refusal("run stack --foo", 2, {"--foo: unknown option"});
+    check_refusal("rum stack", 2, {"rum", "did you mean run?"});
+    check_refusal("", 2, {"a command is missing"});
+    check_refusal("run", 2, {"a scene is missing"});
+    check_refusal("run stack intersecting-stack", 2, {"one scene at a time"});
+}
+
+TEST_CASE("an option that the scene lacks is refused with those that it has") {
+    check_refusal("run intersecting-stack --jitter 0.01", 2, {"--jitter 0.01", "intersecting-stack", "--count, --gap"});
+}
+
+TEST_CASE("values out of range are refused by option, value and what is allowed") {
+    check_refusal("run stack --dt 0", 2, {"--dt 0", "must be", "1/60"});
+    check_refusal("run stack --dt nan", 2, {"--dt nan", "must be"});
+    check_refusal("run stack --dt 1/0", 2, {"--dt 1/0", "must be"});
+    check_refusal("run stack --count -1", 2, {"--count -1", "from 1 to 1000"});
+    check_refusal("run stack --count 2.5", 2, {"--count 2.5", "whole number"});
+    check_refusal("run stack --beta 2", 2, {"--beta 2", "from 0 to 1"});
+    check_refusal("run stack --beta", 2, {"--beta"});
+    check_refusal("run stack --preset best", 2, {"--preset best", "default, paper"});
+    check_refusal("run stack --solver magic", 2, {"--solver magic", "pgs, dense"});
+    check_refusal("run stack --tolerance 1e-10/1e-8", 2, {"--tolerance", "LOW <= HIGH"});
+    check_refusal("run stack --seconds -1", 2, {"--seconds -1"});
+    check_refusal("run stack --friction inf", 2, {"--friction inf"});
+    check_refusal("render stack --size 0x0", 2, {"--size 0x0", "from 16 to 4096"});
+}
+
+TEST_CASE("a frame that falls between two steps is refused with the rates and times that fit") {
+    check_refusal("render stack --fps 25", 2, {"--fps 25", "30", "20"});
+    check_refusal("render stack --at 0.51", 2, {"--at 0.51", "0.5", "31/60"});
+    check_refusal("render stack --at 11", 2, {"--at 11", "within the 10 s"});
+    check_refusal("run stack --fps 25 --trajectory x.csv", 2, {"--fps 25"});
+}
+
+TEST_CASE("outputs that cannot be written end with status 4 and name the path") {
+    check_refusal("run stack --seconds 1 --csv /no/such/folder/x.csv", 4, {"/no/such/folder/x.csv", "No such file"});
+    check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"/dev/full", "No space left"});
+    check_refusal("run stack --seconds 1 --summary .", 4, {".", "directory"});
+    check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});
+}
+
+TEST_CASE("a summary holds the fields that design and README promise") {
+    const Ended ended = run_program("run stack --seconds 1");
+    CHECK(ended.status == 0);
+    for (const char* field :
+         {"scene", "preset", "options", "steps", "simulated_seconds", "bodies", "state_hash", "outcome",
+          "max_penetration_m", "max_length_error_m", "max_speed_m_per_s_last_second", "max_upward_speed_m_per_s",
+          "residual_m_per_s_median", "energy_initial_j", "energy_final_j", "energy_gain_j", "max_off_axis_m",
+          "drift_after_10_s_m", "lean_time_s", "fall_time_s", "heights_m"}) {
+        CHECK_THAT(ended.out, Catch::Contains("\"" + std::string(field) + "\":"));
+    }
+    CHECK_THAT(ended.out, !Catch::Contains("cpu_us"));
+    CHECK_THAT(run_program("run stack --seconds 1 --timing").out, Catch::Contains("cpu_us_per_step_median"));
+}
+

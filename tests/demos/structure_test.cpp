@@ -1,0 +1,67 @@
+// The shape of the house: which folder may include which.
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <map>
+#include <regex>
+#include <set>
+
+using namespace pushfactor::tests;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every #include of a folder's sources, "file: included".
+std::set<std::string> includes(const std::string& folder) {
+    std::set<std::string> found;
+    const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PUSHFACTOR_SOURCE_DIR) / folder)) {
+        if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+        std::istringstream lines(read_file(entry.path()));
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, include)) found.insert(match[1]);
+        }
+    }
+    return found;
+}
+
+bool begins_with_any(const std::string& text, std::initializer_list<std::string_view> prefixes) {
+    return std::any_of(prefixes.begin(), prefixes.end(), [&](std::string_view p) { return text.starts_with(p); });
+}
+
+void check_absent(const std::string& folder, std::initializer_list<std::string_view> forbidden) {
+    const auto found = includes(folder);
+    CHECK(found.size() > 5);
+    for (const std::string& name : found) {
+        INFO(folder << " includes " << name);
+        CHECK(!begins_with_any(name, forbidden));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the engine knows Eigen only: no graphics, no demos, no files, no clock, no printing") {
+    check_absent("engine", {"renderer/", "demos/", "tests/", "GL/", "glm/", "stb", "fmt/", "nlohmann/", "CLI/",
+                            "fstream", "iostream", "filesystem", "chrono", "ctime", "cstdio", "thread"});
+}
+
+TEST_CASE("the renderer knows no physics") {
+    check_absent("renderer", {"engine/", "demos/", "tests/", "Eigen"});
+}
+
+TEST_CASE("scenes know the engine and nothing that draws or writes") {
+    check_absent("demos/scenes", {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
+}
+
+TEST_CASE("Eigen becomes GLM in one file only") {
+    const auto glm = std::regex(R"(#include\s*<glm/|#include "renderer/picture)");
+    std::set<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PUSHFACTOR_SOURCE_DIR) / "demos")) {
+        if (entry.is_regular_file() && std::regex_search(read_file(entry.path()), glm)) {
+            files.insert(entry.path().stem().string());
+        }
+    }
+    CHECK(files == std::set<std::string>{"draw_list"});
+}
