@@ -12,10 +12,10 @@ std::span<const SceneEntry> catalogue() {
     static const std::array table{
         SceneEntry{"stack", "Five cubes fall onto the ground and onto each other, and should stand (section 10.1).",
                    "gravity, contacts, friction", scenes::stack_parameters(), scenes::stack},
-        SceneEntry{"intersecting-stack",
-                   "Five cubes start inside each other and inside the ground, and should part gently (section 10.2).",
-                   "gravity, contacts, friction", scenes::intersecting_stack_parameters(),
-                   scenes::intersecting_stack},
+        SceneEntry{
+            "intersecting-stack",
+            "Five cubes start inside each other and inside the ground, and should part gently (section 10.2).",
+            "gravity, contacts, friction", scenes::intersecting_stack_parameters(), scenes::intersecting_stack},
     };
     return table;
 }

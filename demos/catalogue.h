@@ -1,11 +1,11 @@
 // Every scene that there is, in the order in which they are shown.
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include "demos/parameters.h"
 #include "demos/scene.h"
+
+#include <span>
+#include <string_view>
 
 namespace pushfactor::demos {
 

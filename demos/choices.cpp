@@ -34,7 +34,8 @@ const SceneEntry& scene_named(const std::string& name) {
     if (const SceneEntry* entry = find_scene(name)) return *entry;
     std::vector<std::string> names;
     for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
-    throw UsageError(fmt::format("scene {}: must be one of {}{}", name, fmt::join(names, ", "), suggestion(name, names)));
+    throw UsageError(
+        fmt::format("scene {}: must be one of {}{}", name, fmt::join(names, ", "), suggestion(name, names)));
 }
 
 Settings understand_settings(const GivenOptions& given) {
@@ -151,7 +152,8 @@ std::string config_text(const Choices& choices, const GivenOptions& given) {
         if (!text.empty()) config[std::string(option.name)] = json_of(text);
     }
     for (const Parameter& parameter : choices.scene->parameters) {
-        if (const auto* chosen = given.find(parameter.name)) config[std::string(parameter.name)] = json_of(chosen->text);
+        if (const auto* chosen = given.find(parameter.name))
+            config[std::string(parameter.name)] = json_of(chosen->text);
     }
     for (const FrameOption& option : frame_options()) {
         const std::string text = option.get(choices.frames);

@@ -2,14 +2,14 @@
 // understood. Precedence: command line, then config, then preset.
 #pragma once
 
+#include "demos/catalogue.h"
+#include "demos/frame_options.h"
+#include "demos/settings.h"
+
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "demos/catalogue.h"
-#include "demos/frame_options.h"
-#include "demos/settings.h"
 
 namespace pushfactor::demos {
 

@@ -91,7 +91,8 @@ void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
     for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
     const std::vector<std::string> words = app.remaining();
-    if (words.empty()) throw UsageError(fmt::format("a command is missing: one of {} (see --help)", fmt::join(known, ", ")));
+    if (words.empty())
+        throw UsageError(fmt::format("a command is missing: one of {} (see --help)", fmt::join(known, ", ")));
     throw UsageError(fmt::format("{}: no such command; there are {}{}", words.front(), fmt::join(known, ", "),
                                  suggestion(words.front(), known)));
 }
@@ -102,21 +103,25 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     Request request;
     std::optional<std::string> config;
 
-    CLI::App app("Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n", "pushfactor");
+    CLI::App app("Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n",
+                 "pushfactor");
     app.set_version_flag("--version", "pushfactor " PUSHFACTOR_VERSION, "Print the version");
     app.footer(exit_statuses);
     app.require_subcommand(0, 1);
     app.allow_extras();
 
-    CLI::App& list = *app.add_subcommand("list", "the scenes: what happens, their parameters, what each is made of");
+    CLI::App& list =
+        *app.add_subcommand("list", "the scenes: what happens, their parameters, what each is made of");
     list.add_flag("--names", request.names_only, "only the names, one a line");
 
     CLI::App& run = *app.add_subcommand("run", "physics only: CSV files and a summary");
     run.add_option("SCENE", request.scenes, "name of a scene");
     add_simulation(run, request, config);
     add_outputs(run, request);
-    const FrameOption* const fps = std::find_if(frame_options().begin(), frame_options().end(),
-                                                [](const FrameOption& option) { return option.name == "fps"; }).base();
+    const FrameOption* const fps =
+        std::find_if(frame_options().begin(), frame_options().end(), [](const FrameOption& option) {
+            return option.name == "fps";
+        }).base();
     add_given(run, request.given, fps->name, fps->placeholder, fps->help, "Output (FILE - is standard output)");
 
     CLI::App& render = *app.add_subcommand("render", "PNG frames or stills, without a display");
@@ -142,7 +147,7 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     const CLI::App& chosen = *app.get_subcommands().front();
     refuse_extras(chosen);
 
-    request.command = &chosen == &run ? Request::Command::run
+    request.command = &chosen == &run      ? Request::Command::run
                       : &chosen == &render ? Request::Command::render
                                            : Request::Command::list;
     if (config) add_config(*config, request.given);

@@ -1,9 +1,9 @@
 // The command line of the program.
 #pragma once
 
-#include <optional>
-
 #include "demos/request.h"
+
+#include <optional>
 
 namespace pushfactor::demos {
 

@@ -38,10 +38,11 @@ renderer::Picture draw_list(const Scene& scene) {
                 picture.ground = renderer::Ground{.height = static_cast<float>(body.position.y())};
                 break;
             case Drawn::Form::box:
-                picture.boxes.push_back({.position = to_glm(body.position),
-                                         .orientation = to_glm(body.orientation),
-                                         .half_extents = to_glm(drawn.half_size),
-                                         .colour = palette[static_cast<std::size_t>(drawn.colour) % palette.size()]});
+                picture.boxes.push_back(
+                    {.position = to_glm(body.position),
+                     .orientation = to_glm(body.orientation),
+                     .half_extents = to_glm(drawn.half_size),
+                     .colour = palette[static_cast<std::size_t>(drawn.colour) % palette.size()]});
                 break;
         }
     }

@@ -53,11 +53,11 @@ std::string get_at(const FrameChoices& choices) {
 }
 
 constexpr std::array options{
-    FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels", set_size,
-                [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
-    FrameOption{"fps", "N", "frames (or trajectory lines) a simulated second; each must fall on a step [60 for frames]",
-                "a number above 0", set_fps,
-                [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); }},
+    FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
+                set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
+    FrameOption{
+        "fps", "N", "frames (or trajectory lines) a simulated second; each must fall on a step [60 for frames]",
+        "a number above 0", set_fps, [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); }},
     FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence",
                 "times in s from 0, separated by commas, like 0,0.5,10", set_at, get_at},
 };
@@ -89,8 +89,9 @@ std::span<const FrameOption> frame_options() {
 long steps_a_frame(const Rational& fps, const Rational& dt) {
     const Rational steps = Rational{1, 1} / (fps * dt);
     if (!steps.is_whole()) {
-        throw UsageError(fmt::format("--fps {}: a frame must be a whole number of steps of {} s; rates that fit are {}",
-                                     to_text(fps), to_text(dt), rates_that_fit(fps, dt)));
+        throw UsageError(
+            fmt::format("--fps {}: a frame must be a whole number of steps of {} s; rates that fit are {}",
+                        to_text(fps), to_text(dt), rates_that_fit(fps, dt)));
     }
     return static_cast<long>(steps.numerator);
 }
@@ -106,9 +107,9 @@ std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, 
         const Rational step = time / dt;
         if (!step.is_whole()) {
             const long below = static_cast<long>(std::floor(step.value()));
-            throw UsageError(fmt::format("--at {}: must be a whole number of steps of {} s; the nearest are {} and {}",
-                                         to_text(time), to_text(dt), to_text(dt * Rational{below, 1}),
-                                         to_text(dt * Rational{below + 1, 1})));
+            throw UsageError(fmt::format(
+                "--at {}: must be a whole number of steps of {} s; the nearest are {} and {}", to_text(time),
+                to_text(dt), to_text(dt * Rational{below, 1}), to_text(dt * Rational{below + 1, 1})));
         }
         if (step.numerator > steps) {
             throw UsageError(fmt::format("--at {}: must be within the {} s of the run", to_text(time),

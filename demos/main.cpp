@@ -20,9 +20,15 @@ int complain(const std::exception& error, ExitStatus status) {
 
 int carry_out(const Request& request) {
     switch (request.command) {
-        case Request::Command::list: commands::list(request); break;
-        case Request::Command::run: commands::run(request); break;
-        case Request::Command::render: commands::render(request); break;
+        case Request::Command::list:
+            commands::list(request);
+            break;
+        case Request::Command::run:
+            commands::run(request);
+            break;
+        case Request::Command::render:
+            commands::render(request);
+            break;
     }
     return done;
 }

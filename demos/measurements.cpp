@@ -52,13 +52,20 @@ bool below_a_plane(const Scene& scene, const Vector3& position) {
 
 std::string_view name_of(Outcome outcome) {
     switch (outcome) {
-        case Outcome::fly: return "fly";
-        case Outcome::tunnel: return "tunnel";
-        case Outcome::fall: return "fall";
-        case Outcome::moving: return "moving";
-        case Outcome::creep: return "creep";
-        case Outcome::jitter: return "jitter";
-        case Outcome::rest: break;
+        case Outcome::fly:
+            return "fly";
+        case Outcome::tunnel:
+            return "tunnel";
+        case Outcome::fall:
+            return "fall";
+        case Outcome::moving:
+            return "moving";
+        case Outcome::creep:
+            return "creep";
+        case Outcome::jitter:
+            return "jitter";
+        case Outcome::rest:
+            break;
     }
     return "rest";
 }

@@ -1,19 +1,20 @@
 // What a whole run was like: the numbers of the summary, gathered step by step.
 #pragma once
 
+#include "demos/simulation.h"
+
 #include <deque>
 #include <optional>
 #include <string_view>
 #include <vector>
-
-#include "demos/simulation.h"
 
 namespace pushfactor::demos {
 
 // How a run ended (judged over its last second; L the size of a body, g gravity, v_s = sqrt(g L)).
 // The worst that applies, in this order.
 enum class Outcome {
-    fly,     // a body is above its start and faster than v_s upward, or more than 20 L from its path from start to rest
+    fly,     // a body is above its start and faster than v_s upward, or more than 20 L from its path from start to
+             // rest
     tunnel,  // a centre is on the wrong side of a static plane
     fall,    // a centre is more than L/2 below the lower of its start and its rest height
     moving,  // faster than 0.1 v_s
@@ -30,20 +31,20 @@ class Measurements {
     void observe(const Simulation& simulation);  // after each step
 
     Outcome outcome() const;
-    double max_penetration() const { return max_penetration_; }        // m
-    double max_length_error() const { return max_length_error_; }      // m
-    double max_speed_last_second() const;                              // m/s
-    double max_upward_speed() const { return max_upward_speed_; }      // m/s, stored velocity
-    double median_residual() const;                                    // m/s
-    double initial_energy() const { return initial_energy_; }          // J
-    double final_energy() const { return energy_; }                    // J
-    double energy_gain() const { return energy_gain_; }                // J, the largest rise above the start
-    double max_off_axis() const { return max_off_axis_; }              // m sideways from the start
-    std::optional<double> drift_after_10_s() const;                    // m, farthest from the place at 10 s
-    std::optional<double> lean_time() const { return lean_time_; }     // s, standing scenes
-    std::optional<double> fall_time() const { return fall_time_; }     // s, standing scenes
-    const std::vector<double>& cpu_us() const { return cpu_us_; }      // one a step, when there was a clock
-    std::vector<double> heights() const;                               // m, movable bodies at the end
+    double max_penetration() const { return max_penetration_; }     // m
+    double max_length_error() const { return max_length_error_; }   // m
+    double max_speed_last_second() const;                           // m/s
+    double max_upward_speed() const { return max_upward_speed_; }   // m/s, stored velocity
+    double median_residual() const;                                 // m/s
+    double initial_energy() const { return initial_energy_; }       // J
+    double final_energy() const { return energy_; }                 // J
+    double energy_gain() const { return energy_gain_; }             // J, the largest rise above the start
+    double max_off_axis() const { return max_off_axis_; }           // m sideways from the start
+    std::optional<double> drift_after_10_s() const;                 // m, farthest from the place at 10 s
+    std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes
+    std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
+    const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
+    std::vector<double> heights() const;                            // m, movable bodies at the end
 
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
@@ -59,8 +60,8 @@ class Measurements {
     double lowest_place(std::size_t i) const;  // m: of start and rest height
 
     std::optional<Standing> standing_;
-    double size_ = 1.0;      // m, L
-    double speed_ = 1.0;     // m/s, v_s
+    double size_ = 1.0;            // m, L
+    double speed_ = 1.0;           // m/s, v_s
     std::size_t last_second_ = 1;  // steps
     Positions start_;
     Positions latest_;

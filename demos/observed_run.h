@@ -1,12 +1,12 @@
 // One run with everything that was asked to watch it: measurements, and the CSV files that were named.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "demos/measurements.h"
 #include "demos/records.h"
 #include "demos/request.h"
+
+#include <memory>
+#include <vector>
 
 namespace pushfactor::demos {
 

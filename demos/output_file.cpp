@@ -38,7 +38,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(int error) const {
-    throw OutputError((path_ == "-" ? std::string("standard output") : path_.string()) + ": " + std::strerror(error));
+    throw OutputError((path_ == "-" ? std::string("standard output") : path_.string()) + ": " +
+                      std::strerror(error));
 }
 
 void OutputFile::write(std::string_view text) {

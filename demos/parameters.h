@@ -9,7 +9,7 @@
 namespace pushfactor::demos {
 
 struct Parameter {
-    std::string_view name;         // without the leading dashes
+    std::string_view name;  // without the leading dashes
     std::string_view placeholder;
     std::string_view help;
     double fallback = 0.0;         // value when not given

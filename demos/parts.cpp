@@ -8,17 +8,22 @@ namespace {
 
 std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const engine::Vector3& gravity) {
     switch (model) {
-        case FrictionModel::coulomb: return std::make_unique<engine::CoulombFriction>();
-        case FrictionModel::paper: break;
+        case FrictionModel::coulomb:
+            return std::make_unique<engine::CoulombFriction>();
+        case FrictionModel::paper:
+            break;
     }
     return std::make_unique<engine::WeightFriction>(gravity);
 }
 
 engine::OrientationStep orientation_step(Rotation rotation) {
     switch (rotation) {
-        case Rotation::paper: return engine::rotate_euler;
-        case Rotation::exponential: return engine::rotate_exponential;
-        case Rotation::splitting: break;
+        case Rotation::paper:
+            return engine::rotate_euler;
+        case Rotation::exponential:
+            return engine::rotate_exponential;
+        case Rotation::splitting:
+            break;
     }
     return engine::rotate_splitting;
 }

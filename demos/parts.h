@@ -1,10 +1,10 @@
 // The parts of a world as the settings ask for them. What the settings switch off is not constructed.
 #pragma once
 
-#include <vector>
-
 #include "demos/scene.h"
 #include "demos/settings.h"
+
+#include <vector>
 
 namespace pushfactor::demos {
 

@@ -17,7 +17,11 @@ volatile std::sig_atomic_t interrupted = 0;
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label, long total)
-    : label_(std::move(label)), total_(total), terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), next_(start_) {}
+    : label_(std::move(label)),
+      total_(total),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      next_(start_) {}
 
 ProgressBar::~ProgressBar() {
     if (drawn_) std::fputc('\n', stderr);

@@ -60,8 +60,9 @@ class StepsRecord : public CsvRecord {
 class TrajectoryRecord : public CsvRecord {
   public:
     TrajectoryRecord(const std::filesystem::path& path, long every, const Simulation& start)
-        : CsvRecord(path, "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
-                          "wy_rad_per_s,wz_rad_per_s"),
+        : CsvRecord(path,
+                    "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
+                    "wy_rad_per_s,wz_rad_per_s"),
           every_(every) {
         observe(start);
     }
@@ -86,9 +87,12 @@ class TrajectoryRecord : public CsvRecord {
 
 std::string_view name_of(engine::RowKind kind) {
     switch (kind) {
-        case engine::RowKind::friction: return "friction";
-        case engine::RowKind::distance: return "distance";
-        case engine::RowKind::contact: break;
+        case engine::RowKind::friction:
+            return "friction";
+        case engine::RowKind::distance:
+            return "distance";
+        case engine::RowKind::contact:
+            break;
     }
     return "contact";
 }
@@ -96,8 +100,9 @@ std::string_view name_of(engine::RowKind kind) {
 class RowsRecord : public CsvRecord {
   public:
     explicit RowsRecord(const std::filesystem::path& path)
-        : CsvRecord(path, "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,push_lasting_m_per_s,"
-                          "c_min_n,c_max_n,lambda_first_n,lambda_last_n") {}
+        : CsvRecord(path,
+                    "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,push_lasting_m_per_s,"
+                    "c_min_n,c_max_n,lambda_first_n,lambda_last_n") {}
 
     void observe(const Simulation& simulation) override {
         const Sample& sample = simulation.sample();

@@ -1,10 +1,10 @@
 // The CSV files of a run, one class a file. Units stand in the column names.
 #pragma once
 
-#include <memory>
-
 #include "demos/output_file.h"
 #include "demos/simulation.h"
+
+#include <memory>
 
 namespace pushfactor::demos {
 
@@ -19,8 +19,7 @@ class Record {
 std::unique_ptr<Record> steps_record(const std::filesystem::path& path, bool timing);
 
 // One line a movable body and `every` steps, the start included; velocities from the stored momenta.
-std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every,
-                                          const Simulation& start);
+std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every, const Simulation& start);
 
 // One line a row and step: of the last engine step when there are substeps.
 std::unique_ptr<Record> rows_record(const std::filesystem::path& path);

@@ -1,11 +1,11 @@
 // What the command line asks for, before it is understood.
 #pragma once
 
+#include "demos/choices.h"
+
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "demos/choices.h"
 
 namespace pushfactor::demos {
 
@@ -14,11 +14,11 @@ struct Request {
 
     Command command = Command::list;
     std::vector<std::string> scenes;
-    GivenOptions given;                 // simulation, scene parameters and frames
+    GivenOptions given;                                         // simulation, scene parameters and frames
     std::optional<std::string> csv, trajectory, rows, summary;  // paths, "-" is standard output
-    std::optional<std::string> out;     // folder for frames
+    std::optional<std::string> out;                             // folder for frames
     bool timing = false;
-    bool names_only = false;            // list
+    bool names_only = false;  // list
 };
 
 }  // namespace pushfactor::demos

@@ -2,14 +2,14 @@
 // tests and reports use the same scenes as the program.
 #pragma once
 
+#include "demos/settings.h"
+#include "engine/contact_stage.h"
+#include "engine/world.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "demos/settings.h"
-#include "engine/contact_stage.h"
-#include "engine/world.h"
 
 namespace pushfactor::demos {
 

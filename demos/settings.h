@@ -1,14 +1,14 @@
 // The choices of one simulation, and the presets that name whole sets of them.
 #pragma once
 
+#include "demos/rational.h"
+#include "engine/push_factor.h"
+#include "engine/row_order.h"
+
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "demos/rational.h"
-#include "engine/push_factor.h"
-#include "engine/row_order.h"
 
 namespace pushfactor::demos {
 
@@ -18,9 +18,9 @@ enum class Rotation { paper, exponential, splitting };
 struct Settings {
     std::string preset;
 
-    Rational dt{1, 60};    // s
-    int substeps = 1;      // engine steps of dt / substeps in one step of the run
-    double seconds = 10.0; // simulated time, whole steps of it
+    Rational dt{1, 60};     // s
+    int substeps = 1;       // engine steps of dt / substeps in one step of the run
+    double seconds = 10.0;  // simulated time, whole steps of it
 
     std::string solver = "pgs";    // name in the solver table
     int iterations = 25;           // at most, a solve

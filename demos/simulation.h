@@ -1,27 +1,27 @@
 // Steps a scene and measures its state after each step. No files, no clock: who wants times brings a clock.
 #pragma once
 
-#include <optional>
-
 #include "demos/scene.h"
 #include "engine/diagnostics.h"
 
+#include <optional>
+
 namespace pushfactor::demos {
 
-// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, the residual is
-// the largest, rows and columns are those of the last.
+// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, the residual
+// is the largest, rows and columns are those of the last.
 struct Sample {
     long step = 0;
-    double time = 0.0;                     // s
-    double kinetic_energy = 0.0;           // J
-    double potential_energy = 0.0;         // J, zero at the origin
-    double max_speed = 0.0;                // m/s, from the stored momenta
-    engine::Penetration penetration;       // of the state after the step
-    double max_length_error = 0.0;         // m, of distance rows
-    double residual = 0.0;                 // m/s, natural map
+    double time = 0.0;                // s
+    double kinetic_energy = 0.0;      // J
+    double potential_energy = 0.0;    // J, zero at the origin
+    double max_speed = 0.0;           // m/s, from the stored momenta
+    engine::Penetration penetration;  // of the state after the step
+    double max_length_error = 0.0;    // m, of distance rows
+    double residual = 0.0;            // m/s, natural map
     engine::StepCount count;
     int substeps = 1;
-    std::optional<double> cpu_us;          // of the engine steps alone, when there is a clock
+    std::optional<double> cpu_us;  // of the engine steps alone, when there is a clock
 };
 
 class Simulation {

@@ -34,13 +34,13 @@ constexpr Names<RowOrder, 4> order_names{{{"bottom-up", RowOrder::bottom_up},
 constexpr Names<bool, 2> switch_names{{{"on", true}, {"off", false}}};
 constexpr Names<FrictionModel, 2> friction_names{
     {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}}};
-constexpr Names<Rotation, 3> rotation_names{{{"paper", Rotation::paper},
-                                             {"exponential", Rotation::exponential},
-                                             {"splitting", Rotation::splitting}}};
+constexpr Names<Rotation, 3> rotation_names{
+    {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}}};
 
 template <typename Value, std::size_t n>
 bool take_name(Value& field, const Names<Value, n>& names, std::string_view text) {
-    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == text; });
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == text; });
     if (found == names.end()) return false;
     field = found->second;
     return true;
@@ -48,7 +48,8 @@ bool take_name(Value& field, const Names<Value, n>& names, std::string_view text
 
 template <typename Value, std::size_t n>
 std::string name_of(const Value& value, const Names<Value, n>& names) {
-    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
     return std::string(found->first);
 }
 
@@ -94,7 +95,8 @@ std::string solver_names() {
 }
 
 const std::array options{
-    SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]", "a number of seconds from 0 to 1e6",
+    SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]",
+                     "a number of seconds from 0 to 1e6",
                      [](Settings& s, std::string_view t) { return take(s.seconds, parse_number(t), 0.0, 1e6); },
                      [](const Settings& s) { return to_text(s.seconds); }},
     SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
@@ -103,30 +105,35 @@ const std::array options{
     SimulationOption{"substeps", "N", "engine steps in one step [1]", "a whole number from 1 to 10000",
                      [](Settings& s, std::string_view t) { return take(s.substeps, parse_integer(t), 1, 10000); },
                      [](const Settings& s) { return std::to_string(s.substeps); }},
-    SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(), "one of " + solver_names(),
-                     set_solver, [](const Settings& s) { return s.solver; }},
-    SimulationOption{"iterations", "N", "iterations of a solve, at most", "a whole number from 1 to 1000000",
-                     [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
-                     [](const Settings& s) { return std::to_string(s.iterations); }},
+    SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
+                     "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
+    SimulationOption{
+        "iterations", "N", "iterations of a solve, at most", "a whole number from 1 to 1000000",
+        [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
+        [](const Settings& s) { return std::to_string(s.iterations); }},
     SimulationOption{"tolerance", "HIGH[/LOW]",
-                     "residual in m/s: up to HIGH the cached answer is kept, a solve works down to LOW; 0: always all iterations",
+                     "residual in m/s: up to HIGH the cached answer is kept, a solve works down to LOW; 0: always "
+                     "all iterations",
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
                      "one of none, persistent, single-frame",
                      [](Settings& s, std::string_view t) { return take_name(s.contacts.kind, push_names, t); },
                      [](const Settings& s) { return name_of(s.contacts.kind, push_names); }},
-    SimulationOption{"beta", "X", "share of the penetration that one step corrects", "a number from 0 to 1",
-                     [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
-                     [](const Settings& s) { return to_text(s.contacts.beta); }},
-    SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the step before", "on or off",
+    SimulationOption{
+        "beta", "X", "share of the penetration that one step corrects", "a number from 0 to 1",
+        [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
+        [](const Settings& s) { return to_text(s.contacts.beta); }},
+    SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the step before",
+                     "on or off",
                      [](Settings& s, std::string_view t) { return take_name(s.warm_start, switch_names, t); },
                      [](const Settings& s) { return name_of(s.warm_start, switch_names); }},
     SimulationOption{"slop", "F", "penetration that is left alone, fraction of the body's size",
                      "a fraction of the body's size from 0 to 0.5",
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
-    SimulationOption{"margin", "F", "gap up to which a point already counts as contact, fraction of the body's size",
+    SimulationOption{"margin", "F",
+                     "gap up to which a point already counts as contact, fraction of the body's size",
                      "a fraction of the body's size from 0 to 1",
                      [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
                      [](const Settings& s) { return to_text(s.margin); }},

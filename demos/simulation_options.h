@@ -1,11 +1,11 @@
 // The simulation options: one table for the command line, config files and summaries.
 #pragma once
 
+#include "demos/settings.h"
+
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "demos/settings.h"
 
 namespace pushfactor::demos {
 
@@ -13,7 +13,7 @@ struct SimulationOption {
     std::string_view name;         // without the leading dashes
     std::string_view placeholder;  // what stands for the value in help texts
     std::string help;
-    std::string allowed;           // completes "must be ..."
+    std::string allowed;                                     // completes "must be ..."
     bool (*set)(Settings& settings, std::string_view text);  // false: the text is not allowed, nothing is set
     std::string (*get)(const Settings& settings);            // text that `set` takes; empty when the scene decides
 };

@@ -1,10 +1,10 @@
 // The summary of a run as JSON text.
 #pragma once
 
-#include <string>
-
 #include "demos/choices.h"
 #include "demos/measurements.h"
+
+#include <string>
 
 namespace pushfactor::demos {
 

@@ -8,26 +8,26 @@
 // so the axes of the body frame are the principal axes.
 #pragma once
 
-#include <span>
-
 #include "engine/math.h"
+
+#include <span>
 
 namespace pushfactor::engine {
 
 struct Body {
     // Constants. A static body has both inverses zero and never moves.
-    double inverse_mass = 0.0;                         // 1/kg
-    Vector3 inverse_inertia = Vector3::Zero();         // 1/(kg m^2), principal moments, body frame
+    double inverse_mass = 0.0;                  // 1/kg
+    Vector3 inverse_inertia = Vector3::Zero();  // 1/(kg m^2), principal moments, body frame
 
     // State, world frame.
-    Vector3 position = Vector3::Zero();                // m
-    Quaternion orientation = Quaternion::Identity();   // body to world, unit length
-    Vector3 linear_momentum = Vector3::Zero();         // kg m/s
-    Vector3 angular_momentum = Vector3::Zero();        // kg m^2/s, about the centre of mass
+    Vector3 position = Vector3::Zero();               // m
+    Quaternion orientation = Quaternion::Identity();  // body to world, unit length
+    Vector3 linear_momentum = Vector3::Zero();        // kg m/s
+    Vector3 angular_momentum = Vector3::Zero();       // kg m^2/s, about the centre of mass
 
     // What the force sources have added in this step, world frame.
-    Vector3 force = Vector3::Zero();                   // N, at the centre of mass
-    Vector3 torque = Vector3::Zero();                  // N m, about the centre of mass
+    Vector3 force = Vector3::Zero();   // N, at the centre of mass
+    Vector3 torque = Vector3::Zero();  // N m, about the centre of mass
 
     bool is_static() const { return inverse_mass == 0.0; }
     double mass() const { return 1.0 / inverse_mass; }  // kg, infinite for a static body
@@ -41,9 +41,9 @@ Body static_body(const Vector3& position, const Quaternion& orientation = Quater
 Body box_body(double mass, const Vector3& size, const Vector3& position,
               const Quaternion& orientation = Quaternion::Identity());
 
-Vector3 velocity(const Body& body);                    // m/s, world frame: p / m
-Vector3 angular_velocity(const Body& body);            // rad/s, world frame: I^-1 l
-Matrix3 world_inverse_inertia(const Body& body);       // 1/(kg m^2), world frame: R I^-1 R^T
+Vector3 velocity(const Body& body);               // m/s, world frame: p / m
+Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l
+Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T
 
 // Velocity [m/s] of the material point of `body` that is at `point` [m], both in the world frame.
 Vector3 velocity_at(const Body& body, const Vector3& point);

@@ -7,11 +7,11 @@
 // two blocks of six. The table of symbols gives v_ab in m/s^2; it is in m/s.
 #pragma once
 
-#include <limits>
-#include <vector>
-
 #include "engine/math.h"
 #include "engine/push_factor.h"
+
+#include <limits>
+#include <vector>
 
 namespace pushfactor::engine {
 

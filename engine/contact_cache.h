@@ -1,11 +1,11 @@
 // Contact caching, paper section 6.2.3: the forces of the previous step as the guess of this one.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "engine/collision/detector.h"
 #include "engine/constraint_row.h"
+
+#include <span>
+#include <vector>
 
 namespace pushfactor::engine {
 

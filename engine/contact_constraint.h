@@ -12,11 +12,11 @@
 // is used for a static body a as well.
 #pragma once
 
-#include <span>
-
 #include "engine/collision/manifold.h"
 #include "engine/constraint_row.h"
 #include "engine/sources.h"
+
+#include <span>
 
 namespace pushfactor::engine {
 

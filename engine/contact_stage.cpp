@@ -40,14 +40,13 @@ void ContactStage::append_friction(std::size_t index, std::span<const Body> bodi
     const BodyPair pair = bodies_of(touch, bodies);
     Contact& contact = contacts_[index];
 
-    const Bounds bounds =
-        friction_->bounds({.bodies = pair,
-                           .normal = touch.manifold.normal,
-                           .friction = touch.friction,
-                           .points = touch.manifold.count,
-                           .normal_row = static_cast<int>(first_row_) + contact.normal_row});
-    contact.tangents = friction_tangents(pair, point.position, touch.manifold.normal,
-                                         sliding_share * touch.size / dt);
+    const Bounds bounds = friction_->bounds({.bodies = pair,
+                                             .normal = touch.manifold.normal,
+                                             .friction = touch.friction,
+                                             .points = touch.manifold.count,
+                                             .normal_row = static_cast<int>(first_row_) + contact.normal_row});
+    contact.tangents =
+        friction_tangents(pair, point.position, touch.manifold.normal, sliding_share * touch.size / dt);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
     for (const Vector3& tangent : contact.tangents) {
         ConstraintRow row = friction_row(pair, point.position, tangent, bounds);
@@ -76,8 +75,8 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     contacts_.resize(order_.size());
     for (std::size_t i = 0; i < order_.size(); ++i) {
         contacts_[i] = {};
-        contacts_[i].force = first_force_[static_cast<std::size_t>(order_[i].touch)] +
-                             static_cast<std::size_t>(order_[i].point);
+        contacts_[i].force =
+            first_force_[static_cast<std::size_t>(order_[i].touch)] + static_cast<std::size_t>(order_[i].point);
     }
     const bool interleaved = choices_.order != RowOrder::normals_first;
     for (std::size_t i = 0; i < order_.size(); ++i) {

@@ -2,14 +2,14 @@
 // cache of their forces (6.2.3). A scene whose bodies never touch does not have this part.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "engine/collision/detector.h"
 #include "engine/contact_cache.h"
 #include "engine/friction_constraint.h"
 #include "engine/row_order.h"
 #include "engine/sources.h"
+
+#include <memory>
+#include <vector>
 
 namespace pushfactor::engine {
 
@@ -59,8 +59,8 @@ class ContactStage : public ConstraintSource {
     collision::Detector detector_;
     std::span<const collision::Touch> touches_;
     std::vector<ContactIndex> order_;
-    std::vector<Contact> contacts_;     // in the order of order_
-    std::vector<ContactForce> forces_;  // in the order of the touches and their points
+    std::vector<Contact> contacts_;         // in the order of order_
+    std::vector<ContactForce> forces_;      // in the order of the touches and their points
     std::vector<std::size_t> first_force_;  // of each touch, into forces_
     std::size_t first_row_ = 0;
 };

@@ -1,21 +1,21 @@
 // What can be measured of a state: pure functions, nothing is remembered.
 #pragma once
 
+#include "engine/body.h"
+#include "engine/collision/collider.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "engine/body.h"
-#include "engine/collision/collider.h"
-
 namespace pushfactor::engine {
 
-double kinetic_energy(std::span<const Body> bodies);                               // J
-double potential_energy(std::span<const Body> bodies, const Vector3& gravity);     // J, zero at the origin
-Vector3 linear_momentum(std::span<const Body> bodies);                             // kg m/s
-Vector3 angular_momentum(std::span<const Body> bodies);                            // kg m^2/s, about the origin
-double max_speed(std::span<const Body> bodies);                                    // m/s, from the momenta
+double kinetic_energy(std::span<const Body> bodies);                            // J
+double potential_energy(std::span<const Body> bodies, const Vector3& gravity);  // J, zero at the origin
+Vector3 linear_momentum(std::span<const Body> bodies);                          // kg m/s
+Vector3 angular_momentum(std::span<const Body> bodies);                         // kg m^2/s, about the origin
+double max_speed(std::span<const Body> bodies);                                 // m/s, from the momenta
 
 // Penetration d = -gap over all contact points of the state as it is.
 struct Penetration {

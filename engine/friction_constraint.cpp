@@ -22,10 +22,9 @@ std::array<Vector3, 2> friction_tangents(const BodyPair& bodies, const Vector3& 
     const Vector3 relative = velocity_at(bodies.body_b, point) - velocity_at(bodies.body_a, point);
     const Vector3 sliding = relative - normal * normal.dot(relative);
     const double speed = sliding.norm();
-    const Vector3 first =
-        speed > least_sliding
-            ? Vector3(sliding / speed)
-            : collision::tangent_fixed_in(bodies.body_a.orientation.toRotationMatrix(), normal);
+    const Vector3 first = speed > least_sliding
+                              ? Vector3(sliding / speed)
+                              : collision::tangent_fixed_in(bodies.body_a.orientation.toRotationMatrix(), normal);
     return {first, normal.cross(first)};
 }
 

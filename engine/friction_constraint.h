@@ -10,19 +10,19 @@
 // itself; Coulomb's law (mu times the normal force of the same point) stands beside it.
 #pragma once
 
-#include <array>
-
 #include "engine/contact_constraint.h"
+
+#include <array>
 
 namespace pushfactor::engine {
 
 // What a rule may look at to bound the friction at one contact point.
 struct FrictionSite {
     const BodyPair& bodies;
-    const Vector3& normal;   // unit length
-    double friction = 0.0;   // mu
-    int points = 1;          // contact points of the pair
-    int normal_row = 0;      // index of the contact row of this point in the rows of the step
+    const Vector3& normal;  // unit length
+    double friction = 0.0;  // mu
+    int points = 1;         // contact points of the pair
+    int normal_row = 0;     // index of the contact row of this point in the rows of the step
 };
 
 // How friction is bounded. A scene without friction has no rule.

@@ -29,9 +29,12 @@ struct Correction {
 inline PushFactor correct(const Correction& correction, double distance, double dt) {
     const double speed = correction.beta * distance / dt;
     switch (correction.kind) {
-        case PushKind::persistent: return {.correcting = 0.0, .lasting = speed};
-        case PushKind::single_frame: return {.correcting = speed, .lasting = 0.0};
-        case PushKind::none: break;
+        case PushKind::persistent:
+            return {.correcting = 0.0, .lasting = speed};
+        case PushKind::single_frame:
+            return {.correcting = speed, .lasting = 0.0};
+        case PushKind::none:
+            break;
     }
     return {};
 }

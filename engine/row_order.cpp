@@ -34,8 +34,7 @@ void order_contacts(RowOrder order, std::span<const collision::Touch> touches, s
 
     const auto key = [&](const ContactIndex& contact) {
         const collision::Touch& touch = touches[static_cast<std::size_t>(contact.touch)];
-        return std::tuple(height_of(touch, bodies), !rests_on_static(touch, bodies), contact.touch,
-                          contact.point);
+        return std::tuple(height_of(touch, bodies), !rests_on_static(touch, bodies), contact.touch, contact.point);
     };
     std::sort(contacts.begin(), contacts.end(),
               [&](const ContactIndex& p, const ContactIndex& q) { return key(p) < key(q); });

@@ -2,10 +2,10 @@
 // more about how long a stack stands.
 #pragma once
 
+#include "engine/collision/detector.h"
+
 #include <span>
 #include <vector>
-
-#include "engine/collision/detector.h"
 
 namespace pushfactor::engine {
 

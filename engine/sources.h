@@ -2,11 +2,11 @@
 // What a scene does not need is not constructed.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "engine/body.h"
 #include "engine/constraint_row.h"
+
+#include <span>
+#include <vector>
 
 namespace pushfactor::engine {
 

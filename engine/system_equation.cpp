@@ -25,8 +25,8 @@ Vector6 stacked(const Vector3& linear, const Vector3& angular) {
 
 // v1/dt + M^-1 f_ext of one body.
 Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt) {
-    const Vector6 velocity = stacked(body.inverse_mass * body.linear_momentum,
-                                     inverse_mass.angular * body.angular_momentum);
+    const Vector6 velocity =
+        stacked(body.inverse_mass * body.linear_momentum, inverse_mass.angular * body.angular_momentum);
     return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
 }
 
@@ -102,8 +102,7 @@ double natural_residual(const SystemEquation& system, const Columns& lambda) {
             if (diagonal <= 0.0) continue;
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
-                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) -
-                             system.b(j, column);
+                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
             const auto [low, high] = bounds_of(row, lambda, column);
             const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
             largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));

@@ -11,29 +11,29 @@
 // (8.1): column 0 with the whole push, the last column with the lasting part alone; otherwise it has one.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "engine/body.h"
 #include "engine/constraint_row.h"
 #include "engine/math.h"
+
+#include <span>
+#include <vector>
 
 namespace pushfactor::engine {
 
 // The block of M^-1 of one body, and a square root of its angular part.
 struct InverseMass {
-    double linear = 0.0;                   // 1/kg
-    Matrix3 angular = Matrix3::Zero();     // 1/(kg m^2), world frame
+    double linear = 0.0;                     // 1/kg
+    Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
 };
 
 struct SystemEquation {
-    double dt = 0.0;                          // s
-    std::span<const ConstraintRow> rows;      // J, bounds, guesses
-    std::vector<InverseMass> inverse_mass;    // M^-1, one block a body
-    std::vector<Vector6> free_acceleration;   // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    VectorX diagonal;                         // A_jj, 1/kg; 0 for a row that cannot move anything
-    Columns b;                                // m/s^2, rows x columns
+    double dt = 0.0;                         // s
+    std::span<const ConstraintRow> rows;     // J, bounds, guesses
+    std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
+    std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
+    VectorX diagonal;                        // A_jj, 1/kg; 0 for a row that cannot move anything
+    Columns b;                               // m/s^2, rows x columns
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }

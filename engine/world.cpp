@@ -13,17 +13,17 @@ StepCount World::step(double dt, StageObserver* observer) {
     const auto ended = [observer](Stage stage) {
         if (observer) observer->stage_ended(stage);
     };
-    add_forces();                            // 3.1
+    add_forces();  // 3.1
     ended(Stage::forces);
-    append_rows(dt);                         // 5
+    append_rows(dt);  // 5
     ended(Stage::rows);
     build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
     ended(Stage::system);
-    const int sweeps = solve();              // 7
+    const int sweeps = solve();  // 7
     ended(Stage::solve);
-    remember();                              // 6.2.3
+    remember();  // 6.2.3
     ended(Stage::remember);
-    integrate(dt);                           // 3.2, 8.1
+    integrate(dt);  // 3.2, 8.1
     ended(Stage::integrate);
     return count(sweeps);
 }

@@ -1,14 +1,14 @@
 // The world: bodies and the parts that act on them, and the step that makes the paper's algorithm of them.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <vector>
-
 #include "engine/integrator.h"
 #include "engine/solvers/solver.h"
 #include "engine/sources.h"
 #include "engine/system_equation.h"
+
+#include <array>
+#include <memory>
+#include <vector>
 
 namespace pushfactor::engine {
 

@@ -10,8 +10,7 @@ namespace {
 
 // A corner of the box by its bits: bit a is set where the coordinate along axis a is positive.
 glm::vec3 corner_position(int corner) {
-    return {(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
-            (corner & 4) != 0 ? 1.0f : -1.0f};
+    return {(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f, (corner & 4) != 0 ? 1.0f : -1.0f};
 }
 
 // Each corner has one vertex for each of the three faces that meet there.
@@ -21,8 +20,7 @@ int vertex_at(int corner, int face_axis) {
 
 void add_triangle(Mesh& mesh, const std::array<int, 3>& triangle) {
     std::array<Vertex, 3> vertices;
-    for (std::size_t i = 0; i < 3; ++i)
-        vertices[i] = mesh.vertices[static_cast<std::size_t>(triangle[i])];
+    for (std::size_t i = 0; i < 3; ++i) vertices[i] = mesh.vertices[static_cast<std::size_t>(triangle[i])];
 
     // With any bevel the points tell the winding; a bevel of 1/2 stands for all.
     const auto point = [](const Vertex& vertex) { return 0.5f * (vertex.corner + vertex.normal); };
@@ -78,10 +76,8 @@ Mesh box_mesh() {
 Mesh square_mesh() {
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
     Mesh mesh;
-    mesh.vertices = {{{-1.0f, 0.0f, -1.0f}, up},
-                     {{1.0f, 0.0f, -1.0f}, up},
-                     {{1.0f, 0.0f, 1.0f}, up},
-                     {{-1.0f, 0.0f, 1.0f}, up}};
+    mesh.vertices = {
+        {{-1.0f, 0.0f, -1.0f}, up}, {{1.0f, 0.0f, -1.0f}, up}, {{1.0f, 0.0f, 1.0f}, up}, {{-1.0f, 0.0f, 1.0f}, up}};
     add_quad(mesh, {0, 1, 2, 3});
     return mesh;
 }

@@ -35,8 +35,7 @@ OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
         if (library != nullptr) break;
     }
     if (library == nullptr) {
-        throw RendererError(
-            "cannot load OSMesa, which draws without a display: install the package libosmesa6");
+        throw RendererError("cannot load OSMesa, which draws without a display: install the package libosmesa6");
     }
     OsmesaLibrary osmesa;
     find(library, "OSMesaCreateContextAttribs", osmesa.create_context);
@@ -63,8 +62,7 @@ OSMesaContext create_core_context(const OsmesaLibrary& osmesa) {
 
 class OsmesaContext final : public OffscreenContext {
   public:
-    explicit OsmesaContext(const OsmesaLibrary& osmesa)
-        : osmesa_(osmesa), context_(create_core_context(osmesa)) {}
+    explicit OsmesaContext(const OsmesaLibrary& osmesa) : osmesa_(osmesa), context_(create_core_context(osmesa)) {}
 
     ~OsmesaContext() override {
         // Mesa writes into the buffer when another context becomes current: unbind before it is freed.

@@ -37,8 +37,7 @@ void check(const Camera& camera) {
 
 void check(const Picture& picture) {
     check(picture.camera);
-    require(finite(picture.towards_sun) && picture.towards_sun != glm::vec3(0.0f),
-            "towards_sun has no direction");
+    require(finite(picture.towards_sun) && picture.towards_sun != glm::vec3(0.0f), "towards_sun has no direction");
     if (picture.ground) require(finite(picture.ground->height), "ground.height is not finite");
     for (std::size_t i = 0; i < picture.boxes.size(); ++i) {
         const Box& box = picture.boxes[i];

@@ -21,8 +21,8 @@ bool set_compression() {
 
 void append(void* bytes, void* data, int size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
-    static_cast<std::vector<std::uint8_t>*>(bytes)->insert(
-        static_cast<std::vector<std::uint8_t>*>(bytes)->end(), first, first + size);
+    static_cast<std::vector<std::uint8_t>*>(bytes)->insert(static_cast<std::vector<std::uint8_t>*>(bytes)->end(),
+                                                           first, first + size);
 }
 
 }  // namespace
@@ -32,8 +32,8 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 
     constexpr int channels = 3;
     const bool empty = image.width <= 0 || image.height <= 0;
-    if (empty || image.rgb.size() != static_cast<std::size_t>(image.width) *
-                                         static_cast<std::size_t>(image.height) * channels) {
+    if (empty || image.rgb.size() !=
+                     static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels) {
         throw RendererError("cannot encode an image whose bytes do not fit its width and height");
     }
     std::vector<std::uint8_t> png;

@@ -57,8 +57,8 @@ glm::mat4 texture_from_clip() {
 
 int checked_side(int pixels) {
     if (pixels < 1 || pixels > Renderer::max_side) {
-        throw RendererError("a picture's sides are 1 to " + std::to_string(Renderer::max_side) +
-                            " pixels, not " + std::to_string(pixels));
+        throw RendererError("a picture's sides are 1 to " + std::to_string(Renderer::max_side) + " pixels, not " +
+                            std::to_string(pixels));
     }
     return pixels;
 }
@@ -167,11 +167,9 @@ class Renderer::Pipeline {
     InstancedMesh squares_;
 };
 
-Renderer::Renderer(OffscreenContext& context, int width, int height,
-                   const std::filesystem::path& shader_directory)
+Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory)
     : context_(context),
-      pipeline_(
-          std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory)) {}
+      pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory)) {}
 
 // What the pipeline holds is deleted in its own context.
 Renderer::~Renderer() {

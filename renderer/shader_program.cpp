@@ -57,16 +57,14 @@ ShaderProgram::ShaderProgram(const Gl& gl) : gl_(gl), program_(gl.CreateProgram(
 ShaderProgram::ShaderProgram(const Gl& gl, const std::filesystem::path& directory,
                              std::initializer_list<const char*> files)
     : ShaderProgram(gl) {
-    for (const char* file : files)
-        attach(gl, program_, directory / file);
+    for (const char* file : files) attach(gl, program_, directory / file);
     gl.LinkProgram(program_);
 
     GLint linked = GL_FALSE;
     gl.GetProgramiv(program_, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
         std::string names;
-        for (const char* file : files)
-            names += std::string(file) + " ";
+        for (const char* file : files) names += std::string(file) + " ";
         std::array<char, 1024> message{};
         gl.GetProgramInfoLog(program_, static_cast<GLsizei>(message.size()), nullptr, message.data());
         throw RendererError(names + "in " + directory.string() + " do not link: " + message.data());

@@ -16,8 +16,7 @@ class ShaderProgram {
   public:
     // Throws RendererError with the name of a file that cannot be read or compiled, and the compiler's
     // message.
-    ShaderProgram(const Gl& gl, const std::filesystem::path& directory,
-                  std::initializer_list<const char*> files);
+    ShaderProgram(const Gl& gl, const std::filesystem::path& directory, std::initializer_list<const char*> files);
     ~ShaderProgram();
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -26,8 +26,7 @@ ShadowMap::ShadowMap(const Gl& gl)
 
 void ShadowMap::begin(int width, int height) const {
     bind_texture();
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                   nullptr);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_.Viewport(0, 0, width, height);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);

@@ -28,8 +28,7 @@ float scale_of(const Camera& camera) {
 }
 
 glm::mat4 camera_view(const Camera& camera, float aspect, float farthest) {
-    const glm::mat4 world_to_eye =
-        glm::lookAt(camera.eye, camera.target, screen_up(camera.target - camera.eye));
+    const glm::mat4 world_to_eye = glm::lookAt(camera.eye, camera.target, screen_up(camera.target - camera.eye));
     const float nearest = 0.01f * scale_of(camera);
     return glm::perspective(glm::radians(camera.vertical_field_of_view_degrees), aspect, nearest, farthest) *
            world_to_eye;
@@ -59,15 +58,14 @@ SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int m
     const float finest_texel = scale / 700.0f;
     constexpr float border = 3.0f;  // texels around the bodies, for the filter
     const float extent = std::max(high.x - low.x, high.y - low.y);
-    const float texel =
-        std::max(finest_texel, extent / (static_cast<float>(max_side) - 2.0f * border - 2.0f));
+    const float texel = std::max(finest_texel, extent / (static_cast<float>(max_side) - 2.0f * border - 2.0f));
     const glm::vec3 first = glm::floor(low / texel) - border;
     const glm::vec3 last = glm::ceil(high / texel) + border;
     // The sun looks along its -z axis.
     const glm::mat4 sun_to_clip = glm::ortho(texel * first.x, texel * last.x, texel * first.y, texel * last.y,
                                              -texel * last.z, -texel * first.z);
-    return {sun_to_clip * world_to_sun, static_cast<int>(last.x - first.x),
-            static_cast<int>(last.y - first.y), texel};
+    return {sun_to_clip * world_to_sun, static_cast<int>(last.x - first.x), static_cast<int>(last.y - first.y),
+            texel};
 }
 
 }  // namespace pushfactor::renderer

@@ -9,7 +9,9 @@
 // The names of version 2, which the tests use.
 using Catch::Approx;
 namespace Catch {
-inline auto Contains(const std::string& text) { return Matchers::ContainsSubstring(text); }
+inline auto Contains(const std::string& text) {
+    return Matchers::ContainsSubstring(text);
+}
 }  // namespace Catch
 
 #else

@@ -1,9 +1,9 @@
 // Random numbers for tests: seeded, and the same on every platform.
 #pragma once
 
-#include <random>
-
 #include "engine/math.h"
+
+#include <random>
 
 namespace pushfactor::tests {
 

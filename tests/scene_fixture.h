@@ -1,15 +1,16 @@
 // The project's own scenes for tests: a setting or two changed, then stepped.
 #pragma once
 
-#include <string_view>
-
 #include "demos/catalogue.h"
 #include "demos/simulation.h"
 
+#include <string_view>
+
 namespace pushfactor::tests {
 
-inline demos::Simulation simulate(std::string_view scene, const demos::Settings& settings,
-                                  std::initializer_list<std::pair<std::string_view, std::string_view>> parameters = {}) {
+inline demos::Simulation simulate(
+    std::string_view scene, const demos::Settings& settings,
+    std::initializer_list<std::pair<std::string_view, std::string_view>> parameters = {}) {
     const demos::SceneEntry& entry = *demos::find_scene(scene);
     demos::ParameterValues values(entry.parameters);
     for (const auto& [name, text] : parameters) {

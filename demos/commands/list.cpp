@@ -13,7 +13,8 @@ void list(const Request& request) {
         }
         fmt::print("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, scene.made_of);
         for (const Parameter& parameter : scene.parameters) {
-            fmt::print("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder), parameter.help);
+            fmt::print("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder),
+                       parameter.help);
         }
         fmt::print("\n");
     }

@@ -57,8 +57,9 @@ void render_scene(const Choices& choices, const Request& request, const fs::path
 
 void render(const Request& request) {
     const bool several = request.scenes.size() > 1;
-    for (const auto& [option, path] : {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
-                                       std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary}}) {
+    for (const auto& [option, path] :
+         {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
+          std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
     }
 
@@ -66,7 +67,8 @@ void render(const Request& request) {
     std::vector<std::pair<Choices, fs::path>> runs;
     for (const std::string& scene : request.scenes) {
         const Choices choices = understand(scene, request.given);
-        plan_frames(choices.frames, choices.settings.dt, Simulation(choices.build(), choices.settings).total_steps());
+        plan_frames(choices.frames, choices.settings.dt,
+                    Simulation(choices.build(), choices.settings).total_steps());
         const fs::path base = request.out.value_or("out");
         runs.emplace_back(choices, several || !request.out ? base / scene : base);
     }

@@ -18,8 +18,8 @@ double uniform(std::mt19937_64& random) {
 }
 
 struct Displacement {
-    Vector3 sideways;  // m
-    double turn = 0.0; // rad about the vertical
+    Vector3 sideways;   // m
+    double turn = 0.0;  // rad about the vertical
 };
 
 // One draw a statement: the order inside an argument list is the compiler's.

@@ -11,8 +11,8 @@ namespace pushfactor::demos::scenes {
 std::span<const Parameter> stack_parameters() {
     static constexpr std::array table{
         Parameter{"count", "N", "number of cubes [5]", 5, 1, 1000, true},
-        Parameter{"gap", "M", "space between the cubes in m, and when given under the lowest too [0.6; 0.8 there]", 0.6,
-                  -2.3, 100},
+        Parameter{"gap", "M", "space between the cubes in m, and when given under the lowest too [0.6; 0.8 there]",
+                  0.6, -2.3, 100},
         Parameter{"jitter", "M", "each cube starts up to M m sideways and turned by up to 0.02 rad [0]", 0, 0, 10},
         Parameter{"seed", "N", "seed of the jitter [1]", 1, 0, 1e9, true},
     };

@@ -51,8 +51,8 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
             const Vector3 axis = Vector3::Unit(i).cross(R.col(j));
             const double length = axis.norm();
             if (length < 1e-3) continue;  // parallel edges; the faces beside them cover this direction
-            const double reach = axis.cwiseAbs().dot(a.half_size) +
-                                 (R.transpose() * axis).cwiseAbs().dot(b.half_size);
+            const double reach =
+                axis.cwiseAbs().dot(a.half_size) + (R.transpose() * axis).cwiseAbs().dot(b.half_size);
             const double separation = (std::abs(t.dot(axis)) - reach) / length;
             if (separation > best.edges.separation) best.edges = {separation, i, j};
         }
@@ -130,8 +130,8 @@ void clip_faces(const Box& reference, const Pose& reference_pose, Face face, con
     const Vector3 centre = reference_pose.position + normal * reference.half_size[face.axis];
 
     const Face incident = most_antiparallel(other_pose, normal);
-    const Vector3 incident_centre =
-        other_pose.position + (incident.sign * other.half_size[incident.axis]) * other_pose.rotation.col(incident.axis);
+    const Vector3 incident_centre = other_pose.position + (incident.sign * other.half_size[incident.axis]) *
+                                                              other_pose.rotation.col(incident.axis);
     const Vector3 p = other_pose.rotation.col((incident.axis + 1) % 3) * other.half_size[(incident.axis + 1) % 3];
     const Vector3 q = other_pose.rotation.col((incident.axis + 2) % 3) * other.half_size[(incident.axis + 2) % 3];
 

@@ -31,8 +31,8 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
             continue;
         }
         const Pose pose = pose_of(body_of(collider, bodies));
-        const Vector3 reach = pose.rotation.cwiseAbs() * box->half_size +
-                              Vector3::Constant(margin * size_of(collider.shape));
+        const Vector3 reach =
+            pose.rotation.cwiseAbs() * box->half_size + Vector3::Constant(margin * size_of(collider.shape));
         bounds_.push_back({pose.position - reach, pose.position + reach, i});
     }
 }

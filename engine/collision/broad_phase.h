@@ -1,10 +1,10 @@
 // Which pairs of colliders may touch: sort and sweep along the axis in which the bodies spread most.
 #pragma once
 
+#include "engine/collision/collider.h"
+
 #include <span>
 #include <vector>
-
-#include "engine/collision/collider.h"
 
 namespace pushfactor::engine::collision {
 

@@ -1,11 +1,11 @@
 // The shapes that bodies collide with, paper section 4.
 #pragma once
 
-#include <limits>
-#include <variant>
-
 #include "engine/body.h"
 #include "engine/math.h"
+
+#include <limits>
+#include <variant>
 
 namespace pushfactor::engine::collision {
 
@@ -22,7 +22,7 @@ struct Plane {};
 using Shape = std::variant<Box, Plane>;
 
 struct Collider {
-    int body = 0;           // index into the bodies of the world
+    int body = 0;  // index into the bodies of the world
     Shape shape;
     double friction = 0.5;  // mu >= 0; a pair has the root of the product
 };

@@ -1,26 +1,26 @@
 // Collision detection as one thing, paper section 4: colliders -> pairs -> manifolds.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
+
+#include <span>
+#include <vector>
 
 namespace pushfactor::engine::collision {
 
 // Two colliders that touch or nearly do.
 struct Touch {
-    Pair pair;          // collider indices
-    int body_a = 0;     // body indices
+    Pair pair;       // collider indices
+    int body_a = 0;  // body indices
     int body_b = 0;
-    double size = 0.0;  // m, of the smaller movable body; slop, margin and tolerances are fractions of it
+    double size = 0.0;      // m, of the smaller movable body; slop, margin and tolerances are fractions of it
     double friction = 0.0;  // mu of the pair
-    Manifold manifold;  // at least one point, normal from a to b
+    Manifold manifold;      // at least one point, normal from a to b
 };
 
 struct Detection {
-    double margin = 0.0;               // fraction of the size; points with a smaller gap count
+    double margin = 0.0;                // fraction of the size; points with a smaller gap count
     bool reduce_to_four_points = true;  // of a face manifold, which has up to eight
 };
 

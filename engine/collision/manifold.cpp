@@ -24,8 +24,8 @@ void reduce_to_four(Manifold& manifold, const Matrix3& reference) {
     for (const Vector3& outward : {direction, across, Vector3(-direction), Vector3(-across)}) {
         const auto points = manifold.points();
         const auto reach = [&](const ContactPoint& p) { return outward.dot(p.position) - p.gap; };
-        const auto outermost = std::max_element(
-            points.begin(), points.end(), [&](const auto& p, const auto& q) { return reach(p) < reach(q); });
+        const auto outermost = std::max_element(points.begin(), points.end(),
+                                                [&](const auto& p, const auto& q) { return reach(p) < reach(q); });
         kept[static_cast<std::size_t>(outermost - points.begin())] = true;
     }
 

@@ -1,11 +1,11 @@
 // Where two shapes touch, paper section 4 ("generate a contact manifold").
 #pragma once
 
+#include "engine/math.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
-
-#include "engine/math.h"
 
 namespace pushfactor::engine::collision {
 

@@ -14,8 +14,7 @@ using Collide = void (*)(const Shape& a, const Pose& pose_a, const Shape& b, con
 
 // Unpacks the shapes for a function of two known ones.
 template <typename A, typename B, void (*function)(const A&, const Pose&, const B&, const Pose&, double, Manifold&)>
-void of(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
-        Manifold& manifold) {
+void of(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin, Manifold& manifold) {
     function(std::get<A>(a), pose_a, std::get<B>(b), pose_b, margin, manifold);
 }
 
@@ -33,11 +32,13 @@ constexpr Collide plane_box = swapped<box_plane>;
 constexpr Collide never = nullptr;  // both are always static
 
 // Row: shape of a, column: shape of b, in the order of the variant.
+// clang-format off
 constexpr std::array<std::array<Collide, 2>, 2> pair_table{{
     //            box        plane
     /* box   */ {{box_box,   box_plane}},
     /* plane */ {{plane_box, never}},
 }};
+// clang-format on
 static_assert(pair_table.size() == std::variant_size_v<Shape>, "a shape without a row in the table");
 
 }  // namespace

@@ -2,9 +2,9 @@
 // Cubic in the number of rows: an oracle for the sparse sweep, not a product.
 #pragma once
 
-#include <memory>
-
 #include "engine/solvers/solver.h"
+
+#include <memory>
 
 namespace pushfactor::engine::solvers {
 

@@ -78,12 +78,12 @@ class Sweep {
     using BodyVelocity = Eigen::Matrix<double, 6, columns>;
 
     struct Row {
-        Vector6 axis_a, axis_b;              // u_j
-        std::size_t a, b;                    // bodies
+        Vector6 axis_a, axis_b;  // u_j
+        std::size_t a, b;        // bodies
         std::array<double, columns> y, t;
-        double low, high;                    // bounds of y, or factors of the other row's y
+        double low, high;  // bounds of y, or factors of the other row's y
         int of_row;
-        double scale;                        // s_j; 0 for a row that cannot move anything
+        double scale;  // s_j; 0 for a row that cannot move anything
     };
 
     static constexpr std::size_t at(int column) { return static_cast<std::size_t>(column); }
@@ -95,8 +95,16 @@ class Sweep {
         row.b = static_cast<std::size_t>(source.body_b);
         row.scale = std::sqrt(system.diagonal[j]);
         if (!(row.scale > 0.0)) {
-            row = Row{.axis_a = Vector6::Zero(), .axis_b = Vector6::Zero(), .a = row.a, .b = row.b,
-                      .y = {}, .t = {}, .low = 0.0, .high = 0.0, .of_row = -1, .scale = 0.0};
+            row = Row{.axis_a = Vector6::Zero(),
+                      .axis_b = Vector6::Zero(),
+                      .a = row.a,
+                      .b = row.b,
+                      .y = {},
+                      .t = {},
+                      .low = 0.0,
+                      .high = 0.0,
+                      .of_row = -1,
+                      .scale = 0.0};
             return;
         }
         row.axis_a = weighted(system.inverse_mass[row.a], source.jacobian.a) / row.scale;
@@ -118,8 +126,7 @@ class Sweep {
     // M^(-1/2)^T j, angular part in body axes.
     static Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
         Vector6 result;
-        result << std::sqrt(inverse_mass.linear) * j.head<3>(),
-            inverse_mass.angular_root.transpose() * j.tail<3>();
+        result << std::sqrt(inverse_mass.linear) * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>();
         return result;
     }
 

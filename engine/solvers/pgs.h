@@ -2,9 +2,9 @@
 // many others there are. The product; `dense` is its oracle.
 #pragma once
 
-#include <memory>
-
 #include "engine/solvers/solver.h"
+
+#include <memory>
 
 namespace pushfactor::engine::solvers {
 

@@ -1,11 +1,11 @@
 // What all solvers have in common, paper sections 6.2.3 and 7: one signature, one table of names.
 #pragma once
 
+#include "engine/system_equation.h"
+
 #include <memory>
 #include <span>
 #include <string_view>
-
-#include "engine/system_equation.h"
 
 namespace pushfactor::engine::solvers {
 

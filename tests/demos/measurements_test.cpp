@@ -37,7 +37,8 @@ Judged judge(Scene scene, double seconds) {
         simulation.advance();
         measurements.observe(simulation);
     }
-    return {measurements.outcome(), measurements.fall_time(), measurements.lean_time(), measurements.max_off_axis()};
+    return {measurements.outcome(), measurements.fall_time(), measurements.lean_time(),
+            measurements.max_off_axis()};
 }
 
 }  // namespace
@@ -80,7 +81,8 @@ TEST_CASE("a number that is not finite ends the run with body, quantity and step
     scene.world.bodies[1].linear_momentum.x() = std::numeric_limits<double>::quiet_NaN();
     Simulation simulation(std::move(scene), settings());
     CHECK_THROWS_AS(simulation.advance(), NonFiniteError);
-    CHECK_THROWS_WITH(simulation.advance(), Catch::Contains("body 1") && Catch::Contains("position") && Catch::Contains("step"));
+    CHECK_THROWS_WITH(simulation.advance(),
+                      Catch::Contains("body 1") && Catch::Contains("position") && Catch::Contains("step"));
 }
 
 TEST_CASE("the median is the middle, or the mean of the two in the middle") {

@@ -58,8 +58,9 @@ struct Ended {
 // Runs a shell command with `pushfactor` as the program, in `folder`.
 inline Ended shell(const Folder& folder, const std::string& command) {
     const Folder streams;
-    const std::string line = "cd '" + folder.path().string() + "' && pushfactor() { '" PUSHFACTOR_PROGRAM "' \"$@\"; }; { " +
-                             command + "; } >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() + "'";
+    const std::string line = "cd '" + folder.path().string() +
+                             "' && pushfactor() { '" PUSHFACTOR_PROGRAM "' \"$@\"; }; { " + command + "; } >'" +
+                             (streams / "out").string() + "' 2>'" + (streams / "err").string() + "'";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, streams.read("out"), streams.read("err")};
 }

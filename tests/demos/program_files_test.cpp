@@ -23,8 +23,10 @@ const std::string tiny = " --size 64x36 ";
 
 TEST_CASE("the CSV files have the columns of the design and one line for each thing that they list") {
     const Folder folder;
-    const Ended ended = shell(folder, "pushfactor run stack --count 2 --gap -0.01 --seconds 0.5 --csv steps.csv --trajectory bodies.csv "
-                                      "--rows rows.csv --summary summary.json");
+    const Ended ended =
+        shell(folder,
+              "pushfactor run stack --count 2 --gap -0.01 --seconds 0.5 --csv steps.csv --trajectory bodies.csv "
+              "--rows rows.csv --summary summary.json");
     REQUIRE(ended.status == 0);
     CHECK(ended.out.empty());
     CHECK(folder.files() == std::vector<std::string>{"bodies.csv", "rows.csv", "steps.csv", "summary.json"});
@@ -35,12 +37,14 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
           "max_length_error_m,residual_m_per_s,contacts,rows,columns,substeps,sweeps");
     CHECK(lines(steps) == 1 + 30);
     const std::string bodies = folder.read("bodies.csv");
-    CHECK(first_line(bodies) == "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
-                                "wy_rad_per_s,wz_rad_per_s");
+    CHECK(first_line(bodies) ==
+          "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
+          "wy_rad_per_s,wz_rad_per_s");
     CHECK(lines(bodies) == 1 + 31 * 2);
     const std::string rows = folder.read("rows.csv");
-    CHECK(first_line(rows) == "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,"
-                              "push_lasting_m_per_s,c_min_n,c_max_n,lambda_first_n,lambda_last_n");
+    CHECK(first_line(rows) ==
+          "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,"
+          "push_lasting_m_per_s,c_min_n,c_max_n,lambda_first_n,lambda_last_n");
     CHECK(lines(rows) == 1 + 30 * 2 * 4 * 3);
 }
 
@@ -75,7 +79,8 @@ TEST_CASE("a bad config file is refused by file, key and value") {
         CHECK(ended.status == 2);
         return ended.err;
     };
-    CHECK_THAT(said("{\"betta\": 0.1}"), Catch::Contains("betta in my.json") && Catch::Contains("did you mean beta?"));
+    CHECK_THAT(said("{\"betta\": 0.1}"),
+               Catch::Contains("betta in my.json") && Catch::Contains("did you mean beta?"));
     CHECK_THAT(said("{\"beta\": 7}"), Catch::Contains("beta in my.json 7") && Catch::Contains("from 0 to 1"));
     CHECK_THAT(said("{\"beta\": [1]}"), Catch::Contains("must be a string or a number"));
     CHECK_THAT(said("{\"beta\": "), Catch::Contains("is no JSON"));
@@ -86,12 +91,21 @@ TEST_CASE("a bad config file is refused by file, key and value") {
 TEST_CASE("frames show t = n / fps from zero, in one folder or in one a scene, and are the same bytes every time") {
     const Folder folder;
     REQUIRE(shell(folder, "pushfactor render stack --seconds 0.1 --fps 30 --out one" + tiny).status == 0);
-    REQUIRE(shell(folder, "pushfactor render stack intersecting-stack --seconds 0.1 --at 0,0.1 --out two" + tiny).status == 0);
-    const std::vector<std::string> expected{"one/config.json", "one/frame_000000.png", "one/frame_000001.png",
-                                            "one/frame_000002.png", "one/frame_000003.png", "one/summary.json",
-                                            "two/intersecting-stack/at_0.1s.png", "two/intersecting-stack/at_0s.png",
-                                            "two/intersecting-stack/config.json", "two/intersecting-stack/summary.json",
-                                            "two/stack/at_0.1s.png", "two/stack/at_0s.png", "two/stack/config.json",
+    REQUIRE(shell(folder, "pushfactor render stack intersecting-stack --seconds 0.1 --at 0,0.1 --out two" + tiny)
+                .status == 0);
+    const std::vector<std::string> expected{"one/config.json",
+                                            "one/frame_000000.png",
+                                            "one/frame_000001.png",
+                                            "one/frame_000002.png",
+                                            "one/frame_000003.png",
+                                            "one/summary.json",
+                                            "two/intersecting-stack/at_0.1s.png",
+                                            "two/intersecting-stack/at_0s.png",
+                                            "two/intersecting-stack/config.json",
+                                            "two/intersecting-stack/summary.json",
+                                            "two/stack/at_0.1s.png",
+                                            "two/stack/at_0s.png",
+                                            "two/stack/config.json",
                                             "two/stack/summary.json"};
     CHECK(folder.files() == expected);
     CHECK(folder.read("one/frame_000003.png") == folder.read("two/stack/at_0.1s.png"));
@@ -119,8 +133,9 @@ TEST_CASE("a disk that is full ends with status 4, leaves no half file and keeps
 
 TEST_CASE("an interrupted render leaves whole frames only and says how many") {
     const Folder folder;
-    const Ended ended = shell(folder, "'" PUSHFACTOR_PROGRAM "' render stack --seconds 1000 --out frames" + tiny +
-                                          "& until [ -e frames/frame_000003.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
+    const Ended ended =
+        shell(folder, "'" PUSHFACTOR_PROGRAM "' render stack --seconds 1000 --out frames" + tiny +
+                          "& until [ -e frames/frame_000003.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
     CHECK(ended.status == 1);
     CHECK_THAT(ended.err, Catch::Contains("interrupted") && Catch::Contains("frames are in frames"));
     long frames = 0;

@@ -1,6 +1,7 @@
 // The program as a user meets it: what it answers, and what it says to bad input.
-#include "tests/catch.h"
 #include "tests/demos/program.h"
+
+#include "tests/catch.h"
 
 #include <algorithm>
 #include <vector>
@@ -47,7 +48,8 @@ TEST_CASE("unknown words are refused with the nearest known one") {
 }
 
 TEST_CASE("an option that the scene lacks is refused with those that it has") {
-    check_refusal("run intersecting-stack --jitter 0.01", 2, {"--jitter 0.01", "intersecting-stack", "--count, --gap"});
+    check_refusal("run intersecting-stack --jitter 0.01", 2,
+                  {"--jitter 0.01", "intersecting-stack", "--count, --gap"});
 }
 
 TEST_CASE("values out of range are refused by option, value and what is allowed") {
@@ -74,7 +76,8 @@ TEST_CASE("a frame that falls between two steps is refused with the rates and ti
 }
 
 TEST_CASE("outputs that cannot be written end with status 4 and name the path") {
-    check_refusal("run stack --seconds 1 --csv /no/such/folder/x.csv", 4, {"/no/such/folder/x.csv", "No such file"});
+    check_refusal("run stack --seconds 1 --csv /no/such/folder/x.csv", 4,
+                  {"/no/such/folder/x.csv", "No such file"});
     check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"/dev/full", "No space left"});
     check_refusal("run stack --seconds 1 --summary .", 4, {".", "directory"});
     check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});
@@ -83,14 +86,29 @@ TEST_CASE("outputs that cannot be written end with status 4 and name the path") 
 TEST_CASE("a summary holds the fields that design and README promise") {
     const Ended ended = run_program("run stack --seconds 1");
     CHECK(ended.status == 0);
-    for (const char* field :
-         {"scene", "preset", "options", "steps", "simulated_seconds", "bodies", "state_hash", "outcome",
-          "max_penetration_m", "max_length_error_m", "max_speed_m_per_s_last_second", "max_upward_speed_m_per_s",
-          "residual_m_per_s_median", "energy_initial_j", "energy_final_j", "energy_gain_j", "max_off_axis_m",
-          "drift_after_10_s_m", "lean_time_s", "fall_time_s", "heights_m"}) {
+    for (const char* field : {"scene",
+                              "preset",
+                              "options",
+                              "steps",
+                              "simulated_seconds",
+                              "bodies",
+                              "state_hash",
+                              "outcome",
+                              "max_penetration_m",
+                              "max_length_error_m",
+                              "max_speed_m_per_s_last_second",
+                              "max_upward_speed_m_per_s",
+                              "residual_m_per_s_median",
+                              "energy_initial_j",
+                              "energy_final_j",
+                              "energy_gain_j",
+                              "max_off_axis_m",
+                              "drift_after_10_s_m",
+                              "lean_time_s",
+                              "fall_time_s",
+                              "heights_m"}) {
         CHECK_THAT(ended.out, Catch::Contains("\"" + std::string(field) + "\":"));
     }
     CHECK_THAT(ended.out, !Catch::Contains("cpu_us"));
     CHECK_THAT(run_program("run stack --seconds 1 --timing").out, Catch::Contains("cpu_us_per_step_median"));
 }
-

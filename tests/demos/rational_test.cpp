@@ -15,7 +15,8 @@ TEST_CASE("times are read exactly, as fractions and as decimals") {
 }
 
 TEST_CASE("what is no exact number is no rational") {
-    for (const char* text : {"", "nan", "inf", "1/0", "1/-2", "1/", "/2", "0x10", "1.2.3", "1e99", "1 ", "12345678901234567890"}) {
+    for (const char* text :
+         {"", "nan", "inf", "1/0", "1/-2", "1/", "/2", "0x10", "1.2.3", "1e99", "1 ", "12345678901234567890"}) {
         INFO(text);
         CHECK(!parse_rational(text));
     }

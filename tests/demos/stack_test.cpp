@@ -66,8 +66,8 @@ TEST_CASE("nine of nine jittered stacks stand for 600 s and do not creep", "[lon
         run.advance(600);
         CHECK(run.measurements.outcome() == Outcome::rest);
         CHECK(!run.measurements.lean_time());
-        CHECK(*run.measurements.drift_after_10_s() < 1e-6);        // measured 7e-9 .. 4.3e-8
-        CHECK(run.measurements.max_speed_last_second() < 1e-8);    // measured 2.6e-9 .. 5.0e-9
+        CHECK(*run.measurements.drift_after_10_s() < 1e-6);      // measured 7e-9 .. 4.3e-8
+        CHECK(run.measurements.max_speed_last_second() < 1e-8);  // measured 2.6e-9 .. 5.0e-9
     }
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("the single-frame push sets the intersecting stack down") {
     run.advance(0.36);
     CHECK(run.simulation.sample().penetration.max < 0.02);  // reached at 0.333 s
     run.advance(5.0 - 0.36);
-    CHECK(run.measurements.max_upward_speed() < 0.005);     // measured 1.13e-3 m/s
+    CHECK(run.measurements.max_upward_speed() < 0.005);  // measured 1.13e-3 m/s
     CHECK(run.measurements.outcome() == Outcome::rest);
     for (std::size_t i = 1; i <= 5; ++i) {
         CHECK(height(run.simulation, i) == Approx(2.4 * static_cast<double>(i) - 1.2).margin(0.03));
@@ -116,7 +116,7 @@ TEST_CASE("the original method throws the intersecting stack apart") {
     CHECK(run.simulation.sample().count.rows() == 0);  // nothing touches any more
     double below = 0.0;
     for (std::size_t i = 1; i <= 5; ++i) {
-        CHECK(upward_speed(run.simulation, i) > 8.0);   // measured 9.0 .. 25.4 m/s
+        CHECK(upward_speed(run.simulation, i) > 8.0);  // measured 9.0 .. 25.4 m/s
         CHECK(upward_speed(run.simulation, i) < 26.0);
         CHECK(height(run.simulation, i) - below > 2.4);
         below = height(run.simulation, i);
@@ -124,7 +124,8 @@ TEST_CASE("the original method throws the intersecting stack apart") {
     CHECK(run.measurements.outcome() == Outcome::fly);
 }
 
-TEST_CASE("solved exactly, the persistent push gives cube i the speed beta (1.2 + 0.4 (i - 1)) / dt and then it flies") {
+TEST_CASE(
+    "solved exactly, the persistent push gives cube i the speed beta (1.2 + 0.4 (i - 1)) / dt and then it flies") {
     for (const double beta : {0.2, 0.5}) {
         Settings settings = solved_exactly(preset_settings("paper"));
         settings.contacts.beta = beta;

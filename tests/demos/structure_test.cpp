@@ -52,7 +52,8 @@ TEST_CASE("the renderer knows no physics") {
 }
 
 TEST_CASE("scenes know the engine and nothing that draws or writes") {
-    check_absent("demos/scenes", {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
+    check_absent("demos/scenes",
+                 {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
 }
 
 TEST_CASE("Eigen becomes GLM in one file only") {

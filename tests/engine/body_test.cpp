@@ -3,9 +3,8 @@
 #include "engine/invalid_input.h"
 #include "tests/catch.h"
 
-#include <numbers>
-
 #include <limits>
+#include <numbers>
 
 using namespace pushfactor::engine;
 
@@ -35,7 +34,8 @@ TEST_CASE("a turned box has its inertia turned with it") {
 }
 
 TEST_CASE("a mass or an edge that is not finite and above zero is refused by name") {
-    for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         CHECK_THROWS_WITH(box_body(bad, Vector3::Ones(), Vector3::Zero()), Catch::Contains("mass_kg"));
         CHECK_THROWS_WITH(box_body(1.0, {1.0, bad, 1.0}, Vector3::Zero()), Catch::Contains("size_m"));
     }

@@ -23,7 +23,8 @@ ContactForce force(double newton) {
 
 TEST_CASE("a force is found again by pair and feature, even when the point has moved") {
     ContactCache cache;
-    const std::vector<Touch> before{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}}), touch({1, 2}, {{7, {0, 1, 0}}})};
+    const std::vector<Touch> before{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}}),
+                                    touch({1, 2}, {{7, {0, 1, 0}}})};
     cache.store(before, std::vector<ContactForce>{force(1), force(2), force(3)});
 
     const std::vector<Touch> now{touch({0, 1}, {{8, {0.5, 0, 0}}}), touch({1, 2}, {{7, {0, 1, 0}}})};
@@ -35,7 +36,8 @@ TEST_CASE("a force is found again by pair and feature, even when the point has m
     CHECK(forces[1].normal.first == 3.0);
 }
 
-TEST_CASE("a new feature takes the force of the nearest point within 2 % of the size, a farther one starts from zero") {
+TEST_CASE(
+    "a new feature takes the force of the nearest point within 2 % of the size, a farther one starts from zero") {
     ContactCache cache;
     cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
                 std::vector<ContactForce>{force(1), force(2)});

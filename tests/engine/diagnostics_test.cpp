@@ -10,8 +10,8 @@ using pushfactor::tests::Random;
 
 TEST_CASE("energies and momenta of one body are the textbook's") {
     Body box = box_body(2.0, {1, 1, 1}, {0, 3, 0});
-    box.linear_momentum = {4, 0, 0};               // 2 m/s
-    box.angular_momentum = Vector3(0, 1, 0) / 3.0; // I = 1/3, so 1 rad/s
+    box.linear_momentum = {4, 0, 0};                // 2 m/s
+    box.angular_momentum = Vector3(0, 1, 0) / 3.0;  // I = 1/3, so 1 rad/s
     const std::vector<Body> bodies{static_body(Vector3::Zero()), box};
     CHECK(kinetic_energy(bodies) == Approx(4.0 + 1.0 / 6.0));
     CHECK(potential_energy(bodies, {0, -10, 0}) == Approx(60.0));
@@ -22,8 +22,8 @@ TEST_CASE("energies and momenta of one body are the textbook's") {
 
 TEST_CASE("penetration is the depth of the deepest point and the root mean square of all") {
     const std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1, Vector3::Ones(), {0, 0.4, 0})};
-    const std::vector<collision::Collider> colliders{
-        {.body = 0, .shape = collision::Plane{}}, {.body = 1, .shape = collision::Box{Vector3::Constant(0.5)}}};
+    const std::vector<collision::Collider> colliders{{.body = 0, .shape = collision::Plane{}},
+                                                     {.body = 1, .shape = collision::Box{Vector3::Constant(0.5)}}};
     const Penetration found = penetration(bodies, colliders);
     CHECK(found.points == 4);
     CHECK(found.max == Approx(0.1));

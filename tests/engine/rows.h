@@ -1,10 +1,10 @@
 // Systems built by hand for tests of rows and solvers.
 #pragma once
 
-#include <vector>
-
 #include "engine/system_equation.h"
 #include "engine/world.h"
+
+#include <vector>
 
 namespace pushfactor::tests {
 

@@ -14,7 +14,8 @@ using pushfactor::tests::Frozen;
 
 TEST_CASE("J v2 equals the push after a step with the solved lambda, row for row") {
     // 6.2.9 rebuilt forwards: v2 = v1 + dt M^-1 (J^T lambda + f_ext) must satisfy every row that is not at a bound.
-    auto simulation = tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+    auto simulation =
+        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
     tests::advance(simulation, 0.05);
     const World& world = simulation.scene().world;
     const SystemEquation& system = world.system();

@@ -82,8 +82,9 @@ TEST_CASE("under the single-frame push a penetration shrinks by 1 - beta a step 
         World world;
         world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.3, 0})};
         world.forces.push_back(std::make_unique<Gravity>(gravity));
-        world.constraints.push_back(contacts({{.body = 0, .shape = collision::Plane{}}, {.body = 1, .shape = collision::Box{}}},
-                                             {.correction = {PushKind::single_frame, beta}, .slop = 0.0, .detection = {}}));
+        world.constraints.push_back(
+            contacts({{.body = 0, .shape = collision::Plane{}}, {.body = 1, .shape = collision::Box{}}},
+                     {.correction = {PushKind::single_frame, beta}, .slop = 0.0, .detection = {}}));
         world.solver = solvers::make_solver("pgs");
         world.termination = {.iterations = 1000, .tolerance_high = 1e-13, .tolerance_low = 1e-13};
         for (int n = 1; n <= 20; ++n) {
@@ -98,8 +99,9 @@ TEST_CASE("under the persistent push the same penetration becomes speed") {
     World world;
     world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.3, 0})};
     world.forces.push_back(std::make_unique<Gravity>(gravity));
-    world.constraints.push_back(contacts({{.body = 0, .shape = collision::Plane{}}, {.body = 1, .shape = collision::Box{}}},
-                                         {.correction = {PushKind::persistent, 0.2}, .slop = 0.0, .detection = {}}));
+    world.constraints.push_back(
+        contacts({{.body = 0, .shape = collision::Plane{}}, {.body = 1, .shape = collision::Box{}}},
+                 {.correction = {PushKind::persistent, 0.2}, .slop = 0.0, .detection = {}}));
     world.solver = solvers::make_solver("pgs");
     world.termination = {.iterations = 1000};
     const StepCount count = world.step(dt);
@@ -140,8 +142,8 @@ TEST_CASE("the observer hears of every stage in the order of the step") {
     World world;
     world.bodies.push_back(box_body(1.0, Vector3::Ones(), Vector3::Zero()));
     world.step(dt, &listener);
-    CHECK(listener.heard == std::vector{Stage::forces, Stage::rows, Stage::system, Stage::solve, Stage::remember,
-                                        Stage::integrate});
+    CHECK(listener.heard ==
+          std::vector{Stage::forces, Stage::rows, Stage::system, Stage::solve, Stage::remember, Stage::integrate});
 }
 
 TEST_CASE("every source gets back its own range of the answers") {
@@ -166,7 +168,9 @@ TEST_CASE("every source gets back its own range of the answers") {
         }
     };
     World world;
-    for (int i = 0; i < 3; ++i) world.bodies.push_back(i == 0 ? static_body(Vector3::Zero()) : box_body(1.0, Vector3::Ones(), {3.0 * i, 0, 0}));
+    for (int i = 0; i < 3; ++i)
+        world.bodies.push_back(i == 0 ? static_body(Vector3::Zero())
+                                      : box_body(1.0, Vector3::Ones(), {3.0 * i, 0, 0}));
     auto one = std::make_unique<Pusher>(1, 1, 5.0);
     auto three = std::make_unique<Pusher>(2, 3, 7.0);
     const Pusher& heard_by_one = *one;
@@ -184,7 +188,8 @@ TEST_CASE("every source gets back its own range of the answers") {
 TEST_CASE("two static bodies that overlap make no row") {
     World world;
     world.bodies = {static_body(Vector3::Zero()), static_body(Vector3::Zero())};
-    world.constraints.push_back(contacts({{.body = 0, .shape = collision::Box{}}, {.body = 1, .shape = collision::Box{}}}, {}));
+    world.constraints.push_back(
+        contacts({{.body = 0, .shape = collision::Box{}}, {.body = 1, .shape = collision::Box{}}}, {}));
     world.solver = solvers::make_solver("pgs");
     CHECK(world.step(dt).rows() == 0);
 }

@@ -34,8 +34,7 @@ TEST_CASE("The box is closed: each edge is used once in each direction") {
     const Mesh mesh = box_mesh();
     std::map<std::pair<int, int>, int> uses;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        for (std::size_t k = 0; k < 3; ++k)
-            ++uses[{mesh.indices[i + k], mesh.indices[i + (k + 1) % 3]}];
+        for (std::size_t k = 0; k < 3; ++k) ++uses[{mesh.indices[i + k], mesh.indices[i + (k + 1) % 3]}];
     }
     CHECK(mesh.indices.size() == 3 * 44);
     for (const auto& [edge, count] : uses) {

@@ -20,8 +20,8 @@ namespace {
 Image decode_png(const std::vector<std::uint8_t>& png) {
     Image image;
     int channels = 0;
-    stbi_uc* pixels = stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &image.width,
-                                            &image.height, &channels, 0);
+    stbi_uc* pixels =
+        stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &image.width, &image.height, &channels, 0);
     REQUIRE(pixels != nullptr);
     CHECK(channels == 3);
     image.rgb.assign(pixels, pixels + 3 * image.width * image.height);
@@ -32,8 +32,7 @@ Image decode_png(const std::vector<std::uint8_t>& png) {
 Image noise(int width, int height) {
     std::mt19937 random(1);
     Image image{width, height, {}};
-    for (int i = 0; i < 3 * width * height; ++i)
-        image.rgb.push_back(static_cast<std::uint8_t>(random() & 255u));
+    for (int i = 0; i < 3 * width * height; ++i) image.rgb.push_back(static_cast<std::uint8_t>(random() & 255u));
     return image;
 }
 

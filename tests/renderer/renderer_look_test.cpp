@@ -27,15 +27,13 @@ const Camera from_above{.eye = {0.0f, 20.0f, 0.0f}, .target = glm::vec3(0.0f)};
 // The largest difference of any channel of two images of the same size.
 int largest_difference(const Image& a, const Image& b) {
     int largest = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); ++i)
-        largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
     return largest;
 }
 
 double mean_difference(const Image& a, const Image& b) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.rgb.size(); ++i)
-        sum += std::abs(a.rgb[i] - b.rgb[i]);
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
     return sum / static_cast<double>(a.rgb.size());
 }
 
@@ -141,8 +139,7 @@ TEST_CASE("Edges are antialiased") {
     // The box has hardly any blue, the background much: in between are only pixels that show both.
     int mixed = 0;
     for (int y = 0; y < 90; ++y) {
-        for (int x = 0; x < 160; ++x)
-            mixed += image.pixel(x, y)[2] > 90 && image.pixel(x, y)[2] < 200 ? 1 : 0;
+        for (int x = 0; x < 160; ++x) mixed += image.pixel(x, y)[2] > 90 && image.pixel(x, y)[2] < 200 ? 1 : 0;
     }
     CHECK(mixed > 70);  // 96 seen; 42, on the bevels, with one sample a pixel
 }
@@ -152,8 +149,7 @@ TEST_CASE("Nothing is over-exposed") {
     for (const glm::vec3 towards_sun : {glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(-0.5f, 0.9f, 0.65f)}) {
         const glm::quat turned = glm::angleAxis(0.5f, glm::vec3(0.6f, 0.8f, 0.0f));
         const Box white{.orientation = turned, .half_extents = glm::vec3(2.0f), .colour = glm::vec3(1.0f)};
-        const Image image =
-            studio.render({.camera = from_the_front, .towards_sun = towards_sun, .boxes = {white}});
+        const Image image = studio.render({.camera = from_the_front, .towards_sun = towards_sun, .boxes = {white}});
         CHECK(*std::ranges::max_element(image.rgb) < 255);
     }
 }
@@ -209,8 +205,7 @@ TEST_CASE("No horizon shows: the far ground has the colour of the background") {
     const Image image = Studio(160, 120).render({.camera = level, .ground = Ground{}});
     for (int x = 0; x < 160; ++x) {
         CHECK(image.pixel(x, 60) == image.pixel(x, 0));
-        for (int y = 60; y < 70; ++y)
-            CHECK(std::abs(brightness(image, x, y + 1) - brightness(image, x, y)) < 25);
+        for (int y = 60; y < 70; ++y) CHECK(std::abs(brightness(image, x, y + 1) - brightness(image, x, y)) < 25);
     }
 }
 

@@ -57,8 +57,7 @@ TEST_CASE("A body thrown out of sight changes nothing") {
 }
 
 TEST_CASE("The image has the size that was asked for") {
-    for (const auto& [width, height] :
-         {std::pair{1, 1}, std::pair{3, 200}, std::pair{Renderer::max_side, 2}}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, std::pair{3, 200}, std::pair{Renderer::max_side, 2}}) {
         const Image image = Studio(width, height).render(stack_of_cubes(1));
         CHECK(image.width == width);
         CHECK(image.height == height);

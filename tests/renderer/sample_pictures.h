@@ -33,8 +33,7 @@ class Studio {
 
 // Cubes with sides of 2.4 m, each a little turned, on the ground.
 inline Picture stack_of_cubes(int count) {
-    Picture picture{.camera = {.eye = {11.0f, 12.0f, 24.0f}, .target = {0.0f, 5.0f, 0.0f}},
-                    .ground = Ground{}};
+    Picture picture{.camera = {.eye = {11.0f, 12.0f, 24.0f}, .target = {0.0f, 5.0f, 0.0f}}, .ground = Ground{}};
     for (int i = 0; i < count; ++i) {
         const auto level = static_cast<float>(i);
         picture.boxes.push_back({.position = {0.0f, 1.2f + 2.4f * level, 0.0f},

@@ -1,5 +1,4 @@
 #include "engine/collision/pair_table.h"
-
 #include "tests/catch.h"
 
 #include <numbers>

@@ -69,8 +69,10 @@ TEST_CASE("the broad phase finds what comparing all bounding boxes finds, in ord
 TEST_CASE("two colliders of one body and two static bodies never make a pair") {
     std::vector<Body> bodies{static_body(Vector3::Zero()), static_body(Vector3::Zero()),
                              box_body(1.0, Vector3::Ones(), Vector3::Zero())};
-    const std::vector<Collider> colliders{{.body = 0, .shape = Box{}}, {.body = 1, .shape = Box{}},
-                                          {.body = 2, .shape = Box{}}, {.body = 2, .shape = Box{}}};
+    const std::vector<Collider> colliders{{.body = 0, .shape = Box{}},
+                                          {.body = 1, .shape = Box{}},
+                                          {.body = 2, .shape = Box{}},
+                                          {.body = 2, .shape = Box{}}};
     BroadPhase broad_phase;
     const auto pairs = broad_phase.find_pairs(colliders, bodies, 0.0);
     const std::vector<Pair> expected{{0, 2}, {0, 3}, {1, 2}, {1, 3}};

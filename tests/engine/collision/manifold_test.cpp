@@ -15,11 +15,11 @@ namespace {
 
 Manifold on_top(double turn, double tilt) {
     const Box cube{Vector3::Ones()};
-    const Quaternion rotation =
-        Quaternion(Eigen::AngleAxisd(tilt, Vector3::UnitX())) * Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitY()));
+    const Quaternion rotation = Quaternion(Eigen::AngleAxisd(tilt, Vector3::UnitX())) *
+                                Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitY()));
     Manifold manifold;
-    collide_box_box(cube, {Vector3::Zero(), Matrix3::Identity()}, cube, {Vector3(0, 1.95, 0), rotation.toRotationMatrix()},
-                    0.0, manifold);
+    collide_box_box(cube, {Vector3::Zero(), Matrix3::Identity()}, cube,
+                    {Vector3(0, 1.95, 0), rotation.toRotationMatrix()}, 0.0, manifold);
     return manifold;
 }
 

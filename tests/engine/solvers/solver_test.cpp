@@ -81,13 +81,14 @@ TEST_CASE("on a column of n bodies the sweep's error shrinks by cos^2(pi / 2n) a
 }
 
 TEST_CASE("a solution keeps its bounds and errs only where a bound holds it, in both columns") {
-    auto simulation = tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+    auto simulation =
+        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
     tests::advance(simulation, 0.1);
     const World& world = simulation.scene().world;
     const SystemEquation& system = world.system();
     for (const char* solver : {"pgs", "dense"}) {
-        const Columns lambda =
-            solved(solver, system, guesses(world), {.iterations = 20000, .tolerance_high = 1e-13, .tolerance_low = 1e-13});
+        const Columns lambda = solved(solver, system, guesses(world),
+                                      {.iterations = 20000, .tolerance_high = 1e-13, .tolerance_low = 1e-13});
         CHECK(natural_residual(system, lambda) < 1e-12);
         for (Eigen::Index c = 0; c < lambda.cols(); ++c) {
             for (Eigen::Index j = 0; j < lambda.rows(); ++j) {
@@ -123,10 +124,11 @@ TEST_CASE("a guess within the upper tolerance is kept, a worse one is worked dow
     for (const char* name : {"pgs", "dense"}) {
         const auto solver = make_solver(name);
         Columns lambda = guess;
-        CHECK(solver->solve(frozen.system, {.iterations = 1000, .tolerance_high = 1e-3, .tolerance_low = 1e-9}, lambda) == 0);
+        CHECK(solver->solve(frozen.system, {.iterations = 1000, .tolerance_high = 1e-3, .tolerance_low = 1e-9},
+                            lambda) == 0);
         CHECK(lambda == guess);
-        const int sweeps =
-            solver->solve(frozen.system, {.iterations = 1000, .tolerance_high = 1e-4, .tolerance_low = 1e-9}, lambda);
+        const int sweeps = solver->solve(
+            frozen.system, {.iterations = 1000, .tolerance_high = 1e-4, .tolerance_low = 1e-9}, lambda);
         CHECK(sweeps > 10);
         CHECK(sweeps < 1000);
         CHECK(natural_residual(frozen.system, lambda) <= 1e-9);
