@@ -1,11 +1,11 @@
 #include "demos/choices.h"
 
 #include "demos/errors.h"
+#include "demos/json.h"
 #include "demos/simulation_options.h"
 #include "demos/suggest.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <set>
@@ -14,20 +14,12 @@ namespace pushfactor::demos {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 [[noreturn]] void refuse(const GivenOptions::Given& given, std::string_view allowed) {
     throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, allowed));
 }
 
 std::string text_of(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-// Numbers as numbers, everything else as strings.
-Json json_of(const std::string& text) {
-    const Json parsed = Json::parse(text, nullptr, false);
-    return parsed.is_number() ? parsed : Json(text);
 }
 
 const SceneEntry& scene_named(const std::string& name) {

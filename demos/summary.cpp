@@ -1,18 +1,16 @@
 #include "demos/summary.h"
 
+#include "demos/json.h"
 #include "demos/simulation_options.h"
 #include "engine/diagnostics.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <numeric>
 
 namespace pushfactor::demos {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
@@ -22,9 +20,7 @@ Json options_of(const Choices& choices) {
     Json options = Json::object();
     for (const SimulationOption& option : simulation_options()) {
         const std::string text = option.get(choices.settings);
-        if (text.empty()) continue;
-        const Json parsed = Json::parse(text, nullptr, false);
-        options[std::string(option.name)] = parsed.is_number() ? parsed : Json(text);
+        if (!text.empty()) options[std::string(option.name)] = json_of(text);
     }
     for (const Parameter& parameter : choices.scene->parameters) {
         const double value = choices.parameters.number(parameter.name);

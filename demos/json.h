@@ -1,0 +1,18 @@
+// JSON as the program writes it: keys in the order in which they were set.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace pushfactor::demos {
+
+using Json = nlohmann::ordered_json;
+
+// The text of an option as JSON: numbers as numbers, everything else as strings.
+inline Json json_of(const std::string& text) {
+    const Json parsed = Json::parse(text, nullptr, false);
+    return parsed.is_number() ? parsed : Json(text);
+}
+
+}  // namespace pushfactor::demos
