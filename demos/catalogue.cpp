@@ -1,6 +1,11 @@
 #include "demos/catalogue.h"
 
+#include "demos/scenes/chain.h"
+#include "demos/scenes/funnel.h"
+#include "demos/scenes/heavy_on_light.h"
 #include "demos/scenes/intersecting_stack.h"
+#include "demos/scenes/pendulum_grid.h"
+#include "demos/scenes/pendulum_wave.h"
 #include "demos/scenes/stack.h"
 
 #include <algorithm>
@@ -9,13 +14,26 @@
 namespace pushfactor::demos {
 
 std::span<const SceneEntry> catalogue() {
+    using namespace scenes;
     static const std::array table{
-        SceneEntry{"stack", "Five cubes fall onto the ground and onto each other, and should stand (section 10.1).",
-                   "gravity, contacts, friction", scenes::stack_parameters(), scenes::stack},
-        SceneEntry{
-            "intersecting-stack",
-            "Five cubes start inside each other and inside the ground, and should part gently (section 10.2).",
-            "gravity, contacts, friction", scenes::intersecting_stack_parameters(), scenes::intersecting_stack},
+        SceneEntry{"stack", "Five cubes fall onto the ground and onto each other, and should stand (Figure 6).",
+                   stack_parameters(), stack},
+        SceneEntry{"intersecting-stack",
+                   "Five cubes start inside each other and half in the ground, and should part gently (Figure 7).",
+                   intersecting_stack_parameters(), intersecting_stack},
+        SceneEntry{"funnel", "Twenty balls fall into a funnel of four infinite planes and come to rest (Figure 8).",
+                   funnel_parameters(), funnel},
+        SceneEntry{"pendulum-grid",
+                   "Twenty-five pendulums side by side hold spheres and boxes up, until one is poked (Figure 9).",
+                   pendulum_grid_parameters(), pendulum_grid},
+        SceneEntry{"pendulum-wave",
+                   "Fifty pendulums of graded length run out of phase and, after two minutes, back in (Figure 10).",
+                   pendulum_wave_parameters(), pendulum_wave},
+        SceneEntry{"chain", "A chain of bars swings down from the horizontal with a weight at its end.",
+                   chain_parameters(), chain},
+        SceneEntry{"heavy-on-light",
+                   "A heavy cube stands on light ones: the mass ratio is what iterations cannot do.",
+                   heavy_on_light_parameters(), heavy_on_light},
     };
     return table;
 }
@@ -27,8 +45,19 @@ const SceneEntry* find_scene(std::string_view name) {
     return found == scenes.end() ? nullptr : &*found;
 }
 
-Scene build_scene(const SceneEntry& entry, const Settings& settings) {
-    return entry.build(ParameterValues(entry.parameters), settings);
+std::string made_of(const SceneDescription& description) {
+    const auto has = [&](double BodyDescription::*what) {
+        return std::any_of(description.bodies.begin(), description.bodies.end(),
+                           [what](const BodyDescription& body) { return body.*what > 0.0; });
+    };
+    std::string parts = std::to_string(description.bodies.size()) + " bodies";
+    if (!description.gravity.isZero()) parts += ", gravity";
+    if (!description.forces.empty()) parts += ", " + std::to_string(description.forces.size()) + " forces";
+    if (!description.distances.empty()) parts += ", " + std::to_string(description.distances.size()) + " distances";
+    if (description.contacts) parts += ", contacts";
+    if (description.contacts && has(&BodyDescription::friction)) parts += ", friction";
+    if (description.contacts && has(&BodyDescription::restitution)) parts += ", restitution";
+    return parts;
 }
 
 }  // namespace pushfactor::demos

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/parameters.h"
-#include "demos/scene.h"
+#include "demos/scene_description.h"
 
 #include <span>
 #include <string_view>
@@ -12,9 +12,8 @@ namespace pushfactor::demos {
 struct SceneEntry {
     std::string_view name;
     std::string_view sentence;  // what happens
-    std::string_view made_of;   // the parts of its world
     std::span<const Parameter> parameters;
-    Scene (*build)(const ParameterValues& parameters, const Settings& settings);
+    SceneDescription (*describe)(const ParameterValues& parameters);
 };
 
 std::span<const SceneEntry> catalogue();
@@ -22,7 +21,7 @@ std::span<const SceneEntry> catalogue();
 // Null when there is no scene of that name.
 const SceneEntry* find_scene(std::string_view name);
 
-// The scene with its fallback parameters.
-Scene build_scene(const SceneEntry& entry, const Settings& settings);
+// What the world of a description is made of, in words: "gravity, 50 distances".
+std::string made_of(const SceneDescription& description);
 
 }  // namespace pushfactor::demos

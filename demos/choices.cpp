@@ -2,6 +2,8 @@
 
 #include "demos/errors.h"
 #include "demos/json.h"
+#include "demos/numbers.h"
+#include "demos/scene_file.h"
 #include "demos/simulation_options.h"
 #include "demos/suggest.h"
 
@@ -22,14 +24,6 @@ std::string text_of(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-const SceneEntry& scene_named(const std::string& name) {
-    if (const SceneEntry* entry = find_scene(name)) return *entry;
-    std::vector<std::string> names;
-    for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
-    throw UsageError(
-        fmt::format("scene {}: must be one of {}{}", name, fmt::join(names, ", "), suggestion(name, names)));
-}
-
 Settings understand_settings(const GivenOptions& given) {
     std::string preset = "default";
     if (const auto* chosen = given.find("preset")) {
@@ -48,25 +42,65 @@ Settings understand_settings(const GivenOptions& given) {
     return settings;
 }
 
+bool is_parameter_of(const SceneEntry& scene, std::string_view name) {
+    return std::any_of(scene.parameters.begin(), scene.parameters.end(),
+                       [name](const Parameter& parameter) { return parameter.name == name; });
+}
+
+std::string parameters_of(const SceneEntry* scene) {
+    std::string names;
+    if (!scene) return "none";
+    for (const Parameter& parameter : scene->parameters) {
+        names += (names.empty() ? "--" : ", --") + std::string(parameter.name);
+    }
+    return names;
+}
+
+// Parameters belong to the scenes of the catalogue; `own` is null for a scene file.
+void refuse_foreign_parameters(const std::string& scene, const SceneEntry* own, const GivenOptions& given) {
+    for (const SceneEntry& other : catalogue()) {
+        for (const Parameter& parameter : other.parameters) {
+            const auto* chosen = given.find(parameter.name);
+            if (!chosen || (own && is_parameter_of(*own, parameter.name))) continue;
+            throw UsageError(fmt::format("{} {}: scene {} has no such parameter; it has {}", chosen->field,
+                                         chosen->text, scene, parameters_of(own)));
+        }
+    }
+}
+
 ParameterValues understand_parameters(const SceneEntry& scene, const GivenOptions& given) {
     ParameterValues values(scene.parameters);
     for (const Parameter& parameter : scene.parameters) {
         const auto* chosen = given.find(parameter.name);
         if (chosen && !values.set(parameter, chosen->text)) refuse(*chosen, parameter.allowed());
     }
-    for (const SceneEntry& other : catalogue()) {
-        for (const Parameter& parameter : other.parameters) {
-            const auto* chosen = given.find(parameter.name);
-            const bool own = std::any_of(scene.parameters.begin(), scene.parameters.end(),
-                                         [&](const Parameter& mine) { return mine.name == parameter.name; });
-            if (!chosen || own) continue;
-            std::vector<std::string> names;
-            for (const Parameter& mine : scene.parameters) names.push_back("--" + std::string(mine.name));
-            throw UsageError(fmt::format("{} {}: scene {} has no such parameter; it has {}", chosen->field,
-                                         chosen->text, scene.name, fmt::join(names, ", ")));
-        }
-    }
     return values;
+}
+
+// A name that is neither a scene nor looks like a file was meant as a scene.
+void require_scene(const std::string& name) {
+    if (find_scene(name) || name.ends_with(".json") || std::filesystem::exists(name)) return;
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
+    throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
+                                 fmt::join(names, ", "), suggestion(name, names)));
+}
+
+// Fills in scene, description and parameters.
+void understand_scene(const std::string& name, const GivenOptions& given, Choices& choices) {
+    require_scene(name);
+    choices.scene = name;
+    const SceneEntry* const entry = find_scene(name);
+    refuse_foreign_parameters(name, entry, given);
+    if (!entry) {
+        choices.description = read_scene_file(name);
+        return;
+    }
+    const ParameterValues values = understand_parameters(*entry, given);
+    for (const Parameter& parameter : entry->parameters) {
+        choices.parameters.emplace_back(parameter.name, to_text(values.number(parameter.name)));
+    }
+    choices.description = entry->describe(values);
 }
 
 FrameChoices understand_frames(const GivenOptions& given) {
@@ -76,6 +110,18 @@ FrameChoices understand_frames(const GivenOptions& given) {
         if (chosen && !option.set(choices, chosen->text)) refuse(*chosen, option.allowed);
     }
     return choices;
+}
+
+std::vector<std::string> known_in_config() {
+    std::vector<std::string> names = simulation_option_names();
+    names.emplace_back("scene");
+    for (const FrameOption& option : frame_options()) names.emplace_back(option.name);
+    std::set<std::string> parameters;
+    for (const SceneEntry& scene : catalogue()) {
+        for (const Parameter& parameter : scene.parameters) parameters.emplace(parameter.name);
+    }
+    names.insert(names.end(), parameters.begin(), parameters.end());
+    return names;
 }
 
 }  // namespace
@@ -89,15 +135,9 @@ const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
     return found == given_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> known_options() {
+std::vector<std::string> simulation_option_names() {
     std::vector<std::string> names{"preset"};
     for (const SimulationOption& option : simulation_options()) names.emplace_back(option.name);
-    for (const FrameOption& option : frame_options()) names.emplace_back(option.name);
-    std::set<std::string> parameters;
-    for (const SceneEntry& scene : catalogue()) {
-        for (const Parameter& parameter : scene.parameters) parameters.emplace(parameter.name);
-    }
-    names.insert(names.end(), parameters.begin(), parameters.end());
     return names;
 }
 
@@ -113,8 +153,7 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
     if (!config.is_object()) {
         throw UsageError(fmt::format("--config {}: must be an object of option names and values", file.string()));
     }
-    std::vector<std::string> known = known_options();
-    known.emplace_back("scene");
+    const std::vector<std::string> known = known_in_config();
     for (const auto& [name, value] : config.items()) {
         const std::string field = fmt::format("{} in {}", name, file.string());
         if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -127,25 +166,27 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
     }
 }
 
-Choices understand(const std::string& scene, const GivenOptions& given) {
-    const SceneEntry& entry = scene_named(scene);
-    return {.scene = &entry,
-            .settings = understand_settings(given),
-            .parameters = understand_parameters(entry, given),
-            .frames = understand_frames(given)};
+Choices understand(const std::string& scene, GivenOptions given) {
+    Choices choices;
+    understand_scene(scene, given, choices);
+    for (const auto& [name, text] : choices.description.options) {
+        given.add(name, text, fmt::format("{}: options.{}", scene, name));
+    }
+    choices.settings = understand_settings(given);
+    choices.frames = understand_frames(given);
+    return choices;
 }
 
 std::string config_text(const Choices& choices, const GivenOptions& given) {
     Json config;
-    config["scene"] = choices.scene->name;
+    config["scene"] = choices.scene;
     config["preset"] = choices.settings.preset;
     for (const SimulationOption& option : simulation_options()) {
         const std::string text = option.get(choices.settings);
         if (!text.empty()) config[std::string(option.name)] = json_of(text);
     }
-    for (const Parameter& parameter : choices.scene->parameters) {
-        if (const auto* chosen = given.find(parameter.name))
-            config[std::string(parameter.name)] = json_of(chosen->text);
+    for (const auto& [name, text] : choices.parameters) {
+        if (given.find(name)) config[name] = json_of(text);
     }
     for (const FrameOption& option : frame_options()) {
         const std::string text = option.get(choices.frames);

@@ -1,14 +1,16 @@
-// Everything that somebody chose for one run, from the command line and a config file, before and after it is
-// understood. Precedence: command line, then config, then preset.
+// Everything that somebody chose for one run, before and after it is understood. Precedence: command line, then
+// config file, then scene file, then preset.
 #pragma once
 
 #include "demos/catalogue.h"
 #include "demos/frame_options.h"
+#include "demos/scene.h"
 #include "demos/settings.h"
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos {
@@ -24,7 +26,6 @@ class GivenOptions {
         std::string field;
     };
     const Given* find(std::string_view name) const;
-    const std::map<std::string, Given, std::less<>>& all() const { return given_; }
 
   private:
     std::map<std::string, Given, std::less<>> given_;
@@ -36,21 +37,23 @@ void add_config(const std::filesystem::path& file, GivenOptions& given);
 
 // One run, understood.
 struct Choices {
-    const SceneEntry* scene = nullptr;
+    std::string scene;  // as it was named: a scene of the catalogue or a file
+    SceneDescription description;
     Settings settings;
-    ParameterValues parameters;
+    std::vector<std::pair<std::string, std::string>> parameters;  // of the scene, all values in force
     FrameChoices frames;
 
-    Scene build() const { return scene->build(parameters, settings); }
+    Scene build() const { return build_scene(description, settings); }
 };
 
-// Throws UsageError that names the field, the value and what is allowed; also for a parameter that the scene lacks.
-Choices understand(const std::string& scene, const GivenOptions& given);
+// `scene` names a scene of the catalogue or a scene file. Throws UsageError that names the field, the value and
+// what is allowed; also for a parameter that the scene lacks.
+Choices understand(const std::string& scene, GivenOptions given);
 
 // The JSON file that makes the same run again, every option spelled out.
 std::string config_text(const Choices& choices, const GivenOptions& given);
 
-// Names of all options that a config file may hold.
-std::vector<std::string> known_options();
+// The option names that a scene file may hold: "preset" and the simulation options.
+std::vector<std::string> simulation_option_names();
 
 }  // namespace pushfactor::demos

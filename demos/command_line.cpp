@@ -41,8 +41,8 @@ void add_simulation(CLI::App& app, Request& request, std::optional<std::string>&
         add_given(app, request.given, option.name, option.placeholder, option.help, "Simulation");
     }
     std::set<std::string_view> seen;
-    for (const SceneEntry& scene : catalogue()) {
-        for (const Parameter& parameter : scene.parameters) {
+    for (const SceneEntry& entry : catalogue()) {
+        for (const Parameter& parameter : entry.parameters) {
             if (!seen.insert(parameter.name).second) continue;
             add_given(app, request.given, parameter.name, parameter.placeholder, parameter.help,
                       "Scene parameters (see `pushfactor list` for which scene has which)");
@@ -69,7 +69,7 @@ void add_frames(CLI::App& app, Request& request) {
     for (const FrameOption& option : frame_options()) {
         add_given(app, request.given, option.name, option.placeholder, option.help, "Frames");
     }
-    app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out for several scenes]")
+    app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out/SCENE for each of several]")
         ->type_name("DIR")
         ->group("Frames");
 }
@@ -114,8 +114,12 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
         *app.add_subcommand("list", "the scenes: what happens, their parameters, what each is made of");
     list.add_flag("--names", request.names_only, "only the names, one a line");
 
+    CLI::App& scene = *app.add_subcommand("scene", "prints a scene as a JSON file that run and render accept");
+    scene.add_option("SCENE", request.scenes, "name of a scene, or a scene file");
+    add_simulation(scene, request, config);
+
     CLI::App& run = *app.add_subcommand("run", "physics only: CSV files and a summary");
-    run.add_option("SCENE", request.scenes, "name of a scene");
+    run.add_option("SCENE", request.scenes, "name of a scene, or a scene file");
     add_simulation(run, request, config);
     add_outputs(run, request);
     const FrameOption* const fps =
@@ -125,12 +129,12 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     add_given(run, request.given, fps->name, fps->placeholder, fps->help, "Output (FILE - is standard output)");
 
     CLI::App& render = *app.add_subcommand("render", "PNG frames or stills, without a display");
-    render.add_option("SCENE", request.scenes, "names of scenes");
+    render.add_option("SCENE", request.scenes, "names of scenes, or scene files");
     add_simulation(render, request, config);
     add_outputs(render, request);
     add_frames(render, request);
 
-    for (CLI::App* command : {&list, &run, &render}) {
+    for (CLI::App* command : {&list, &scene, &run, &render}) {
         command->allow_extras();
         command->footer(exit_statuses);
     }
@@ -147,17 +151,19 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     const CLI::App& chosen = *app.get_subcommands().front();
     refuse_extras(chosen);
 
-    request.command = &chosen == &run      ? Request::Command::run
+    request.command = &chosen == &scene    ? Request::Command::scene
+                      : &chosen == &run    ? Request::Command::run
                       : &chosen == &render ? Request::Command::render
                                            : Request::Command::list;
     if (config) add_config(*config, request.given);
-    if (const auto* scene = request.given.find("scene"); scene && request.scenes.empty()) {
-        request.scenes.push_back(scene->text);
+    if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
+        request.scenes.push_back(named->text);
     }
     if (request.command != Request::Command::list && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }
-    if (request.command == Request::Command::run && request.scenes.size() > 1) {
+    const bool one = request.command == Request::Command::run || request.command == Request::Command::scene;
+    if (one && request.scenes.size() > 1) {
         throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(request.scenes, " ")));
     }
     return request;

@@ -1,22 +1,17 @@
 #include "demos/draw_list.h"
 
-#include <array>
+#include "demos/palette.h"
+#include "demos/plane_outline.h"
+
+#include <algorithm>
 
 namespace pushfactor::demos {
 
 namespace {
 
-// sRGB; told apart by the colour-blind too, by their lightness.
-constexpr std::array palette{
-    glm::vec3(0.90f, 0.33f, 0.22f),  // vermilion
-    glm::vec3(0.95f, 0.62f, 0.18f),  // orange
-    glm::vec3(0.20f, 0.55f, 0.80f),  // blue
-    glm::vec3(0.16f, 0.66f, 0.55f),  // green
-    glm::vec3(0.45f, 0.40f, 0.75f),  // violet
-    glm::vec3(0.88f, 0.85f, 0.78f),  // ivory
-};
+using engine::Vector3;
 
-glm::vec3 to_glm(const engine::Vector3& v) {
+glm::vec3 to_glm(const Vector3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
@@ -25,27 +20,63 @@ glm::quat to_glm(const engine::Quaternion& q) {
             static_cast<float>(q.z())};
 }
 
+// The colour that was chosen, or else one after the other. `movable` counts the bodies that had none.
+glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
+    const Colour colour = body.colour ? *find_colour(*body.colour)
+                          : body.mass ? palette[movable++ % palette.size()]
+                                      : palette.back();
+    return {colour.red, colour.green, colour.blue};
+}
+
+void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& picture) {
+    const Vector3 up = body.orientation * Vector3::UnitY();
+    if (up.y() > 0.9999) {
+        picture.ground = renderer::Ground{.height = static_cast<float>(body.position.y())};
+        return;
+    }
+    renderer::Panel panel;
+    for (const Vector3& corner : plane_outline(scene, body)) panel.corners.push_back(to_glm(corner));
+    if (panel.corners.size() >= 3) picture.panels.push_back(panel);
+}
+
+void add_bars(const Scene& scene, renderer::Picture& picture) {
+    if (!scene.distances) return;
+    // Thick enough to be seen from where the camera is.
+    const double least = 0.001 * (scene.view.eye - scene.view.target).norm();
+    for (const engine::Distance& distance : scene.distances->distances()) {
+        const auto [from, to] = span_of(distance, scene.world.bodies);
+        renderer::Bar bar;
+        bar.from = to_glm(from);
+        bar.to = to_glm(to);
+        bar.radius = static_cast<float>(std::max(least, std::min(0.015 * distance.length, 0.04)));
+        picture.bars.push_back(bar);
+    }
+}
+
 }  // namespace
 
 renderer::Picture draw_list(const Scene& scene) {
     renderer::Picture picture;
     picture.camera.eye = to_glm(scene.view.eye);
     picture.camera.target = to_glm(scene.view.target);
-    for (const Drawn& drawn : scene.drawn) {
-        const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(drawn.body)];
-        switch (drawn.form) {
-            case Drawn::Form::ground:
-                picture.ground = renderer::Ground{.height = static_cast<float>(body.position.y())};
-                break;
-            case Drawn::Form::box:
-                picture.boxes.push_back(
-                    {.position = to_glm(body.position),
-                     .orientation = to_glm(body.orientation),
-                     .half_extents = to_glm(drawn.half_size),
-                     .colour = palette[static_cast<std::size_t>(drawn.colour) % palette.size()]});
-                break;
+    if (scene.view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*scene.view.floor)};
+    std::size_t movable = 0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDescription& described = scene.bodies[i];
+        const engine::Body& body = scene.world.bodies[i];
+        const glm::vec3 position = to_glm(body.position);
+        const glm::quat orientation = to_glm(body.orientation);
+        if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
+            const glm::vec3 half_size = to_glm(0.5 * box->size);
+            picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
+        } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
+            const auto radius = static_cast<float>(sphere->radius);
+            picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
+        } else {
+            add_plane(scene, body, picture);
         }
     }
+    add_bars(scene, picture);
     return picture;
 }
 

@@ -23,6 +23,9 @@ int carry_out(const Request& request) {
         case Request::Command::list:
             commands::list(request);
             break;
+        case Request::Command::scene:
+            commands::scene(request);
+            break;
         case Request::Command::run:
             commands::run(request);
             break;

@@ -32,8 +32,10 @@ double sideways(const Vector3& from, const Vector3& to) {
 // The length L by which a scene is judged: the smallest movable body that can touch something.
 double judged_size(const Scene& scene) {
     double size = std::numeric_limits<double>::infinity();
-    if (scene.contacts) {
-        for (const auto& collider : scene.contacts->colliders()) size = std::min(size, size_of(collider.shape));
+    if (!scene.contacts) return 1.0;
+    for (const auto& collider : scene.contacts->colliders()) {
+        const bool movable = !scene.world.bodies[static_cast<std::size_t>(collider.body)].is_static();
+        if (movable) size = std::min(size, size_of(collider.shape));
     }
     return std::isfinite(size) ? size : 1.0;
 }
@@ -79,15 +81,18 @@ double median(std::vector<double> values) {
 
 Measurements::Measurements(const Simulation& simulation)
     : standing_(simulation.scene().standing),
+      scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
       size_(judged_size(simulation.scene())),
       speed_(std::sqrt(simulation.scene().gravity.norm() * size_)),
       last_second_(static_cast<std::size_t>(std::max(1.0, std::round(1.0 / simulation.settings().dt.value())))),
       start_(positions_of(simulation.scene().world)),
       latest_(start_) {
+    for (const Vector3& position : start_) starts_.extend(position);
     const Sample& sample = simulation.sample();
     initial_energy_ = energy_ = sample.kinetic_energy + sample.potential_energy;
     max_penetration_ = sample.penetration.max;
-    window_.push_back({.max_speed = sample.max_speed, .positions = start_});
+    window_.push_back(
+        {.max_speed = sample.max_speed, .kinetic_energy = sample.kinetic_energy, .positions = start_});
 }
 
 double Measurements::lowest_place(std::size_t i) const {
@@ -113,6 +118,7 @@ void Measurements::observe(const Simulation& simulation) {
     });
     if (!at_10_s_ && sample.time >= 10.0) at_10_s_ = latest_;
     if (standing_) watch_standing(sample.time, latest_);
+    if (scene_measure_) scene_measure_->observe(simulation.scene().world);
 
     window_.push_back(judge(simulation, latest_));
     if (window_.size() > last_second_ + 1) window_.pop_front();
@@ -126,19 +132,28 @@ void Measurements::watch_standing(double time, const Positions& positions) {
     }
 }
 
+bool Measurements::strayed(std::size_t i, const Vector3& position) const {
+    if (standing_) {
+        const double high = std::max(start_[i].y(), standing_->rest_heights[i]);
+        const Vector3 nearest(start_[i].x(), std::clamp(position.y(), lowest_place(i), high), start_[i].z());
+        return (position - nearest).norm() > 20.0 * size_;
+    }
+    const double reach = std::max(20.0 * size_, starts_.diagonal().norm());
+    const Vector3 above = position - starts_.max();
+    const Vector3 below = starts_.min() - position;
+    return std::max({above.x(), above.y(), above.z(), below.x(), below.z()}) > reach;
+}
+
 Measurements::Moment Measurements::judge(const Simulation& simulation, const Positions& positions) const {
-    Moment moment{.max_speed = simulation.sample().max_speed, .positions = positions};
+    Moment moment{.max_speed = simulation.sample().max_speed,
+                  .kinetic_energy = simulation.sample().kinetic_energy,
+                  .positions = positions};
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         const Vector3& position = positions[i];
-        // Where the body may be: anywhere between its start and its rest height.
-        const double low = lowest_place(i);
-        const double high = standing_ ? std::max(start_[i].y(), standing_->rest_heights[i]) : start_[i].y();
-        const Vector3 nearest(start_[i].x(), std::clamp(position.y(), low, high), start_[i].z());
-
         moment.flew |= position.y() > start_[i].y() && velocity(body).y() > speed_;
-        moment.flew |= (position - nearest).norm() > 20.0 * size_;
+        moment.flew |= strayed(i, position);
         moment.tunnelled |= below_a_plane(simulation.scene(), position);
-        moment.fell |= standing_ && position.y() < low - 0.5 * size_;
+        moment.fell |= standing_ && position.y() < lowest_place(i) - 0.5 * size_;
     });
     return moment;
 }
@@ -162,12 +177,24 @@ Outcome Measurements::outcome() const {
     return speed > 1e-4 * speed_ ? Outcome::jitter : Outcome::rest;
 }
 
-double Measurements::max_speed_last_second() const {
+double Measurements::largest_last_second(double Moment::*what) const {
     double largest = 0.0;
     for (std::size_t i = window_.size() > 1 ? 1 : 0; i < window_.size(); ++i) {
-        largest = std::max(largest, window_[i].max_speed);
+        largest = std::max(largest, window_[i].*what);
     }
     return largest;
+}
+
+double Measurements::max_speed_last_second() const {
+    return largest_last_second(&Moment::max_speed);
+}
+
+double Measurements::max_kinetic_energy_last_second() const {
+    return largest_last_second(&Moment::kinetic_energy);
+}
+
+std::vector<std::pair<std::string, double>> Measurements::of_scene() const {
+    return scene_measure_ ? scene_measure_->result() : std::vector<std::pair<std::string, double>>{};
 }
 
 double Measurements::median_residual() const {

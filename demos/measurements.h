@@ -13,8 +13,10 @@ namespace pushfactor::demos {
 // How a run ended (judged over its last second; L the size of a body, g gravity, v_s = sqrt(g L)).
 // The worst that applies, in this order.
 enum class Outcome {
-    fly,     // a body is above its start and faster than v_s upward, or more than 20 L from its path from start to
-             // rest
+    // A body is above its start and faster than v_s upward, or beyond where it may be: more than 20 L from the line
+    // from its start to its rest in a standing scene, else farther up or sideways from all starts than they spread,
+    // and than 20 L.
+    fly,
     tunnel,  // a centre is on the wrong side of a static plane
     fall,    // a centre is more than L/2 below the lower of its start and its rest height
     moving,  // faster than 0.1 v_s
@@ -44,6 +46,8 @@ class Measurements {
     std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes
     std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
     const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
+    double max_kinetic_energy_last_second() const;                  // J
+    std::vector<std::pair<std::string, double>> of_scene() const;   // what the scene is about
     std::vector<double> heights() const;                            // m, movable bodies at the end
 
   private:
@@ -51,19 +55,24 @@ class Measurements {
 
     struct Moment {
         double max_speed = 0.0;
+        double kinetic_energy = 0.0;
         bool flew = false, tunnelled = false, fell = false;
         Positions positions;
     };
 
+    double largest_last_second(double Moment::*what) const;
     Moment judge(const Simulation& simulation, const Positions& positions) const;
     void watch_standing(double time, const Positions& positions);
+    bool strayed(std::size_t i, const engine::Vector3& position) const;
     double lowest_place(std::size_t i) const;  // m: of start and rest height
 
     std::optional<Standing> standing_;
+    std::unique_ptr<SceneMeasure> scene_measure_;
     double size_ = 1.0;            // m, L
     double speed_ = 1.0;           // m/s, v_s
     std::size_t last_second_ = 1;  // steps
     Positions start_;
+    Eigen::AlignedBox3d starts_;  // around all of them
     Positions latest_;
     std::optional<Positions> at_10_s_;
     std::deque<Moment> window_;  // of the last second, and the state before it

@@ -10,7 +10,7 @@
 namespace pushfactor::demos {
 
 struct Request {
-    enum class Command { list, run, render };
+    enum class Command { list, scene, run, render };
 
     Command command = Command::list;
     std::vector<std::string> scenes;

@@ -14,6 +14,9 @@ Settings paper() {
     settings.tolerance_high = 0.0;
     settings.tolerance_low = 0.0;
     settings.contacts = {engine::PushKind::persistent, 0.2};
+    settings.distances = {engine::PushKind::persistent, 0.2};
+    settings.restitution_model = RestitutionModel::sum;
+    settings.start_kick = StartKick::off;
     settings.warm_start = false;
     settings.slop = 0.0;
     settings.margin = 0.0;

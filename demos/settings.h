@@ -13,6 +13,8 @@
 namespace pushfactor::demos {
 
 enum class FrictionModel { paper, coulomb };
+enum class RestitutionModel { sum, larger };
+enum class StartKick { off, on, where_it_fits };
 enum class Rotation { paper, exponential, splitting };
 
 struct Settings {
@@ -28,6 +30,7 @@ struct Settings {
     double tolerance_low = 1e-10;  // m/s: above it a solve goes on
 
     engine::Correction contacts{engine::PushKind::single_frame, 0.2};
+    engine::Correction distances{engine::PushKind::persistent, 1.0};
     bool warm_start = true;
     double slop = 0.002;   // fraction of the body's size
     double margin = 0.01;  // fraction of the body's size
@@ -37,6 +40,11 @@ struct Settings {
     FrictionModel friction_model = FrictionModel::paper;
     std::optional<double> friction;  // mu of all bodies; each scene has its own otherwise
 
+    RestitutionModel restitution_model = RestitutionModel::larger;
+    std::optional<double> restitution;  // epsilon of all bodies; each scene has its own otherwise
+
+    // Half a kick back before the first step; it fits where a scene has no contacts and starts from rest.
+    StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
 };
 

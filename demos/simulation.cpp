@@ -20,12 +20,21 @@ double max_length_error(std::span<const engine::ConstraintRow> rows) {
     return largest;
 }
 
+bool wants_kick(const Scene& scene, StartKick choice) {
+    if (choice != StartKick::where_it_fits) return choice == StartKick::on;
+    const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
+        return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
+    });
+    return at_rest && !scene.contacts;
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
     : scene_(std::move(scene)), settings_(settings), clock_(clock) {
     // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
     total_steps_ = static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
+    if (wants_kick(scene_, settings.start_kick)) scene_.world.kick_back_half(engine_dt());
     measure_state();
 }
 
@@ -43,10 +52,9 @@ const Sample& Simulation::advance() {
 }
 
 void Simulation::step_engine() {
-    const double dt = settings_.dt.value() / settings_.substeps;
     const double before = clock_ ? clock_() : 0.0;
     const int sweeps_so_far = sample_.count.sweeps;
-    sample_.count = scene_.world.step(dt);
+    sample_.count = scene_.world.step(engine_dt());
     if (clock_) *sample_.cpu_us += clock_() - before;
     sample_.count.sweeps += sweeps_so_far;
     sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));

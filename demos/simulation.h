@@ -3,6 +3,7 @@
 
 #include "demos/scene.h"
 #include "engine/diagnostics.h"
+#include "engine/penetration.h"
 
 #include <optional>
 
@@ -28,6 +29,7 @@ class Simulation {
   public:
     using Clock = double (*)();  // us of CPU time of this thread
 
+    // Gives the momenta half a kick back first where the settings ask for it.
     Simulation(Scene scene, const Settings& settings, Clock clock = nullptr);
 
     // One step of settings.dt. Throws NonFiniteError when a number of the state is not finite afterwards.
@@ -39,6 +41,7 @@ class Simulation {
     const Sample& sample() const { return sample_; }  // of the last step; of the start before the first
 
   private:
+    double engine_dt() const { return settings_.dt.value() / settings_.substeps; }
     void step_engine();
     void measure_state();
     void require_finite() const;

@@ -34,6 +34,10 @@ constexpr Names<RowOrder, 4> order_names{{{"bottom-up", RowOrder::bottom_up},
 constexpr Names<bool, 2> switch_names{{{"on", true}, {"off", false}}};
 constexpr Names<FrictionModel, 2> friction_names{
     {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}}};
+constexpr Names<RestitutionModel, 2> restitution_names{
+    {{"sum", RestitutionModel::sum}, {"larger", RestitutionModel::larger}}};
+constexpr Names<StartKick, 3> kick_names{
+    {{"on", StartKick::on}, {"off", StartKick::off}, {"auto", StartKick::where_it_fits}}};
 constexpr Names<Rotation, 3> rotation_names{
     {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}}};
 
@@ -86,6 +90,13 @@ bool set_friction(Settings& s, std::string_view text) {
     return true;
 }
 
+bool set_restitution(Settings& s, std::string_view text) {
+    double value = 0.0;
+    if (!take(value, parse_number(text), 0.0, 1.0)) return false;
+    s.restitution = value;
+    return true;
+}
+
 std::string solver_names() {
     std::string names;
     for (const auto& entry : engine::solvers::solver_table()) {
@@ -124,6 +135,14 @@ const std::array options{
         "beta", "X", "share of the penetration that one step corrects", "a number from 0 to 1",
         [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
         [](const Settings& s) { return to_text(s.contacts.beta); }},
+    SimulationOption{"distance-push", "KIND", "how distances correct their length: none, persistent, single-frame",
+                     "one of none, persistent, single-frame",
+                     [](Settings& s, std::string_view t) { return take_name(s.distances.kind, push_names, t); },
+                     [](const Settings& s) { return name_of(s.distances.kind, push_names); }},
+    SimulationOption{
+        "distance-beta", "X", "share of the length error that one step corrects", "a number from 0 to 1",
+        [](Settings& s, std::string_view t) { return take(s.distances.beta, parse_number(t), 0.0, 1.0); },
+        [](const Settings& s) { return to_text(s.distances.beta); }},
     SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the step before",
                      "on or off",
                      [](Settings& s, std::string_view t) { return take_name(s.warm_start, switch_names, t); },
@@ -155,6 +174,19 @@ const std::array options{
                      "one of paper, coulomb",
                      [](Settings& s, std::string_view t) { return take_name(s.friction_model, friction_names, t); },
                      [](const Settings& s) { return name_of(s.friction_model, friction_names); }},
+    SimulationOption{"restitution", "E", "coefficient of restitution of all bodies [the scene's own]",
+                     "a number from 0 to 1", set_restitution,
+                     [](const Settings& s) { return s.restitution ? to_text(*s.restitution) : std::string(); }},
+    SimulationOption{
+        "restitution-model", "NAME", "sum (8.2: added to the push) or larger (of rebound and push)",
+        "one of sum, larger",
+        [](Settings& s, std::string_view t) { return take_name(s.restitution_model, restitution_names, t); },
+        [](const Settings& s) { return name_of(s.restitution_model, restitution_names); }},
+    SimulationOption{"start-kick", "on|off|auto",
+                     "half a kick back before the first step (second order); auto: without contacts and from rest",
+                     "one of on, off, auto",
+                     [](Settings& s, std::string_view t) { return take_name(s.start_kick, kick_names, t); },
+                     [](const Settings& s) { return name_of(s.start_kick, kick_names); }},
     SimulationOption{"rotation", "NAME", "orientation step: paper (3.2.4), exponential (12.4.1), splitting",
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },

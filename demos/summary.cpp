@@ -22,10 +22,7 @@ Json options_of(const Choices& choices) {
         const std::string text = option.get(choices.settings);
         if (!text.empty()) options[std::string(option.name)] = json_of(text);
     }
-    for (const Parameter& parameter : choices.scene->parameters) {
-        const double value = choices.parameters.number(parameter.name);
-        options[std::string(parameter.name)] = parameter.whole ? Json(static_cast<long>(value)) : Json(value);
-    }
+    for (const auto& [name, text] : choices.parameters) options[name] = json_of(text);
     return options;
 }
 
@@ -50,6 +47,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["max_penetration_m"] = measured.max_penetration();
     summary["max_length_error_m"] = measured.max_length_error();
     summary["max_speed_m_per_s_last_second"] = measured.max_speed_last_second();
+    summary["max_kinetic_energy_j_last_second"] = measured.max_kinetic_energy_last_second();
     summary["max_upward_speed_m_per_s"] = measured.max_upward_speed();
     summary["residual_m_per_s_median"] = measured.median_residual();
     summary["energy_initial_j"] = measured.initial_energy();
@@ -63,6 +61,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
         summary["cpu_us_per_step_median"] = median(measured.cpu_us());
         summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
     }
+    for (const auto& [name, value] : measured.of_scene()) summary[name] = value;
     if (scene.standing) summary["heights_m"] = measured.heights();
     return summary.dump(2) + "\n";
 }

@@ -15,6 +15,13 @@ void require_positive(const char* field, double value) {
     }
 }
 
+Body movable_body(double mass, const Vector3& inertia, const Vector3& position, const Quaternion& orientation) {
+    Body body = static_body(position, orientation);
+    body.inverse_mass = 1.0 / mass;
+    body.inverse_inertia = inertia.cwiseInverse();
+    return body;
+}
+
 }  // namespace
 
 Body static_body(const Vector3& position, const Quaternion& orientation) {
@@ -30,11 +37,13 @@ Body box_body(double mass, const Vector3& size, const Vector3& position, const Q
 
     const Vector3 squared = size.cwiseProduct(size);
     const Vector3 inertia = (mass / 12.0) * (Vector3::Constant(squared.sum()) - squared);
+    return movable_body(mass, inertia, position, orientation);
+}
 
-    Body body = static_body(position, orientation);
-    body.inverse_mass = 1.0 / mass;
-    body.inverse_inertia = inertia.cwiseInverse();
-    return body;
+Body ball_body(double mass, double radius, const Vector3& position, const Quaternion& orientation) {
+    require_positive("mass_kg", mass);
+    require_positive("radius_m", radius);
+    return movable_body(mass, Vector3::Constant(0.4 * mass * radius * radius), position, orientation);
 }
 
 Vector3 velocity(const Body& body) {

@@ -36,6 +36,10 @@ struct Body {
 // A body that never moves.
 Body static_body(const Vector3& position, const Quaternion& orientation = Quaternion::Identity());
 
+// A movable homogeneous ball of `mass` [kg] and `radius` [m]. Throws InvalidInput as box_body does.
+Body ball_body(double mass, double radius, const Vector3& position,
+               const Quaternion& orientation = Quaternion::Identity());
+
 // A movable homogeneous box of `mass` [kg] and edge lengths `size` [m].
 // Throws InvalidInput unless all of them are finite and above zero.
 Body box_body(double mass, const Vector3& size, const Vector3& position,

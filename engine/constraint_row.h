@@ -41,7 +41,7 @@ struct Lambda {
 struct RowLabel {
     RowKind kind = RowKind::contact;
     int point = 0;     // contact point within its pair; 0 for other kinds
-    double gap = 0.0;  // m, below zero is penetration; length error for distances
+    double gap = 0.0;  // m, below zero is penetration; for distances the length error, 0 for a loose rope
 };
 
 struct ConstraintRow {

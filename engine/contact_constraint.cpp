@@ -1,16 +1,12 @@
 #include "engine/contact_constraint.h"
 
+#include "engine/point_jacobian.h"
+
 #include <algorithm>
 
 namespace pushfactor::engine {
 
 namespace {
-
-Vector6 point_axis(const Body& body, const Vector3& point, const Vector3& direction) {
-    Vector6 axis = Vector6::Zero();
-    if (!body.is_static()) axis << direction, (point - body.position).cross(direction);
-    return axis;
-}
 
 PushFactor contact_push(double gap, const Correction& correction, double slop, double dt) {
     if (gap > 0.0) return {.correcting = 0.0, .lasting = -gap / dt};

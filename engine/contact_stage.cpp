@@ -12,7 +12,38 @@ BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) 
             bodies[static_cast<std::size_t>(touch.body_b)]};
 }
 
+Vector6 stacked(const Vector3& linear, const Vector3& angular) {
+    Vector6 both;
+    both << linear, angular;
+    return both;
+}
+
+// What 8.2 needs to know of a contact row before the step.
+Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitution, double dt) {
+    const auto along = [&row](const Vector6& a, const Vector6& b) {
+        return row.jacobian.a.dot(a) + row.jacobian.b.dot(b);
+    };
+    const auto v = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
+    const auto acceleration = [](const Body& body) {
+        return stacked(body.inverse_mass * body.force, world_inverse_inertia(body) * body.torque);
+    };
+    return {.speed = along(v(pair.body_a), v(pair.body_b)),
+            .acceleration = along(acceleration(pair.body_a), acceleration(pair.body_b)),
+            .gap = row.label.gap,
+            .restitution = restitution,
+            .dt = dt};
+}
+
 }  // namespace
+
+// Each surface velocity is across the normal as far as friction is concerned.
+Vector3 ContactStage::belt_of(const collision::Touch& touch, std::span<const Body> bodies) const {
+    const auto run = [&](int collider, int body) -> Vector3 {
+        return bodies[static_cast<std::size_t>(body)].orientation *
+               colliders_[static_cast<std::size_t>(collider)].surface_velocity;
+    };
+    return run(touch.pair.a, touch.body_a) - run(touch.pair.b, touch.body_b);
+}
 
 const collision::Touch& ContactStage::touch_of(std::size_t index) const {
     return touches_[static_cast<std::size_t>(order_[index].touch)];
@@ -25,8 +56,12 @@ const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
 void ContactStage::append_normal(std::size_t index, std::span<const Body> bodies, double dt,
                                  std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
-    ConstraintRow row = contact_row(bodies_of(touch, bodies), touch.manifold.normal, point_of(index),
-                                    choices_.correction, choices_.slop * touch.size, dt);
+    const BodyPair pair = bodies_of(touch, bodies);
+    ConstraintRow row = contact_row(pair, touch.manifold.normal, point_of(index), choices_.correction,
+                                    choices_.slop * touch.size, dt);
+    if (restitution_ && touch.restitution > 0.0) {
+        row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
+    }
     row.label.point = order_[index].point;
     row.guess = forces_[contacts_[index].force].normal;
     contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
@@ -45,11 +80,13 @@ void ContactStage::append_friction(std::size_t index, std::span<const Body> bodi
                                              .friction = touch.friction,
                                              .points = touch.manifold.count,
                                              .normal_row = static_cast<int>(first_row_) + contact.normal_row});
+    const Vector3 belt = belt_of(touch, bodies);
+    const Vector3 sliding = sliding_velocity(pair, point.position, touch.manifold.normal, belt);
     contact.tangents =
-        friction_tangents(pair, point.position, touch.manifold.normal, sliding_share * touch.size / dt);
+        friction_tangents(pair.body_a, touch.manifold.normal, sliding, sliding_share * touch.size / dt);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
     for (const Vector3& tangent : contact.tangents) {
-        ConstraintRow row = friction_row(pair, point.position, tangent, bounds);
+        ConstraintRow row = friction_row(pair, point.position, tangent, bounds, tangent.dot(belt));
         const ContactForce& force = forces_[contact.force];
         row.label.point = order_[index].point;
         row.label.gap = point.gap;

@@ -5,6 +5,7 @@
 #include "engine/collision/detector.h"
 #include "engine/contact_cache.h"
 #include "engine/friction_constraint.h"
+#include "engine/restitution.h"
 #include "engine/row_order.h"
 #include "engine/sources.h"
 
@@ -25,8 +26,9 @@ class ContactStage : public ConstraintSource {
     ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
         : colliders_(std::move(colliders)), choices_(choices) {}
 
-    // Without a rule there is no friction; without a cache every step starts from zero.
+    // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
+    void set_restitution(RestitutionRule rule) { restitution_ = rule; }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
@@ -47,12 +49,14 @@ class ContactStage : public ConstraintSource {
                        std::vector<ConstraintRow>& rows);
     void append_friction(std::size_t index, std::span<const Body> bodies, double dt,
                          std::vector<ConstraintRow>& rows);
+    Vector3 belt_of(const collision::Touch& touch, std::span<const Body> bodies) const;
     const collision::Touch& touch_of(std::size_t index) const;
     const collision::ContactPoint& point_of(std::size_t index) const;
 
     std::vector<collision::Collider> colliders_;
     ContactChoices choices_;
     std::unique_ptr<const FrictionRule> friction_;
+    RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
 
     // Of the current step.

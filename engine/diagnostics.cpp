@@ -1,7 +1,5 @@
 #include "engine/diagnostics.h"
 
-#include "engine/collision/detector.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -41,22 +39,6 @@ double max_speed(std::span<const Body> bodies) {
     double largest = 0.0;
     for (const Body& body : bodies) largest = std::max(largest, velocity(body).norm());
     return largest;
-}
-
-Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders) {
-    Penetration result;
-    double sum_of_squares = 0.0;
-    collision::Detector detector;
-    for (const collision::Touch& touch :
-         detector.detect(colliders, bodies, {.margin = 0.0, .reduce_to_four_points = false})) {
-        for (const collision::ContactPoint& point : touch.manifold.points()) {
-            result.max = std::max(result.max, -point.gap);
-            sum_of_squares += point.gap * point.gap;
-            ++result.points;
-        }
-    }
-    if (result.points > 0) result.rms = std::sqrt(sum_of_squares / result.points);
-    return result;
 }
 
 namespace {

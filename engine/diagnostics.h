@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/body.h"
-#include "engine/collision/collider.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,14 +15,6 @@ double potential_energy(std::span<const Body> bodies, const Vector3& gravity);  
 Vector3 linear_momentum(std::span<const Body> bodies);                          // kg m/s
 Vector3 angular_momentum(std::span<const Body> bodies);                         // kg m^2/s, about the origin
 double max_speed(std::span<const Body> bodies);                                 // m/s, from the momenta
-
-// Penetration d = -gap over all contact points of the state as it is.
-struct Penetration {
-    double max = 0.0;  // m, 0 without contact
-    double rms = 0.0;  // m, over the contact points (measures M4, before the division by a length)
-    int points = 0;
-};
-Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
 
 // 64-bit FNV-1a over the bits of position, orientation and momenta of all bodies, in their order.
 std::uint64_t state_hash(std::span<const Body> bodies);

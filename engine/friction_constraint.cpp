@@ -17,23 +17,27 @@ Bounds CoulombFriction::bounds(const FrictionSite& site) const {
     return {.c_min = -site.friction, .c_max = site.friction, .of_row = site.normal_row};
 }
 
-std::array<Vector3, 2> friction_tangents(const BodyPair& bodies, const Vector3& point, const Vector3& normal,
+Vector3 sliding_velocity(const BodyPair& bodies, const Vector3& point, const Vector3& normal, const Vector3& belt) {
+    const Vector3 relative = velocity_at(bodies.body_b, point) - velocity_at(bodies.body_a, point) - belt;
+    return relative - normal * normal.dot(relative);
+}
+
+std::array<Vector3, 2> friction_tangents(const Body& body_a, const Vector3& normal, const Vector3& sliding,
                                          double least_sliding) {
-    const Vector3 relative = velocity_at(bodies.body_b, point) - velocity_at(bodies.body_a, point);
-    const Vector3 sliding = relative - normal * normal.dot(relative);
     const double speed = sliding.norm();
     const Vector3 first = speed > least_sliding
                               ? Vector3(sliding / speed)
-                              : collision::tangent_fixed_in(bodies.body_a.orientation.toRotationMatrix(), normal);
+                              : collision::tangent_fixed_in(body_a.orientation.toRotationMatrix(), normal);
     return {first, normal.cross(first)};
 }
 
 ConstraintRow friction_row(const BodyPair& bodies, const Vector3& point, const Vector3& tangent,
-                           const Bounds& bounds) {
+                           const Bounds& bounds, double speed) {
     ConstraintRow row;
     row.body_a = bodies.a;
     row.body_b = bodies.b;
     row.jacobian = point_jacobian(bodies, point, tangent);
+    row.push.lasting = speed;
     row.bounds = bounds;
     row.label.kind = RowKind::friction;
     return row;

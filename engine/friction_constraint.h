@@ -1,4 +1,5 @@
-// The friction constraint, paper section 5.4: two rows a contact point, across the normal, with v = 0.
+// The friction constraint, paper section 5.4: two rows a contact point, across the normal, with v = 0,
+// or with v = the speed of a belt, which is a motor in the sense of 8.1.
 //
 //   -c_min = c_max = mu m |g . n| / points
 //
@@ -48,13 +49,19 @@ class CoulombFriction : public FrictionRule {
     Bounds bounds(const FrictionSite& site) const override;
 };
 
-// Two unit vectors across `normal` and each other. The first lies along the sliding velocity at `point` [m] when
-// that exceeds `least_sliding` [m/s], otherwise along a direction fixed in body a, so that results turn with the
+// How the surface of body b slides over that of body a at `point` [m], across `normal` [m/s]. `belt` is how much
+// faster the surface of a runs than that of b by itself; zero but for conveyors.
+Vector3 sliding_velocity(const BodyPair& bodies, const Vector3& point, const Vector3& normal, const Vector3& belt);
+
+// Two unit vectors across `normal` and each other. The first lies along `sliding` when that exceeds `least_sliding`
+// [m/s], otherwise along a direction fixed in body a, so that results turn with the
 // scene.
-std::array<Vector3, 2> friction_tangents(const BodyPair& bodies, const Vector3& point, const Vector3& normal,
+std::array<Vector3, 2> friction_tangents(const Body& body_a, const Vector3& normal, const Vector3& sliding,
                                          double least_sliding);
 
+// Aims at `speed` [m/s] of b over a along the tangent: zero, or what a belt runs (8.1: "constant speed motors", a
+// push that lasts).
 ConstraintRow friction_row(const BodyPair& bodies, const Vector3& point, const Vector3& tangent,
-                           const Bounds& bounds);
+                           const Bounds& bounds, double speed);
 
 }  // namespace pushfactor::engine

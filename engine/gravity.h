@@ -8,7 +8,7 @@ namespace pushfactor::engine {
 class Gravity : public ForceSource {
   public:
     explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
-    void add_forces(std::span<Body> bodies) override;
+    void add_forces(std::span<Body> bodies, double time) override;
 
   private:
     Vector3 acceleration_;

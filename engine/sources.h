@@ -14,7 +14,7 @@ namespace pushfactor::engine {
 class ForceSource {
   public:
     virtual ~ForceSource() = default;
-    virtual void add_forces(std::span<Body> bodies) = 0;
+    virtual void add_forces(std::span<Body> bodies, double time) = 0;  // s since the start of the world
 };
 
 // Appends the rows that restrict the bodies in this step (section 5) and gets back its own answers (6.2.3).

@@ -24,6 +24,7 @@ StepCount World::step(double dt, StageObserver* observer) {
     remember();  // 6.2.3
     ended(Stage::remember);
     integrate(dt);  // 3.2, 8.1
+    time_ += dt;
     ended(Stage::integrate);
     return count(sweeps);
 }
@@ -33,7 +34,7 @@ void World::add_forces() {
         body.force.setZero();
         body.torque.setZero();
     }
-    for (const auto& source : forces) source->add_forces(bodies);
+    for (const auto& source : forces) source->add_forces(bodies, time_);
 }
 
 void World::append_rows(double dt) {
@@ -66,6 +67,22 @@ void World::remember() {
     for (std::size_t s = 0; s < constraints.size(); ++s) {
         constraints[s]->remember(std::span(answers_).subspan(begin, row_ends_[s] - begin));
         begin = row_ends_[s];
+    }
+}
+
+void World::kick_back_half(double dt) {
+    add_forces();
+    append_rows(dt);
+    build_system(bodies, rows_, dt, system_);
+    solve();
+    remember();
+    constraint_forces(system_, lambda_, lambda_.cols() - 1, lasting_);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Body& body = bodies[i];
+        if (body.is_static()) continue;
+        const Vector6& f_c = lasting_[i];
+        body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
+        body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
     }
 }
 

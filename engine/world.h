@@ -44,6 +44,13 @@ class World {
     // Advances by dt [s], above zero.
     StepCount step(double dt, StageObserver* observer = nullptr);
 
+    // Half a step of dt [s] backwards for the momenta alone, with all forces of the state as it is. Before the
+    // first step of a scene it makes the integrator of 3.2 the leapfrog, whose momenta belong between the steps:
+    // second order instead of first.
+    void kick_back_half(double dt);
+
+    double time() const { return time_; }  // s, sum of all steps
+
     // The rows, the system and its answer of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_; }
     const SystemEquation& system() const { return system_; }
@@ -57,6 +64,7 @@ class World {
     void integrate(double dt);
     StepCount count(int sweeps) const;
 
+    double time_ = 0.0;
     std::vector<ConstraintRow> rows_;
     std::vector<std::size_t> row_ends_;  // one a constraint source
     SystemEquation system_;

@@ -32,7 +32,9 @@ class OffscreenContext;
     X(DeleteShader)                   \
     X(DeleteTextures)                 \
     X(DeleteVertexArrays)             \
+    X(DepthMask)                      \
     X(Disable)                        \
+    X(DrawArrays)                     \
     X(DrawBuffer)                     \
     X(DrawElementsInstanced)          \
     X(Enable)                         \

@@ -2,6 +2,7 @@
 
 #include "renderer/views.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/color_space.hpp>
 
 #include <algorithm>
@@ -9,6 +10,16 @@
 #include <iterator>
 
 namespace pushfactor::renderer {
+namespace {
+
+// The shortest turn from the y axis to a direction of unit length or, if that is nearer, to its opposite: a
+// bar looks the same from both ends, and the turn to the opposite of y would not be unique.
+glm::vec4 turn_from_y(glm::vec3 direction) {
+    if (direction.y < 0.0f) direction = -direction;
+    return glm::normalize(glm::vec4(direction.z, 0.0f, -direction.x, 1.0f + direction.y));
+}
+
+}  // namespace
 
 std::vector<Instance> box_instances(std::span<const Box> boxes) {
     constexpr float bevel = 0.08f;  // of the smallest half extent
@@ -22,6 +33,35 @@ std::vector<Instance> box_instances(std::span<const Box> boxes) {
              .orientation = {box.orientation.x, box.orientation.y, box.orientation.z, box.orientation.w},
              .half_extents = half,
              .colour = glm::convertSRGBToLinear(box.colour)});
+    }
+    return instances;
+}
+
+std::vector<Instance> sphere_instances(std::span<const Sphere> spheres) {
+    std::vector<Instance> instances;
+    instances.reserve(spheres.size());
+    for (const Sphere& sphere : spheres) {
+        const glm::quat& turn = sphere.orientation;
+        instances.push_back({.position = sphere.position,
+                             .bevel = sphere.radius,
+                             .orientation = {turn.x, turn.y, turn.z, turn.w},
+                             .half_extents = glm::vec3(sphere.radius),
+                             .colour = glm::convertSRGBToLinear(sphere.colour)});
+    }
+    return instances;
+}
+
+std::vector<Instance> bar_instances(std::span<const Bar> bars) {
+    std::vector<Instance> instances;
+    instances.reserve(bars.size());
+    for (const Bar& bar : bars) {
+        const float length = glm::distance(bar.from, bar.to);
+        const glm::vec3 direction = length > 0.0f ? (bar.to - bar.from) / length : glm::vec3(0.0f, 1.0f, 0.0f);
+        instances.push_back({.position = 0.5f * (bar.from + bar.to),
+                             .bevel = bar.radius,
+                             .orientation = turn_from_y(direction),
+                             .half_extents = {bar.radius, 0.5f * length + bar.radius, bar.radius},
+                             .colour = glm::convertSRGBToLinear(bar.colour)});
     }
     return instances;
 }

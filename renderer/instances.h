@@ -11,6 +11,12 @@ namespace pushfactor::renderer {
 // The boxes as the shaders want them, in the same order.
 std::vector<Instance> box_instances(std::span<const Box> boxes);
 
+// The spheres likewise.
+std::vector<Instance> sphere_instances(std::span<const Sphere> spheres);
+
+// The bars likewise, for the mesh of a capsule.
+std::vector<Instance> bar_instances(std::span<const Bar> bars);
+
 // A piece of the ground below `centre` that reaches `half_side` m to each side.
 Instance ground_instance(const Ground& ground, const glm::vec3& centre, float half_side);
 

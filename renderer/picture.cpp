@@ -1,5 +1,6 @@
 #include "renderer/picture.h"
 
+#include "renderer/panels.h"
 #include "renderer/renderer_error.h"
 
 #include <glm/geometric.hpp>
@@ -33,18 +34,49 @@ void check(const Camera& camera) {
             "camera.vertical_field_of_view_degrees is not between 0 and 180");
 }
 
+bool not_negative(float length) {
+    return finite(length) && length >= 0.0f;
+}
+
+void check(const Box& box, const std::string& name) {
+    const bool drawable =
+        finite(box.position) && finite(box.orientation) && finite(box.half_extents) && finite(box.colour);
+    require(drawable, name + " is not finite");
+}
+
+void check(const Sphere& sphere, const std::string& name) {
+    const bool drawable = finite(sphere.position) && finite(sphere.orientation) && finite(sphere.colour);
+    require(drawable, name + " is not finite");
+    require(not_negative(sphere.radius), name + ".radius is not a length");
+}
+
+void check(const Bar& bar, const std::string& name) {
+    require(finite(bar.from) && finite(bar.to) && finite(bar.colour), name + " is not finite");
+    require(not_negative(bar.radius), name + ".radius is not a length");
+}
+
+void check(const Panel& panel, const std::string& name) {
+    for (const glm::vec3& corner : panel.corners) require(finite(corner), name + ".corners are not finite");
+    require(flat_and_convex(panel.corners), name + ".corners are not those of a flat convex polygon");
+    require(finite(panel.colour), name + ".colour is not finite");
+    require(panel.opacity >= 0.0f && panel.opacity <= 1.0f, name + ".opacity is not between 0 and 1");
+}
+
+template <typename Thing>
+void check_each(const std::vector<Thing>& things, const std::string& name) {
+    for (std::size_t i = 0; i < things.size(); ++i) check(things[i], name + "[" + std::to_string(i) + "]");
+}
+
 }  // namespace
 
 void check(const Picture& picture) {
     check(picture.camera);
     require(finite(picture.towards_sun) && picture.towards_sun != glm::vec3(0.0f), "towards_sun has no direction");
     if (picture.ground) require(finite(picture.ground->height), "ground.height is not finite");
-    for (std::size_t i = 0; i < picture.boxes.size(); ++i) {
-        const Box& box = picture.boxes[i];
-        const bool drawable =
-            finite(box.position) && finite(box.orientation) && finite(box.half_extents) && finite(box.colour);
-        require(drawable, "boxes[" + std::to_string(i) + "] is not finite");
-    }
+    check_each(picture.boxes, "boxes");
+    check_each(picture.spheres, "spheres");
+    check_each(picture.bars, "bars");
+    check_each(picture.panels, "panels");
 }
 
 }  // namespace pushfactor::renderer

@@ -24,6 +24,32 @@ struct Box {
     glm::vec3 colour{0.5f};                         // sRGB, each 0..1
 };
 
+// A smooth ball. Its eight octants in the body's frame are light and dark in turn, so that spin is seen.
+struct Sphere {
+    glm::vec3 position{0.0f};                       // of the centre, world frame, m
+    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
+    float radius = 0.5f;                            // m, >= 0
+    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
+};
+
+// A round rod with round ends, which reach its radius beyond the two points. It is drawn at least about 1.2
+// pixels wide, however thin or far away it is.
+struct Bar {
+    glm::vec3 from{0.0f};                // world frame, m
+    glm::vec3 to{0.0f, 1.0f, 0.0f};      // world frame, m
+    float radius = 0.02f;                // m, >= 0
+    glm::vec3 colour{0.3f, 0.3f, 0.3f};  // sRGB, each 0..1
+};
+
+// A flat, convex, translucent polygon with a thin outline and, as on the ground, faint lines. Its front is the
+// side from which the corners run counter-clockwise; from the back it is drawn fainter, so that the walls of a
+// container whose fronts face inwards do not hide what is in it. It receives shadows and casts none.
+struct Panel {
+    std::vector<glm::vec3> corners{};  // at least 3, world frame, m
+    glm::vec3 colour{0.6f};            // sRGB, each 0..1
+    float opacity = 0.3f;              // of the front, 0 (only the lines are seen) to 1
+};
+
 // An endless horizontal plane, seen from above only. Its lines are 1 m apart and every fifth is stronger;
 // from a distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
 struct Ground {
@@ -36,10 +62,14 @@ struct Picture {
     glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any length but 0; shadows fall the other way
     std::optional<Ground> ground{};
     std::vector<Box> boxes{};
+    std::vector<Sphere> spheres{};
+    std::vector<Bar> bars{};
+    std::vector<Panel> panels{};  // in any order; where panels cross each other, the one that is farther as a
+                                  // whole is drawn first
 };
 
 // Throws RendererError that names the first field with which the picture cannot be drawn: a number that is
-// not finite, a camera or a sun without a direction, an angle of view out of range.
+// not finite or out of its range, a camera or a sun without a direction, a panel that is not flat and convex.
 void check(const Picture& picture);
 
 }  // namespace pushfactor::renderer

@@ -1,13 +1,17 @@
 #include "renderer/renderer.h"
 
+#include "renderer/bodies.h"
 #include "renderer/gl.h"
 #include "renderer/instanced_mesh.h"
 #include "renderer/instances.h"
 #include "renderer/meshes.h"
+#include "renderer/panel_mesh.h"
+#include "renderer/panels.h"
 #include "renderer/render_target.h"
 #include "renderer/renderer_error.h"
 #include "renderer/shader_program.h"
 #include "renderer/shadow_map.h"
+#include "renderer/sphere_meshes.h"
 #include "renderer/views.h"
 
 #include <glm/geometric.hpp>
@@ -29,9 +33,12 @@ const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0
 constexpr float haze = 5.0f;
 constexpr float ground_reach = 12.0f;
 
+// The least width of a bar, so that it does not break into dots: in pixels, and in the shadow map's texels.
+constexpr float least_bar_width = 1.2f;
+
 struct Scene {
     const Picture& picture;
-    std::span<const Instance> bodies;
+    const Bodies& bodies;
     SunView sun;
     float scale;  // m
 };
@@ -39,15 +46,6 @@ struct Scene {
 // From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
 float line_spacing(float scale) {
     return std::pow(10.0f, std::floor(std::log10(scale / 6.0f)));
-}
-
-// Bodies beyond the reach of the ground are lost in the haze, however far a simulation has thrown them.
-std::vector<Instance> visible_boxes(const Picture& picture, float scale) {
-    std::vector<Instance> boxes = box_instances(picture.boxes);
-    std::erase_if(boxes, [&](const Instance& box) {
-        return glm::distance(picture.camera.eye, box.position) - bounding_radius(box) > ground_reach * scale;
-    });
-    return boxes;
 }
 
 // Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
@@ -69,15 +67,22 @@ class Renderer::Pipeline {
   public:
     Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders)
         : gl_(load_gl(context)),
+          height_(height),
           aspect_(static_cast<float>(width) / static_cast<float>(height)),
           target_(gl_, width, height),
           shadow_map_(gl_),
           shadow_program_(gl_, shaders, {"body.vert"}),
-          ground_program_(gl_, shaders, {"body.vert", "ground.frag", "light.frag", "haze.frag"}),
+          sphere_shadow_program_(gl_, shaders, {"sphere.vert"}),
+          ground_program_(gl_, shaders, {"body.vert", "ground.frag", "lines.frag", "light.frag", "haze.frag"}),
           contact_program_(gl_, shaders, {"contact.vert", "contact.frag", "haze.frag"}),
           body_program_(gl_, shaders, {"body.vert", "body.frag", "light.frag", "haze.frag"}),
+          sphere_program_(gl_, shaders, {"sphere.vert", "sphere.frag", "light.frag", "haze.frag"}),
+          panel_program_(gl_, shaders, {"panel.vert", "panel.frag", "lines.frag", "light.frag", "haze.frag"}),
           boxes_(gl_, box_mesh()),
-          squares_(gl_, square_mesh()) {
+          spheres_(gl_),
+          bars_(gl_, capsule_mesh()),
+          squares_(gl_, square_mesh()),
+          panels_(gl_) {
         gl_.Enable(GL_CULL_FACE);
         gl_.Enable(GL_DEPTH_TEST);
         gl_.Enable(GL_FRAMEBUFFER_SRGB);
@@ -85,9 +90,12 @@ class Renderer::Pipeline {
 
     Image draw(const Picture& picture) {
         const float scale = scale_of(picture.camera);
-        const std::vector<Instance> bodies = visible_boxes(picture, scale);
-        const Scene scene{picture, bodies, sun_view(picture, bodies, ShadowMap::max_side), scale};
-        boxes_.set_instances(bodies);
+        // Bodies beyond the reach of the ground are lost in the haze, however far they have been thrown.
+        const Bodies bodies = visible_bodies(picture, ground_reach * scale);
+        const Scene scene{picture, bodies, sun_view(picture, bodies.all(), ShadowMap::max_side), scale};
+        boxes_.set_instances(bodies.boxes);
+        spheres_.set_instances(bodies.spheres, picture.camera.eye, pixel_at_one_metre(picture.camera, height_));
+        bars_.set_instances(bodies.bars);
         draw_shadow(scene);
         begin_frame();
         if (picture.ground) {
@@ -95,6 +103,7 @@ class Renderer::Pipeline {
             draw_contacts(scene, *picture.ground);
         }
         draw_bodies(scene);
+        if (!picture.panels.empty()) draw_panels(scene);
         return target_.read();
     }
 
@@ -103,7 +112,15 @@ class Renderer::Pipeline {
         shadow_map_.begin(scene.sun.width, scene.sun.height);
         shadow_program_.use();
         shadow_program_.set("world_to_clip", scene.sun.world_to_clip);
+        shadow_program_.set("least_bevel", 0.0f);
         boxes_.draw();
+        shadow_program_.set("least_bevel", 0.5f * least_bar_width * scene.sun.texel);
+        bars_.draw();
+        sphere_shadow_program_.use();
+        sphere_shadow_program_.set("world_to_clip", scene.sun.world_to_clip);
+        sphere_shadow_program_.set("viewer", scene.picture.towards_sun);
+        sphere_shadow_program_.set("parallel", 1);
+        spheres_.draw();
     }
 
     void begin_frame() {
@@ -139,7 +156,7 @@ class Renderer::Pipeline {
 
     // Nothing but the ground has been drawn when this darkens it, so there is no depth to test.
     void draw_contacts(const Scene& scene, const Ground& ground) {
-        squares_.set_instances(touching(ground, scene.bodies));
+        squares_.set_instances(touching(ground, scene.bodies.thick()));
         use(contact_program_, scene);
         contact_program_.set("ground_height", ground.height);
         gl_.Disable(GL_DEPTH_TEST);
@@ -152,19 +169,49 @@ class Renderer::Pipeline {
 
     void draw_bodies(const Scene& scene) {
         use(body_program_, scene);
+        body_program_.set("least_bevel", 0.0f);
         boxes_.draw();
+        const float pixel = pixel_at_one_metre(scene.picture.camera, height_);
+        body_program_.set("least_bevel", 0.5f * least_bar_width * pixel);
+        bars_.draw();
+        use(sphere_program_, scene);
+        sphere_program_.set("viewer", scene.picture.camera.eye);
+        sphere_program_.set("parallel", 0);
+        spheres_.draw();
+    }
+
+    // Last, over all that they let through; they hide nothing from each other.
+    void draw_panels(const Scene& scene) {
+        panels_.set_triangles(panel_triangles(scene.picture.panels, scene.picture.camera.eye));
+        use(panel_program_, scene);
+        panel_program_.set("line_spacing", line_spacing(scene.scale));
+        gl_.Disable(GL_CULL_FACE);
+        gl_.DepthMask(GL_FALSE);
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        panels_.draw();
+        gl_.Disable(GL_BLEND);
+        gl_.DepthMask(GL_TRUE);
+        gl_.Enable(GL_CULL_FACE);
     }
 
     Gl gl_;
+    int height_;  // pixels
     float aspect_;
     RenderTarget target_;
     ShadowMap shadow_map_;
     ShaderProgram shadow_program_;
+    ShaderProgram sphere_shadow_program_;
     ShaderProgram ground_program_;
     ShaderProgram contact_program_;
     ShaderProgram body_program_;
+    ShaderProgram sphere_program_;
+    ShaderProgram panel_program_;
     InstancedMesh boxes_;
+    SphereMeshes spheres_;
+    InstancedMesh bars_;
     InstancedMesh squares_;
+    PanelMesh panels_;
 };
 
 Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory)

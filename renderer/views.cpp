@@ -34,6 +34,11 @@ glm::mat4 camera_view(const Camera& camera, float aspect, float farthest) {
            world_to_eye;
 }
 
+float pixel_at_one_metre(const Camera& camera, int height) {
+    const float half_angle = glm::radians(0.5f * camera.vertical_field_of_view_degrees);
+    return 2.0f * std::tan(half_angle) / static_cast<float>(height);
+}
+
 SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int max_side) {
     const glm::vec3& towards_sun = picture.towards_sun;
     const glm::mat4 world_to_sun = glm::lookAt(glm::vec3(0.0f), -towards_sun, screen_up(towards_sun));

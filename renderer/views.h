@@ -20,6 +20,9 @@ float scale_of(const Camera& camera);
 // picture's scale up to `farthest` m from the eye.
 glm::mat4 camera_view(const Camera& camera, float aspect, float farthest);
 
+// Side of a pixel in the world at a distance of 1 m, m; it grows with the distance.
+float pixel_at_one_metre(const Camera& camera, int height);
+
 // How the sun sees the bodies: parallel light, an image just large enough for all of them.
 struct SunView {
     glm::mat4 world_to_clip;

@@ -18,7 +18,7 @@ inline demos::Simulation simulate(
             if (parameter.name == name) values.set(parameter, text);
         }
     }
-    return demos::Simulation(entry.build(values, settings), settings);
+    return demos::Simulation(demos::build_scene(entry.describe(values), settings), settings);
 }
 
 inline void advance(demos::Simulation& simulation, double seconds) {

@@ -10,6 +10,7 @@ layout(location = 5) in vec3 half_extents;      // m
 layout(location = 6) in vec3 body_colour;
 
 uniform mat4 world_to_clip;
+uniform float least_bevel;  // m at a distance of 1 m: keeps bars wider than a pixel; 0 for all else
 
 out vec3 position;  // world frame, m
 out vec3 normal;
@@ -18,8 +19,13 @@ out vec3 colour;
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
 void main() {
-    vec3 local = corner * (half_extents - bevel) + corner_normal * bevel;
-    position = body_position + rotated(body_orientation, local);
+    vec3 core = corner * (half_extents - bevel);
+    float drawn_bevel = bevel;
+    if (least_bevel > 0.0) {
+        vec4 clip = world_to_clip * vec4(body_position + rotated(body_orientation, core), 1.0);
+        drawn_bevel = max(bevel, least_bevel * clip.w);  // w is the distance; 1 in parallel light
+    }
+    position = body_position + rotated(body_orientation, core + corner_normal * drawn_bevel);
     normal = rotated(body_orientation, corner_normal);
     colour = body_colour;
     gl_Position = world_to_clip * vec4(position, 1.0);

@@ -11,7 +11,8 @@ void list(const Request& request) {
             fmt::print("{}\n", scene.name);
             continue;
         }
-        fmt::print("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, scene.made_of);
+        const SceneDescription description = scene.describe(ParameterValues(scene.parameters));
+        fmt::print("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, made_of(description));
         for (const Parameter& parameter : scene.parameters) {
             fmt::print("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder),
                        parameter.help);

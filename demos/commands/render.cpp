@@ -41,7 +41,7 @@ void render_scene(const Choices& choices, const Request& request, const fs::path
     warn_of_strangers(folder, frames);
     write_file(folder / "config.json", config_text(choices, request.given));
 
-    ProgressBar bar(std::string(choices.scene->name), static_cast<long>(frames.size()));
+    ProgressBar bar(choices.description.name, static_cast<long>(frames.size()));
     for (std::size_t done = 0; done < frames.size(); ++done) {
         stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
         while (simulation.sample().step < frames[done].step) observed.advance();
@@ -70,7 +70,7 @@ void render(const Request& request) {
         plan_frames(choices.frames, choices.settings.dt,
                     Simulation(choices.build(), choices.settings).total_steps());
         const fs::path base = request.out.value_or("out");
-        runs.emplace_back(choices, several || !request.out ? base / scene : base);
+        runs.emplace_back(choices, several || !request.out ? base / choices.description.name : base);
     }
     for (const auto& [choices, folder] : runs) make_folder(folder);
 

@@ -10,7 +10,7 @@ void run(const Request& request) {
     ObservedRun observed(choices, request);
     const long steps = observed.simulation().total_steps();
     {
-        ProgressBar bar(std::string(choices.scene->name), steps);
+        ProgressBar bar(choices.description.name, steps);
         for (long step = 1; step <= steps; ++step) {
             stop_if_interrupted("no file was written");
             observed.advance();

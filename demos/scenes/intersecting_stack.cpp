@@ -16,16 +16,16 @@ std::span<const Parameter> intersecting_stack_parameters() {
     return table;
 }
 
-Scene intersecting_stack(const ParameterValues& parameters, const Settings& settings) {
+SceneDescription intersecting_stack(const ParameterValues& parameters) {
     Tower tower;
     tower.count = parameters.whole("count");
     tower.gap = parameters.number("gap");
-    tower.ground_gap = -0.5 * cube_side;
+    tower.ground_gap = -0.5 * tower.side;
 
-    Scene scene = cube_tower(tower, settings);
+    SceneDescription scene = cube_tower(tower);
     scene.name = "intersecting-stack";
     // The same view whatever the push does, so that pictures compare: twice the height of the stack at rest.
-    scene.view = view_of_height(2.0 * tower.count * cube_side);
+    scene.view = view_of_height(2.0 * tower.count * tower.side);
     return scene;
 }
 

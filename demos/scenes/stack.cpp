@@ -19,7 +19,7 @@ std::span<const Parameter> stack_parameters() {
     return table;
 }
 
-Scene stack(const ParameterValues& parameters, const Settings& settings) {
+SceneDescription stack(const ParameterValues& parameters) {
     Tower tower;
     tower.count = parameters.whole("count");
     tower.gap = parameters.number("gap");
@@ -27,9 +27,9 @@ Scene stack(const ParameterValues& parameters, const Settings& settings) {
     tower.jitter = parameters.number("jitter");
     tower.seed = parameters.whole("seed");
 
-    Scene scene = cube_tower(tower, settings);
+    SceneDescription scene = cube_tower(tower);
     scene.name = "stack";
-    scene.view = view_of_height(tower.ground_gap + tower.count * cube_side + (tower.count - 1) * tower.gap);
+    scene.view = view_of_height(tower.ground_gap + tower.count * tower.side + (tower.count - 1) * tower.gap);
     return scene;
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "demos/parameters.h"
-#include "demos/scene.h"
+#include "demos/scene_description.h"
 
 namespace pushfactor::demos::scenes {
 
 std::span<const Parameter> stack_parameters();
-Scene stack(const ParameterValues& parameters, const Settings& settings);
+SceneDescription stack(const ParameterValues& parameters);
 
 }  // namespace pushfactor::demos::scenes

@@ -1,6 +1,8 @@
 #include "engine/collision/broad_phase.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace pushfactor::engine::collision {
 
@@ -14,26 +16,59 @@ const Collider& at(std::span<const Collider> colliders, int index) {
     return colliders[static_cast<std::size_t>(index)];
 }
 
-bool may_restrict(const Collider& a, const Collider& b, std::span<const Body> bodies) {
-    return a.body != b.body && !(body_of(a, bodies).is_static() && body_of(b, bodies).is_static());
+// Half the edges of the box around a finite shape, world axes.
+Vector3 reach_of(const Shape& shape, const Body& body) {
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
+    return pose_of(body).rotation.cwiseAbs() * std::get<Box>(shape).half_size;
 }
 
 }  // namespace
 
+// Beyond 2^52 cells from the origin neighbours are not told apart; they share a cell then, which costs time only.
+BroadPhase::Cell BroadPhase::cell_of(const Vector3& centre, int level) {
+    const auto index = [level](double x) {
+        constexpr double farthest = 4503599627370496.0;
+        return static_cast<std::int64_t>(std::clamp(std::floor(std::ldexp(x, -level)), -farthest, farthest));
+    };
+    return {level, index(centre.x()), index(centre.y()), index(centre.z())};
+}
+
+std::size_t BroadPhase::bucket_of(const Cell& cell) const {
+    std::uint64_t hash = static_cast<std::uint64_t>(cell.level);
+    for (const std::int64_t coordinate : {cell.x, cell.y, cell.z}) {
+        hash = (hash ^ static_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+    }
+    return hash & (heads_.size() - 1);
+}
+
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies, double margin) {
     bounds_.clear();
     planes_.clear();
+    levels_.clear();
     for (int i = 0; i < static_cast<int>(colliders.size()); ++i) {
         const Collider& collider = at(colliders, i);
-        const auto* box = std::get_if<Box>(&collider.shape);
-        if (!box) {
+        if (std::holds_alternative<Plane>(collider.shape)) {
             planes_.push_back(i);
             continue;
         }
-        const Pose pose = pose_of(body_of(collider, bodies));
-        const Vector3 reach =
-            pose.rotation.cwiseAbs() * box->half_size + Vector3::Constant(margin * size_of(collider.shape));
-        bounds_.push_back({pose.position - reach, pose.position + reach, i});
+        const Body& body = body_of(collider, bodies);
+        const Vector3 reach = reach_of(collider.shape, body) + Vector3::Constant(margin * size_of(collider.shape));
+        const int level = std::ilogb(2.0 * reach.maxCoeff()) + 1;
+        bounds_.push_back(
+            {body.position - reach, body.position + reach, i, body.is_static(), cell_of(body.position, level)});
+        if (std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
+    }
+    std::sort(levels_.begin(), levels_.end());
+}
+
+void BroadPhase::fill_grid() {
+    heads_.assign(std::bit_ceil(2 * bounds_.size() + 1), -1);
+    next_.resize(bounds_.size());
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+        int& head = heads_[bucket_of(bounds_[i].cell)];
+        next_[i] = head;
+        head = static_cast<int>(i);
     }
 }
 
@@ -42,36 +77,45 @@ void BroadPhase::pair_with_planes(std::span<const Collider> colliders, std::span
         const Body& body = body_of(at(colliders, plane), bodies);
         const Vector3 up = body.orientation * Vector3::UnitY();
         for (const Bounds& box : bounds_) {
+            if (box.fixed) continue;
             const Vector3 centre = 0.5 * (box.low + box.high);
             const double reach = up.cwiseAbs().dot(0.5 * (box.high - box.low));
             if (up.dot(centre - body.position) >= reach) continue;
-            if (may_restrict(at(colliders, plane), at(colliders, box.collider), bodies)) {
-                pairs_.push_back({std::min(plane, box.collider), std::max(plane, box.collider)});
-            }
+            pairs_.push_back({std::min(plane, box.collider), std::max(plane, box.collider)});
         }
     }
 }
 
-void BroadPhase::sweep(std::span<const Collider> colliders, std::span<const Body> bodies) {
-    if (bounds_.empty()) return;
-    Vector3 low = bounds_.front().low;
-    Vector3 high = low;
-    for (const Bounds& box : bounds_) {
-        low = low.cwiseMin(box.low);
-        high = high.cwiseMax(box.low);
+void BroadPhase::pair_with_cell(int index, const Cell& cell, std::span<const Collider> colliders) {
+    const Bounds& box = bounds_[static_cast<std::size_t>(index)];
+    for (int i = heads_[bucket_of(cell)]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
+        const Bounds& other = bounds_[static_cast<std::size_t>(i)];
+        if (other.cell != cell) continue;  // another cell of the same bucket
+        // Within a level each pair is met from both sides.
+        if (cell.level == box.cell.level && i <= index) continue;
+        if (box.fixed && other.fixed) continue;
+        if (at(colliders, box.collider).body == at(colliders, other.collider).body) continue;
+        const bool overlap =
+            (box.low.array() < other.high.array()).all() && (other.low.array() < box.high.array()).all();
+        if (overlap)
+            pairs_.push_back({std::min(box.collider, other.collider), std::max(box.collider, other.collider)});
     }
-    int axis = 0;
-    (high - low).maxCoeff(&axis);
+}
 
-    std::sort(bounds_.begin(), bounds_.end(), [axis](const Bounds& p, const Bounds& q) {
-        return p.low[axis] != q.low[axis] ? p.low[axis] < q.low[axis] : p.collider < q.collider;
-    });
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-        for (std::size_t j = i + 1; j < bounds_.size() && bounds_[j].low[axis] < bounds_[i].high[axis]; ++j) {
-            const bool overlap = (bounds_[i].low.array() < bounds_[j].high.array()).all() &&
-                                 (bounds_[j].low.array() < bounds_[i].high.array()).all();
-            const auto [a, b] = std::minmax(bounds_[i].collider, bounds_[j].collider);
-            if (overlap && may_restrict(at(colliders, a), at(colliders, b), bodies)) pairs_.push_back({a, b});
+// Boxes no longer than a cell overlap only when their centres lie in the same or in adjacent cells, so it is enough
+// to look around one's own centre on one's own level and on those with larger cells.
+void BroadPhase::pair_with_neighbours(int index, std::span<const Collider> colliders) {
+    const Bounds& box = bounds_[static_cast<std::size_t>(index)];
+    const Vector3 centre = 0.5 * (box.low + box.high);
+    for (const int level : levels_) {
+        if (level < box.cell.level) continue;
+        const Cell home = level == box.cell.level ? box.cell : cell_of(centre, level);
+        for (std::int64_t x = home.x - 1; x <= home.x + 1; ++x) {
+            for (std::int64_t y = home.y - 1; y <= home.y + 1; ++y) {
+                for (std::int64_t z = home.z - 1; z <= home.z + 1; ++z) {
+                    pair_with_cell(index, {level, x, y, z}, colliders);
+                }
+            }
         }
     }
 }
@@ -80,8 +124,9 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
                                              double margin) {
     pairs_.clear();
     bound(colliders, bodies, margin);
+    fill_grid();
     pair_with_planes(colliders, bodies);
-    sweep(colliders, bodies);
+    for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) pair_with_neighbours(i, colliders);
     std::sort(pairs_.begin(), pairs_.end());
     return pairs_;
 }

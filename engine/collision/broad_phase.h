@@ -1,8 +1,11 @@
-// Which pairs of colliders may touch: sort and sweep along the axis in which the bodies spread most.
+// Which pairs of colliders may touch: a hashed grid with one level of cells a power of two of size, so that the
+// cost is linear in practice, for equal and for very different sizes.
 #pragma once
 
 #include "engine/collision/collider.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,17 +25,33 @@ class BroadPhase {
                                      double margin);
 
   private:
+    struct Cell {
+        int level = 0;  // its edge is 2^level m
+        std::int64_t x = 0, y = 0, z = 0;
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    // The bounding box of one finite shape, in the cell of its centre. No edge of the box is longer than the
+    // cell's.
     struct Bounds {
         Vector3 low, high;  // m
         int collider = 0;
+        bool fixed = false;  // of a static body
+        Cell cell;
     };
 
+    static Cell cell_of(const Vector3& centre, int level);
+    std::size_t bucket_of(const Cell& cell) const;
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, double margin);
+    void fill_grid();
     void pair_with_planes(std::span<const Collider> colliders, std::span<const Body> bodies);
-    void sweep(std::span<const Collider> colliders, std::span<const Body> bodies);
+    void pair_with_neighbours(int index, std::span<const Collider> colliders);
+    void pair_with_cell(int index, const Cell& cell, std::span<const Collider> colliders);
 
     std::vector<Bounds> bounds_;  // of the finite shapes
     std::vector<int> planes_;
+    std::vector<int> levels_;  // that occur, ascending
+    std::vector<int> heads_;   // hash table: the first of each bucket, index into bounds_, -1 for none
+    std::vector<int> next_;    // the next of the same bucket
     std::vector<Pair> pairs_;
 };
 

@@ -14,17 +14,25 @@ struct Box {
     Vector3 half_size = Vector3::Constant(0.5);  // m
 };
 
+// Centred on the body's position.
+struct Sphere {
+    double radius = 0.5;  // m
+};
+
 // Infinite: the points below the plane through the body's position with the body frame's y axis as its normal.
 // Only for static bodies.
 struct Plane {};
 
 // The order of the alternatives is the order of the pair table.
-using Shape = std::variant<Box, Plane>;
+using Shape = std::variant<Box, Sphere, Plane>;
 
 struct Collider {
     int body = 0;  // index into the bodies of the world
     Shape shape;
-    double friction = 0.5;  // mu >= 0; a pair has the root of the product
+    double friction = 0.5;     // mu >= 0; a pair has the root of the product
+    double restitution = 0.0;  // epsilon 0..1; a pair has the larger
+    // How fast the surface itself runs, as a conveyor belt does [m/s, body frame]; friction drives with it.
+    Vector3 surface_velocity = Vector3::Zero();
 };
 
 // Where a body is: maps its frame to the world.
@@ -34,8 +42,8 @@ struct Pose {
 };
 Pose pose_of(const Body& body);
 
-// The length that slop, margin and tolerances of a shape are measured in [m]: its shortest edge; infinite for a
-// plane.
+// The length that slop, margin and tolerances of a shape are measured in [m]: its shortest edge or its
+// diameter; infinite for a plane.
 double size_of(const Shape& shape);
 
 }  // namespace pushfactor::engine::collision

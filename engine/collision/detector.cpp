@@ -35,6 +35,7 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
         touch.body_b = b.body;
         touch.size = size_of_pair(a, bodies[body_a], b, bodies[body_b]);
         touch.friction = std::sqrt(a.friction * b.friction);
+        touch.restitution = std::max(a.restitution, b.restitution);
         collide(a.shape, poses_[body_a], b.shape, poses_[body_b], detection.margin * touch.size, touch.manifold);
         if (detection.reduce_to_four_points) reduce_to_four(touch.manifold, poses_[body_a].rotation);
         if (touch.manifold.count == 0) touches_.pop_back();

@@ -14,9 +14,10 @@ struct Touch {
     Pair pair;       // collider indices
     int body_a = 0;  // body indices
     int body_b = 0;
-    double size = 0.0;      // m, of the smaller movable body; slop, margin and tolerances are fractions of it
-    double friction = 0.0;  // mu of the pair
-    Manifold manifold;      // at least one point, normal from a to b
+    double size = 0.0;         // m, of the smaller movable body; slop, margin and tolerances are fractions of it
+    double friction = 0.0;     // mu of the pair
+    double restitution = 0.0;  // epsilon of the pair
+    Manifold manifold;         // at least one point, normal from a to b
 };
 
 struct Detection {

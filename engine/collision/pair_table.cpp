@@ -2,6 +2,7 @@
 
 #include "engine/collision/box_box.h"
 #include "engine/collision/box_plane.h"
+#include "engine/collision/sphere_pairs.h"
 
 #include <array>
 
@@ -29,14 +30,20 @@ void swapped(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pos
 constexpr Collide box_box = of<Box, Box, collide_box_box>;
 constexpr Collide box_plane = of<Box, Plane, collide_box_plane>;
 constexpr Collide plane_box = swapped<box_plane>;
+constexpr Collide box_sphere = of<Box, Sphere, collide_box_sphere>;
+constexpr Collide sphere_box = swapped<box_sphere>;
+constexpr Collide sphere_sphere = of<Sphere, Sphere, collide_sphere_sphere>;
+constexpr Collide sphere_plane = of<Sphere, Plane, collide_sphere_plane>;
+constexpr Collide plane_sphere = swapped<sphere_plane>;
 constexpr Collide never = nullptr;  // both are always static
 
 // Row: shape of a, column: shape of b, in the order of the variant.
 // clang-format off
-constexpr std::array<std::array<Collide, 2>, 2> pair_table{{
-    //            box        plane
-    /* box   */ {{box_box,   box_plane}},
-    /* plane */ {{plane_box, never}},
+constexpr std::array<std::array<Collide, 3>, 3> pair_table{{
+    //             box         sphere         plane
+    /* box    */ {{box_box,    box_sphere,    box_plane}},
+    /* sphere */ {{sphere_box, sphere_sphere, sphere_plane}},
+    /* plane  */ {{plane_box,  plane_sphere,  never}},
 }};
 // clang-format on
 static_assert(pair_table.size() == std::variant_size_v<Shape>, "a shape without a row in the table");

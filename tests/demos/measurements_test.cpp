@@ -19,9 +19,7 @@ Settings settings() {
 
 // One cube that rests on the ground, for whoever wants to disturb it.
 Scene one_cube() {
-    Scene scene = scenes::cube_tower({.count = 1, .gap = 0.0, .ground_gap = -0.001}, settings());
-    scene.name = "one-cube";
-    return scene;
+    return build_scene(scenes::cube_tower({.count = 1, .gap = 0.0, .ground_gap = -0.001}), settings());
 }
 
 struct Judged {

@@ -48,7 +48,7 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
     CHECK(lines(rows) == 1 + 30 * 2 * 4 * 3);
 }
 
-TEST_CASE("--timing adds one column and --fps thins the trajectory") {
+TEST_CASE("the option --timing adds one column and --fps thins the trajectory") {
     const Folder folder;
     shell(folder, "pushfactor run stack --seconds 1 --timing --csv steps.csv --fps 10 --trajectory bodies.csv");
     CHECK(first_line(folder.read("steps.csv")).ends_with(",sweeps,step_us"));

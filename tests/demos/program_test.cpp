@@ -33,12 +33,14 @@ TEST_CASE("the program says its version, its help at every level and its scenes"
     CHECK_THAT(run_program("run --help").out, Catch::Contains("--beta") && Catch::Contains("--jitter"));
     const Ended list = run_program("list");
     CHECK(list.status == 0);
-    CHECK_THAT(list.out, Catch::Contains("intersecting-stack") && Catch::Contains("made of: gravity"));
-    CHECK(run_program("list --names").out == "stack\nintersecting-stack\n");
+    CHECK_THAT(list.out, Catch::Contains("intersecting-stack") &&
+                             Catch::Contains("made of: 50 bodies, gravity, 50 distances\n"));
+    CHECK(run_program("list --names").out ==
+          "stack\nintersecting-stack\nfunnel\npendulum-grid\npendulum-wave\nchain\nheavy-on-light\n");
 }
 
 TEST_CASE("unknown words are refused with the nearest known one") {
-    check_refusal("run stak", 2, {"scene stak", "stack, intersecting-stack", "did you mean stack?"});
+    check_refusal("run stak", 2, {"scene stak", "stack, intersecting-stack", "scene file", "did you mean stack?"});
     check_refusal("run stack --sede 3", 2, {"--sede", "did you mean --seed?"});
     check_refusal("run stack --foo", 2, {"--foo: unknown option"});
     check_refusal("rum stack", 2, {"rum", "did you mean run?"});

@@ -56,6 +56,27 @@ TEST_CASE("scenes know the engine and nothing that draws or writes") {
                  {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
 }
 
+// Everything that a file of the project includes, directly or not.
+void gather(const std::string& file, std::set<std::string>& found) {
+    const std::regex include(R"re(#include "([^"]+)")re");
+    const std::string text = read_file(fs::path(PUSHFACTOR_SOURCE_DIR) / file);
+    for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+        if (found.insert((*match)[1]).second) gather((*match)[1], found);
+    }
+}
+
+TEST_CASE("the pendulum wave includes no collision header, not even through another one") {
+    std::set<std::string> wave, stack;
+    gather("demos/scenes/pendulum_wave.cpp", wave);
+    gather("demos/build_scene.cpp", stack);
+    const auto of_contacts = [](const std::string& name) {
+        return name.find("collision") != std::string::npos || name.find("contact") != std::string::npos;
+    };
+    CHECK(std::none_of(wave.begin(), wave.end(), of_contacts));
+    CHECK(std::any_of(stack.begin(), stack.end(), of_contacts));  // the test can fail
+    CHECK(wave.size() > 5);
+}
+
 TEST_CASE("Eigen becomes GLM in one file only") {
     const auto glm = std::regex(R"(#include\s*<glm/|#include "renderer/picture)");
     std::set<std::string> files;

@@ -110,13 +110,18 @@ TEST_CASE("Coulomb's bound names the contact row of the point") {
 TEST_CASE("the first tangent lies along the sliding direction, or fixed in body a without one") {
     const Body ground = static_body(Vector3::Zero());
     Body box = box_body(2.0, Vector3::Ones(), {0, 0.5, 0});
+    const BodyPair pair{0, 1, ground, box};
     const Vector3 up = Vector3::UnitY();
-    const auto resting = friction_tangents({0, 1, ground, box}, Vector3::Zero(), up, 1e-3);
-    CHECK(resting[0] == Vector3::UnitX());
-    box.linear_momentum = {3, -7, 4};
-    const auto sliding = friction_tangents({0, 1, ground, box}, Vector3::Zero(), up, 1e-3);
+    const auto tangents = [&](const Vector3& belt) {
+        return friction_tangents(ground, up, sliding_velocity(pair, Vector3::Zero(), up, belt), 1e-3);
+    };
+    CHECK(tangents(Vector3::Zero())[0] == Vector3::UnitX());
+    box.linear_momentum = {6, -14, 8};
+    const auto sliding = tangents(Vector3::Zero());
     CHECK((sliding[0] - Vector3(0.6, 0, 0.8)).norm() < 1e-15);
     CHECK(sliding[1].dot(sliding[0]) == Approx(0.0).margin(1e-15));
     CHECK(sliding[1].dot(up) == Approx(0.0).margin(1e-15));
     CHECK(sliding[1].norm() == Approx(1.0));
+    // On a belt that runs as fast as the box it does not slide.
+    CHECK(tangents(Vector3(3, 0, 4))[0] == Vector3::UnitX());
 }

@@ -1,5 +1,6 @@
 #include "engine/diagnostics.h"
 
+#include "engine/penetration.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

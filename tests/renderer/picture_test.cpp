@@ -38,5 +38,35 @@ TEST_CASE("A picture that cannot be drawn is refused by the name of the field") 
         picture.ground = Ground{nan};
         CHECK_THROWS_WITH(check(picture), Contains("ground.height"));
     }
+    SECTION("a sphere's position") {
+        picture.spheres = {{}, {.position = {0.0f, nan, 0.0f}}};
+        CHECK_THROWS_WITH(check(picture), Contains("spheres[1] is"));
+    }
+    SECTION("a sphere's radius") {
+        picture.spheres = {{}, {}, {.radius = -1.0f}};
+        CHECK_THROWS_WITH(check(picture), Contains("spheres[2].radius"));
+    }
+    SECTION("a bar's end") {
+        picture.bars = {{.to = {nan, 0.0f, 0.0f}}};
+        CHECK_THROWS_WITH(check(picture), Contains("bars[0] is"));
+    }
+    SECTION("a bar's radius") {
+        picture.bars = {{.radius = nan}};
+        CHECK_THROWS_WITH(check(picture), Contains("bars[0].radius"));
+    }
+    SECTION("a panel's corner") {
+        picture.panels = {{.corners = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, nan, 0.0f}}}};
+        CHECK_THROWS_WITH(check(picture), Contains("panels[0].corners"));
+    }
+    SECTION("a panel without an area") {
+        picture.panels = {{.corners = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}}}};
+        CHECK_THROWS_WITH(check(picture), Contains("panels[0].corners"));
+    }
+    SECTION("a panel's opacity") {
+        picture.panels = {{.corners = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}}};
+        REQUIRE_NOTHROW(check(picture));
+        picture.panels[0].opacity = GENERATE(-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN());
+        CHECK_THROWS_WITH(check(picture), Contains("panels[0].opacity"));
+    }
     CHECK_THROWS_AS(Studio(8, 8).render(picture), RendererError);
 }

@@ -4,32 +4,13 @@
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 
-#include <array>
-#include <cstdint>
+#include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 using namespace pushfactor::renderer;
 
 namespace {
-
-using Pixel = std::array<std::uint8_t, 3>;
-
-bool is_red(const Pixel& pixel) {
-    return pixel[0] > 120 && pixel[1] < 100 && pixel[2] < 100;
-}
-bool is_blue(const Pixel& pixel) {
-    return pixel[2] > 120 && pixel[0] < 100;
-}
-
-const Camera from_the_front{.eye = {0.0f, 0.0f, 10.0f}, .target = glm::vec3(0.0f)};
-const Camera from_above{.eye = {0.0f, 20.0f, 0.0f}, .target = glm::vec3(0.0f)};
-
-// The largest difference of any channel of two images of the same size.
-int largest_difference(const Image& a, const Image& b) {
-    int largest = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); ++i) largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
-    return largest;
-}
 
 double mean_difference(const Image& a, const Image& b) {
     double sum = 0.0;

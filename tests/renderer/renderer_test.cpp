@@ -29,6 +29,21 @@ TEST_CASE("A fresh context gives the same bytes") {
     CHECK(Studio(160, 90).render(stack_of_cubes(5)) == first);
 }
 
+TEST_CASE("A picture of all kinds gives the same bytes again, and in a fresh context") {
+    Studio studio(160, 90);
+    const Image first = studio.render(all_kinds());
+    CHECK(studio.render(stack_of_cubes(3)) != first);
+    CHECK(studio.render(all_kinds()) == first);
+    CHECK(Studio(160, 90).render(all_kinds()) == first);
+}
+
+TEST_CASE("Spheres, bars and panels leave nothing behind for the next picture") {
+    Studio studio(160, 90);
+    const Image first = studio.render(stack_of_cubes(5));
+    studio.render(all_kinds());
+    CHECK(studio.render(stack_of_cubes(5)) == first);
+}
+
 TEST_CASE("Renderers that live at the same time do not disturb each other") {
     Studio wide(160, 90);
     const Image alone = wide.render(stack_of_cubes(5));
@@ -52,6 +67,8 @@ TEST_CASE("A body thrown out of sight changes nothing") {
     const Image before = studio.render(picture);
     for (const float far : {1e4f, 1e20f, 1e38f}) {
         picture.boxes.push_back({.position = {far, -far, far}});
+        picture.spheres.push_back({.position = {far, -far, far}});
+        picture.bars.push_back({.from = {far, -far, far}, .to = {far, far, far}});
         CHECK(studio.render(picture) == before);
     }
 }

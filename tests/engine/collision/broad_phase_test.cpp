@@ -4,6 +4,8 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 
+#include <cmath>
+
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
 using pushfactor::tests::Random;
@@ -26,22 +28,28 @@ Crowd crowd(Random& random, int count, const Vector3& spread) {
         result.bodies.push_back(fixed ? static_body(position, random.rotation())
                                       : box_body(1.0, 2.0 * half, position, random.rotation()));
         result.colliders.push_back({.body = i, .shape = Box{half}});
+        if (i % 3 == 0) result.colliders.back().shape = Sphere{half.x()};
+        // Sizes over six decades.
+        if (i % 7 == 0) result.colliders.back().shape = Sphere{std::pow(10.0, random.in(-3, 3))};
     }
     return result;
 }
 
+Vector3 reach_of(const Crowd& crowd, std::size_t k) {
+    const Shape& shape = crowd.colliders[k].shape;
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
+    return pose_of(crowd.bodies[k]).rotation.cwiseAbs() * std::get<Box>(shape).half_size;
+}
+
 bool boxes_overlap(const Crowd& crowd, std::size_t i, std::size_t j) {
-    const auto reach = [&](std::size_t k) -> Vector3 {
-        return pose_of(crowd.bodies[k]).rotation.cwiseAbs() * std::get<Box>(crowd.colliders[k].shape).half_size;
-    };
+    const auto reach = [&](std::size_t k) -> Vector3 { return reach_of(crowd, k); };
     const Vector3 distance = (crowd.bodies[i].position - crowd.bodies[j].position).cwiseAbs();
     return (distance.array() < (reach(i) + reach(j)).array()).all();
 }
 
 bool reaches_plane(const Crowd& crowd, std::size_t i) {
     const Vector3 up = crowd.bodies[0].orientation * Vector3::UnitY();
-    const Vector3 reach =
-        pose_of(crowd.bodies[i]).rotation.cwiseAbs() * std::get<Box>(crowd.colliders[i].shape).half_size;
+    const Vector3 reach = reach_of(crowd, i);
     return up.dot(crowd.bodies[i].position - crowd.bodies[0].position) < up.cwiseAbs().dot(reach);
 }
 
@@ -88,4 +96,15 @@ TEST_CASE("a pair has the size of its smaller movable body and the root of the f
     REQUIRE(touches.size() == 1);
     CHECK(touches[0].size == 4.0);
     CHECK(touches[0].friction == Approx(0.4));
+}
+
+TEST_CASE("pairs do not depend on where the scene is, up to a million metres away") {
+    Random random(8);
+    const Crowd here = crowd(random, 60, {4, 4, 4});
+    Crowd there = here;
+    for (Body& body : there.bodies) body.position += Vector3(-1048576, 524288, 262144);
+    BroadPhase one, other;
+    const auto pairs = one.find_pairs(here.colliders, here.bodies, 0.0);
+    const auto moved = other.find_pairs(there.colliders, there.bodies, 0.0);
+    CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == std::vector<Pair>(moved.begin(), moved.end()));
 }

@@ -1,0 +1,181 @@
+#include "demos/scene.h"
+#include "engine/gravity.h"
+#include "engine/invalid_input.h"
+#include "engine/poke.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::Body;
+using engine::Vector3;
+namespace collision = engine::collision;
+
+Body make_body(const BodyDescription& described) {
+    const auto& orientation = described.orientation;
+    if (!described.mass) return engine::static_body(described.position, orientation);
+
+    Body body;
+    if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
+        body = engine::box_body(*described.mass, box->size, described.position, orientation);
+    } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
+        body = engine::ball_body(*described.mass, sphere->radius, described.position, orientation);
+    } else {
+        throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
+                                   "left out: a plane is static");
+    }
+    body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
+    const engine::Matrix3 inertia = world_inverse_inertia(body).inverse();
+    body.angular_momentum = described.angular_momentum.value_or(inertia * described.angular_velocity);
+    return body;
+}
+
+collision::Shape make_shape(const BodyDescription& described) {
+    if (const auto* box = std::get_if<BoxShape>(&described.shape)) return collision::Box{0.5 * box->size};
+    if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) return collision::Sphere{sphere->radius};
+    return collision::Plane{};
+}
+
+int index_of(const std::string& name, const SceneDescription& description) {
+    const auto& bodies = description.bodies;
+    const auto found =
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == name; });
+    if (found == bodies.end()) throw engine::InvalidInput("body", name, "the name of a body of the scene");
+    return static_cast<int>(found - bodies.begin());
+}
+
+void add_forces(Scene& scene, const SceneDescription& description) {
+    if (!description.gravity.isZero()) {
+        scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
+    }
+    for (const ForceDescription& force : description.forces) {
+        engine::Poke poke{.body = index_of(force.body, description), .force = force.force, .from = force.from};
+        if (force.until) poke.until = *force.until;
+        scene.world.forces.push_back(std::make_unique<engine::PokeForce>(poke));
+    }
+}
+
+// The index of the static body that stands for the world; it is made when it is first wanted.
+int world_body(Scene& scene, std::optional<int>& known) {
+    if (!known) {
+        known = static_cast<int>(scene.world.bodies.size());
+        scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
+    }
+    return *known;
+}
+
+void add_distances(Scene& scene, const SceneDescription& description, const Settings& settings) {
+    if (description.distances.empty()) return;
+    std::optional<int> world;
+    const auto body_index = [&](const std::string& name) {
+        return name == "world" ? world_body(scene, world) : index_of(name, description);
+    };
+    std::vector<engine::Distance> distances;
+    for (const DistanceDescription& described : description.distances) {
+        engine::Distance distance{.body_a = body_index(described.a.body),
+                                  .body_b = body_index(described.b.body),
+                                  .point_a = described.a.point,
+                                  .point_b = described.b.point};
+        const auto [from, to] = span_of(distance, scene.world.bodies);
+        distance.length = described.length.value_or((to - from).norm());
+        distance.acts = described.acts;
+        if (described.max_force) distance.max_force = *described.max_force;
+        distances.push_back(distance);
+    }
+    auto source = std::make_unique<engine::DistanceConstraints>(std::move(distances), settings.distances,
+                                                                settings.warm_start);
+    scene.distances = source.get();
+    scene.world.constraints.push_back(std::move(source));
+}
+
+std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const Vector3& gravity) {
+    switch (model) {
+        case FrictionModel::coulomb:
+            return std::make_unique<engine::CoulombFriction>();
+        case FrictionModel::paper:
+            break;
+    }
+    return std::make_unique<engine::WeightFriction>(gravity);
+}
+
+engine::RestitutionRule restitution_rule(RestitutionModel model) {
+    return model == RestitutionModel::sum ? engine::restitution_sum : engine::restitution_larger;
+}
+
+std::vector<collision::Collider> make_colliders(const SceneDescription& description, const Settings& settings) {
+    std::vector<collision::Collider> colliders;
+    for (int i = 0; i < static_cast<int>(description.bodies.size()); ++i) {
+        const BodyDescription& body = description.bodies[static_cast<std::size_t>(i)];
+        colliders.push_back({.body = i,
+                             .shape = make_shape(body),
+                             .friction = settings.friction.value_or(body.friction),
+                             .restitution = settings.restitution.value_or(body.restitution),
+                             .surface_velocity = body.surface_velocity});
+    }
+    return colliders;
+}
+
+void add_contacts(Scene& scene, const SceneDescription& description, const Settings& settings) {
+    if (!description.contacts) return;
+    const std::vector<collision::Collider> colliders = make_colliders(description, settings);
+    const auto any = [&](double collision::Collider::*what) {
+        return std::any_of(colliders.begin(), colliders.end(), [what](const auto& c) { return c.*what > 0.0; });
+    };
+    const engine::ContactChoices choices{
+        .correction = settings.contacts,
+        .slop = settings.slop,
+        .detection = {.margin = settings.margin, .reduce_to_four_points = settings.four_points},
+        .order = settings.row_order,
+    };
+    auto contacts = std::make_unique<engine::ContactStage>(colliders, choices);
+    if (any(&collision::Collider::friction)) {
+        contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
+    }
+    if (any(&collision::Collider::restitution)) {
+        contacts->set_restitution(restitution_rule(settings.restitution_model));
+    }
+    if (settings.warm_start) contacts->set_cache(std::make_unique<engine::ContactCache>());
+    scene.contacts = contacts.get();
+    scene.world.constraints.push_back(std::move(contacts));
+}
+
+engine::OrientationStep orientation_step(Rotation rotation) {
+    switch (rotation) {
+        case Rotation::paper:
+            return engine::rotate_euler;
+        case Rotation::exponential:
+            return engine::rotate_exponential;
+        case Rotation::splitting:
+            break;
+    }
+    return engine::rotate_splitting;
+}
+
+void add_solver(Scene& scene, const Settings& settings) {
+    if (scene.world.constraints.empty()) return;
+    scene.world.solver = engine::solvers::make_solver(settings.solver);
+    scene.world.termination = {settings.iterations, settings.tolerance_high, settings.tolerance_low};
+}
+
+}  // namespace
+
+Scene build_scene(const SceneDescription& description, const Settings& settings) {
+    Scene scene;
+    scene.name = description.name;
+    scene.gravity = description.gravity;
+    scene.bodies = description.bodies;
+    scene.view = description.view;
+    scene.standing = description.standing;
+    scene.measure = description.measure;
+    for (const BodyDescription& body : description.bodies) scene.world.bodies.push_back(make_body(body));
+    add_forces(scene, description);
+    add_distances(scene, description, settings);
+    add_contacts(scene, description, settings);
+    add_solver(scene, settings);
+    scene.world.rotate = orientation_step(settings.rotation);
+    return scene;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,35 @@
+// The colours of the project, the same in frames and plots. sRGB; told apart by the colour-blind too, by lightness.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pushfactor::demos {
+
+struct Colour {
+    std::string_view name;
+    float red, green, blue;  // 0..1
+};
+
+inline constexpr std::array palette{
+    Colour{"vermilion", 0.90f, 0.33f, 0.22f}, Colour{"orange", 0.95f, 0.62f, 0.18f},
+    Colour{"blue", 0.20f, 0.55f, 0.80f},      Colour{"green", 0.16f, 0.66f, 0.55f},
+    Colour{"violet", 0.45f, 0.40f, 0.75f},    Colour{"ivory", 0.88f, 0.85f, 0.78f},
+};
+
+inline std::optional<Colour> find_colour(std::string_view name) {
+    for (const Colour& colour : palette) {
+        if (colour.name == name) return colour;
+    }
+    return std::nullopt;
+}
+
+inline std::string colour_names() {
+    std::string names;
+    for (const Colour& colour : palette) names += (names.empty() ? "" : ", ") + std::string(colour.name);
+    return names;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,45 @@
+#include "demos/plane_outline.h"
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::Vector3;
+using Polygon = std::vector<Vector3>;
+
+// Sutherland-Hodgman: keeps what is on the side of `normal` of the plane through `point`.
+Polygon clip(const Polygon& polygon, const Vector3& normal, const Vector3& point) {
+    Polygon result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector3& from = polygon[i];
+        const Vector3& to = polygon[(i + 1) % polygon.size()];
+        const double in_from = normal.dot(from - point);
+        const double in_to = normal.dot(to - point);
+        if (in_from >= 0.0) result.push_back(from);
+        if ((in_from >= 0.0) != (in_to >= 0.0))
+            result.push_back(from + (to - from) * (in_from / (in_from - in_to)));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Vector3> plane_outline(const Scene& scene, const engine::Body& plane) {
+    const engine::Matrix3 frame = plane.orientation.toRotationMatrix();
+    const Vector3 up = frame.col(1);
+    const double reach = (scene.view.eye - scene.view.target).norm();
+    const Vector3 middle = scene.view.target - up * up.dot(scene.view.target - plane.position);
+
+    const Vector3 u = reach * frame.col(0);
+    const Vector3 v = reach * frame.col(2);
+    Polygon polygon{middle + u + v, middle + u - v, middle - u - v, middle - u + v};
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const engine::Body& other = scene.world.bodies[i];
+        if (&other == &plane || !std::holds_alternative<PlaneShape>(scene.bodies[i].shape)) continue;
+        polygon = clip(polygon, other.orientation * Vector3::UnitY(), other.position);
+    }
+    // Up to a rim that stays in the picture.
+    return clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,14 @@
+// The part of an infinite plane that is worth drawing.
+#pragma once
+
+#include "demos/scene.h"
+
+#include <vector>
+
+namespace pushfactor::demos {
+
+// Corners of the convex polygon of `plane` [m] that is above all other planes of the scene and within view. Fewer
+// than three when there is none.
+std::vector<engine::Vector3> plane_outline(const Scene& scene, const engine::Body& plane);
+
+}  // namespace pushfactor::demos

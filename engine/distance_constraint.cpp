@@ -1,0 +1,66 @@
+#include "engine/distance_constraint.h"
+
+#include "engine/point_jacobian.h"
+
+#include <algorithm>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// `error` = |p_ab| - l.
+bool is_loose(const Distance& distance, double error) {
+    return (distance.acts == Distance::Acts::pulls && error < 0.0) ||
+           (distance.acts == Distance::Acts::pushes && error > 0.0);
+}
+
+// A rope that hangs loose may tighten within the step, in both columns, as a contact point in the margin may close
+// its gap; a strut likewise.
+PushFactor distance_push(const Distance& distance, double error, const Correction& correction, double dt) {
+    if (is_loose(distance, error)) return {.correcting = 0.0, .lasting = -error / dt};
+    return correct(correction, -error, dt);
+}
+
+Bounds distance_bounds(const Distance& distance) {
+    const bool pushes = distance.acts != Distance::Acts::pulls;
+    const bool pulls = distance.acts != Distance::Acts::pushes;
+    return {.c_min = pulls ? -distance.max_force : 0.0, .c_max = pushes ? distance.max_force : 0.0};
+}
+
+}  // namespace
+
+Span span_of(const Distance& distance, std::span<const Body> bodies) {
+    const Body& a = bodies[static_cast<std::size_t>(distance.body_a)];
+    const Body& b = bodies[static_cast<std::size_t>(distance.body_b)];
+    return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
+}
+
+void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    for (std::size_t i = 0; i < distances_.size(); ++i) {
+        const Distance& distance = distances_[i];
+        const auto [p_a, p_b] = span_of(distance, bodies);
+        const Vector3 p_ab = p_b - p_a;
+        const double length = p_ab.norm();
+        const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
+        const double error = length - distance.length;
+
+        ConstraintRow row;
+        row.body_a = distance.body_a;
+        row.body_b = distance.body_b;
+        row.jacobian = {.a = point_axis(bodies[static_cast<std::size_t>(distance.body_a)], p_a, -n),
+                        .b = point_axis(bodies[static_cast<std::size_t>(distance.body_b)], p_b, n)};
+        row.push = distance_push(distance, error, correction_, dt);
+        row.bounds = distance_bounds(distance);
+        row.label = {.kind = RowKind::distance,
+                     .point = static_cast<int>(i),
+                     .gap = is_loose(distance, error) ? 0.0 : error};
+        if (cached_) row.guess = forces_[i];
+        rows.push_back(row);
+    }
+}
+
+void DistanceConstraints::remember(std::span<const Lambda> answers) {
+    std::copy(answers.begin(), answers.end(), forces_.begin());
+}
+
+}  // namespace pushfactor::engine

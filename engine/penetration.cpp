@@ -1,0 +1,26 @@
+#include "engine/penetration.h"
+
+#include "engine/collision/detector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders) {
+    Penetration result;
+    double sum_of_squares = 0.0;
+    collision::Detector detector;
+    for (const collision::Touch& touch :
+         detector.detect(colliders, bodies, {.margin = 0.0, .reduce_to_four_points = false})) {
+        for (const collision::ContactPoint& point : touch.manifold.points()) {
+            result.max = std::max(result.max, -point.gap);
+            sum_of_squares += point.gap * point.gap;
+            ++result.points;
+        }
+    }
+    if (result.points > 0) result.rms = std::sqrt(sum_of_squares / result.points);
+    return result;
+}
+
+}  // namespace pushfactor::engine

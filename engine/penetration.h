@@ -1,0 +1,19 @@
+// How deep the bodies of a state are inside each other: a pure function, nothing is remembered.
+#pragma once
+
+#include "engine/body.h"
+#include "engine/collision/collider.h"
+
+#include <span>
+
+namespace pushfactor::engine {
+
+// Penetration d = -gap over all contact points of the state as it is.
+struct Penetration {
+    double max = 0.0;  // m, 0 without contact
+    double rms = 0.0;  // m, over the contact points (measures M4, before the division by a length)
+    int points = 0;
+};
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
+
+}  // namespace pushfactor::engine
