@@ -14,6 +14,7 @@ namespace pushfactor::demos {
 
 namespace {
 
+const char* const output_group = "Output (FILE - is standard output)";
 const char* const exit_statuses =
     "Exit status: 0 done; 1 the run failed; 2 wrong usage or bad input; 3 a check failed;\n"
     "4 an output could not be written; 5 the simulation became non-finite.";
@@ -55,14 +56,14 @@ void add_simulation(CLI::App& app, Request& request, std::optional<std::string>&
 
 void add_outputs(CLI::App& app, Request& request) {
     const auto add = [&app](const char* name, std::optional<std::string>& path, const char* help) {
-        app.add_option(name, path, help)->type_name("FILE")->group("Output (FILE - is standard output)");
+        app.add_option(name, path, help)->type_name("FILE")->group(output_group);
     };
     add("--csv", request.csv, "one line a step: energies, speeds, penetration, residual, counts");
     add("--trajectory", request.trajectory, "one line a body and step (a body and frame with --fps)");
     add("--rows", request.rows, "one line a constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
     app.add_flag("--timing", request.timing, "CPU time of the steps in the CSV and the summary")
-        ->group("Output (FILE - is standard output)");
+        ->group(output_group);
 }
 
 void add_frames(CLI::App& app, Request& request) {
@@ -122,11 +123,10 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     run.add_option("SCENE", request.scenes, "name of a scene, or a scene file");
     add_simulation(run, request, config);
     add_outputs(run, request);
-    const FrameOption* const fps =
-        std::find_if(frame_options().begin(), frame_options().end(), [](const FrameOption& option) {
-            return option.name == "fps";
-        }).base();
-    add_given(run, request.given, fps->name, fps->placeholder, fps->help, "Output (FILE - is standard output)");
+    for (const FrameOption& option : frame_options()) {
+        if (option.name != "fps") continue;  // thins the trajectory; a run has no other use for frames
+        add_given(run, request.given, option.name, option.placeholder, option.help, output_group);
+    }
 
     CLI::App& render = *app.add_subcommand("render", "PNG frames or stills, without a display");
     render.add_option("SCENE", request.scenes, "names of scenes, or scene files");

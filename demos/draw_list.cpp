@@ -36,7 +36,7 @@ void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& 
     }
     renderer::Panel panel;
     for (const Vector3& corner : plane_outline(scene, body)) panel.corners.push_back(to_glm(corner));
-    if (panel.corners.size() >= 3) picture.panels.push_back(panel);
+    if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
 void add_bars(const Scene& scene, renderer::Picture& picture) {

@@ -22,6 +22,14 @@ Polygon clip(const Polygon& polygon, const Vector3& normal, const Vector3& point
     return result;
 }
 
+double area(const Polygon& polygon) {
+    Vector3 twice = Vector3::Zero();
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        twice += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
+    }
+    return 0.5 * twice.norm();
+}
+
 }  // namespace
 
 std::vector<Vector3> plane_outline(const Scene& scene, const engine::Body& plane) {
@@ -39,7 +47,8 @@ std::vector<Vector3> plane_outline(const Scene& scene, const engine::Body& plane
         polygon = clip(polygon, other.orientation * Vector3::UnitY(), other.position);
     }
     // Up to a rim that stays in the picture.
-    return clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
+    polygon = clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
+    return area(polygon) > 1e-4 * reach * reach ? polygon : Polygon{};
 }
 
 }  // namespace pushfactor::demos

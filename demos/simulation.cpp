@@ -70,10 +70,10 @@ void Simulation::measure_state() {
 }
 
 void Simulation::require_finite() const {
-    if (const auto found = engine::find_non_finite(scene_.world.bodies)) {
-        throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
-                                         found->body, found->quantity, sample_.step, sample_.time));
-    }
+    const auto found = engine::find_non_finite(scene_.world.bodies);
+    if (!found) return;
+    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
+                                     scene_.bodies[found->body].name, found->quantity, sample_.step, sample_.time));
 }
 
 }  // namespace pushfactor::demos

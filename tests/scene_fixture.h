@@ -2,8 +2,12 @@
 #pragma once
 
 #include "demos/catalogue.h"
+#include "demos/measurements.h"
 #include "demos/simulation.h"
 
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace pushfactor::tests {
@@ -34,5 +38,26 @@ inline demos::Settings solved_exactly(demos::Settings settings) {
     settings.warm_start = true;
     return settings;
 }
+
+// A simulation with its measurements, as the program runs it.
+struct Run {
+    demos::Simulation simulation;
+    demos::Measurements measurements;
+
+    explicit Run(demos::Simulation&& start) : simulation(std::move(start)), measurements(simulation) {}
+    void advance(double seconds) {
+        const long steps = std::lround(seconds / simulation.settings().dt.value());
+        for (long i = 0; i < steps; ++i) {
+            simulation.advance();
+            measurements.observe(simulation);
+        }
+    }
+    double measured(const std::string& name) const {
+        for (const auto& [known, value] : measurements.of_scene()) {
+            if (known == name) return value;
+        }
+        throw std::out_of_range("no measure " + name);
+    }
+};
 
 }  // namespace pushfactor::tests

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <future>
+
 namespace pushfactor::demos::commands {
 
 namespace {
@@ -33,6 +35,27 @@ void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames)
     }
 }
 
+// Encodes and writes one frame while the next one is simulated and drawn. Frames keep their order, at most one
+// waits, and what goes wrong is thrown by the next call.
+class FrameWriter {
+  public:
+    explicit FrameWriter(fs::path folder) : folder_(std::move(folder)) {}
+
+    void write(const std::string& name, renderer::Image image) {
+        finish();
+        writing_ = std::async(std::launch::async, [path = folder_ / name, image = std::move(image)] {
+            write_file(path, as_text(renderer::encode_png(image)));
+        });
+    }
+    void finish() {
+        if (writing_.valid()) writing_.get();
+    }
+
+  private:
+    fs::path folder_;
+    std::future<void> writing_;
+};
+
 void render_scene(const Choices& choices, const Request& request, const fs::path& folder,
                   renderer::Renderer& renderer) {
     ObservedRun observed(choices, request);
@@ -41,14 +64,15 @@ void render_scene(const Choices& choices, const Request& request, const fs::path
     warn_of_strangers(folder, frames);
     write_file(folder / "config.json", config_text(choices, request.given));
 
+    FrameWriter writer(folder);
     ProgressBar bar(choices.description.name, static_cast<long>(frames.size()));
     for (std::size_t done = 0; done < frames.size(); ++done) {
         stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
         while (simulation.sample().step < frames[done].step) observed.advance();
-        const renderer::Image image = renderer.render(draw_list(simulation.scene()));
-        write_file(folder / frames[done].name, as_text(renderer::encode_png(image)));
+        writer.write(frames[done].name, renderer.render(draw_list(simulation.scene())));
         bar.show(static_cast<long>(done) + 1);
     }
+    writer.finish();
     while (simulation.sample().step < simulation.total_steps()) observed.advance();
     write_file(request.summary ? fs::path(*request.summary) : folder / "summary.json", observed.finish());
 }

@@ -98,7 +98,7 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
             {.body = "sphere 1", .force = Vector3(0, -poke, 0), .from = parameters.number("poke-at")});
     }
     scene.measure = [first, count](const engine::World&) { return std::make_unique<OnTop>(first, count); };
-    scene.view = view_of({0, -0.9, 0}, 6.2);
+    scene.view = view_of({0, -0.6, 0}, 5.4);
     return scene;
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("a number that is not finite ends the run with body, quantity and step
     Simulation simulation(std::move(scene), settings());
     CHECK_THROWS_AS(simulation.advance(), NonFiniteError);
     CHECK_THROWS_WITH(simulation.advance(),
-                      Catch::Contains("body 1") && Catch::Contains("position") && Catch::Contains("step"));
+                      Catch::Contains("body cube 1") && Catch::Contains("position") && Catch::Contains("step"));
 }
 
 TEST_CASE("the median is the middle, or the mean of the two in the middle") {

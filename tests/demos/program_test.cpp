@@ -114,3 +114,20 @@ TEST_CASE("a summary holds the fields that design and README promise") {
     CHECK_THAT(ended.out, !Catch::Contains("cpu_us"));
     CHECK_THAT(run_program("run stack --seconds 1 --timing").out, Catch::Contains("cpu_us_per_step_median"));
 }
+
+TEST_CASE("README's table of scenes is what the program lists") {
+    const std::string readme = read_file(std::string(PUSHFACTOR_SOURCE_DIR) + "/README.md");
+    std::istringstream lines(run_program("list").out);
+    int scenes = 0;
+    for (std::string name; std::getline(lines, name);) {
+        if (name.empty() || name.starts_with(' ')) continue;
+        std::string sentence, made_of;
+        std::getline(lines, sentence);
+        std::getline(lines, made_of);
+        ++scenes;
+        const std::string row = "`" + name + "` | " + sentence.substr(4) + " | " + made_of.substr(13) + " |";
+        CHECK_THAT(readme, Catch::Contains(row));
+        CHECK(std::filesystem::exists(std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/pictures/" + name + ".png"));
+    }
+    CHECK(scenes == 7);
+}

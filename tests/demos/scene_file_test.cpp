@@ -172,3 +172,18 @@ TEST_CASE("a file of more bodies than the program takes is refused, not crashed 
     }
     CHECK_THAT(said_of(scene_of(bodies)), Catch::Contains("must be at most 100000 bodies"));
 }
+
+TEST_CASE("a scene that leaves the finite numbers ends with status 5, and names body, quantity and step") {
+    const Folder folder;
+    folder.write(
+        "my.json",
+        scene_of(
+            R"({"name": "a", "shape": "sphere", "radius_m": 1, "mass_kg": 1,
+                                         "velocity_m_per_s": [0, 1e308, 0]},
+                                        {"name": "b", "shape": "sphere", "radius_m": 1, "mass_kg": 1e300})",
+            R"(, "forces": [{"body": "b", "force_n": [0, 0, 1e308]}, {"body": "b", "force_n": [0, 0, 1e308]}])"));
+    const tests::Ended ended = tests::shell(folder, "pushfactor run my.json");
+    CHECK(ended.status == 5);
+    CHECK_THAT(ended.err, Catch::Contains("body b: ") && Catch::Contains("is not finite after step 1 "));
+    CHECK(ended.out.empty());
+}

@@ -10,32 +10,8 @@
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
+using tests::Run;
 using tests::simulate;
-
-namespace {
-
-struct Run {
-    Simulation simulation;
-    Measurements measurements;
-
-    explicit Run(Simulation&& start) : simulation(std::move(start)), measurements(simulation) {}
-    void advance(double seconds) {
-        const long steps = std::lround(seconds / simulation.settings().dt.value());
-        for (long i = 0; i < steps; ++i) {
-            simulation.advance();
-            measurements.observe(simulation);
-        }
-    }
-    double measured(const std::string& name) const {
-        for (const auto& [known, value] : measurements.of_scene()) {
-            if (known == name) return value;
-        }
-        FAIL("no measure " << name);
-        return 0.0;
-    }
-};
-
-}  // namespace
 
 TEST_CASE("the balls in the funnel come to rest and none is lost, for several starts") {
     for (const char* seed : {"1", "2", "3"}) {

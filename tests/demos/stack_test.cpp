@@ -10,23 +10,11 @@
 using namespace pushfactor;
 using namespace pushfactor::demos;
 using tests::advance;
+using tests::Run;
 using tests::simulate;
 using tests::solved_exactly;
 
 namespace {
-
-struct Run {
-    Simulation simulation;
-    Measurements measurements;
-
-    explicit Run(Simulation&& start) : simulation(std::move(start)), measurements(simulation) {}
-    void advance(double seconds) {
-        for (long i = 0; i < std::lround(seconds * 60); ++i) {
-            simulation.advance();
-            measurements.observe(simulation);
-        }
-    }
-};
 
 double height(const Simulation& simulation, std::size_t cube) {
     return simulation.scene().world.bodies[cube].position.y();

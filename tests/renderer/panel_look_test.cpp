@@ -99,7 +99,7 @@ TEST_CASE("The nearer panel is drawn over the farther, whatever their order in t
     const Image first = studio.render({.camera = from_the_front, .panels = panels});
     CHECK(at(first, middle)[0] > at(first, middle)[2] + 60);  // red, which is the nearest
     for (int turn = 0; turn < 2; ++turn) {
-        std::ranges::rotate(panels, panels.begin() + 1);
+        std::rotate(panels.begin(), panels.begin() + 1, panels.end());
         CHECK(studio.render({.camera = from_the_front, .panels = panels}) == first);
     }
     std::ranges::reverse(panels);
@@ -120,7 +120,7 @@ TEST_CASE("Neither does the order matter of panels that are equally far away") {
     const Camera camera{.eye = {0.0f, 4.0f, 9.0f}, .target = glm::vec3(0.0f)};
     const Image first = studio.render({.camera = camera, .panels = panels});
     do {
-        std::ranges::rotate(panels, panels.begin() + 1);
+        std::rotate(panels.begin(), panels.begin() + 1, panels.end());
         CHECK(studio.render({.camera = camera, .panels = panels}) == first);
         std::swap(panels[0], panels[1]);
         CHECK(studio.render({.camera = camera, .panels = panels}) == first);
