@@ -22,13 +22,21 @@ Vector3 reach_of(const Shape& shape, const Body& body) {
     return pose_of(body).rotation.cwiseAbs() * std::get<Box>(shape).half_size;
 }
 
+// Of the cells that hold a box with this longest edge.
+int level_of(double edge) {
+    return std::isfinite(edge) && edge > 0.0 ? std::ilogb(edge) + 1 : 0;
+}
+
 }  // namespace
 
 // Beyond 2^52 cells from the origin neighbours are not told apart; they share a cell then, which costs time only.
+// What is not finite is not found by anybody: the step that made it is reported by whoever looks at the state.
 BroadPhase::Cell BroadPhase::cell_of(const Vector3& centre, int level) {
     const auto index = [level](double x) {
         constexpr double farthest = 4503599627370496.0;
-        return static_cast<std::int64_t>(std::clamp(std::floor(std::ldexp(x, -level)), -farthest, farthest));
+        const double cell = std::floor(std::ldexp(x, -level));
+        return std::isnan(cell) ? std::int64_t{0}
+                                : static_cast<std::int64_t>(std::clamp(cell, -farthest, farthest));
     };
     return {level, index(centre.x()), index(centre.y()), index(centre.z())};
 }
@@ -54,7 +62,7 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
         }
         const Body& body = body_of(collider, bodies);
         const Vector3 reach = reach_of(collider.shape, body) + Vector3::Constant(margin * size_of(collider.shape));
-        const int level = std::ilogb(2.0 * reach.maxCoeff()) + 1;
+        const int level = level_of(2.0 * reach.maxCoeff());
         bounds_.push_back(
             {body.position - reach, body.position + reach, i, body.is_static(), cell_of(body.position, level)});
         if (std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);

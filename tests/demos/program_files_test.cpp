@@ -124,6 +124,7 @@ TEST_CASE("a disk that is full ends with status 4, leaves no half file and keeps
     CHECK(folder.files() == std::vector<std::string>{"steps.csv"});
 
     const Ended render = shell(folder, "ulimit -f 4; pushfactor render stack --at 0 --size 640x360 --out frames");
+    INFO(render.err);
     CHECK(render.status == 4);
     CHECK_THAT(render.err, Catch::Contains("frames/at_0s.png"));
     for (const std::string& name : folder.files()) {
