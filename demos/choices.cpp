@@ -135,12 +135,6 @@ const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
     return found == given_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> simulation_option_names() {
-    std::vector<std::string> names{"preset"};
-    for (const SimulationOption& option : simulation_options()) names.emplace_back(option.name);
-    return names;
-}
-
 void add_config(const std::filesystem::path& file, GivenOptions& given) {
     std::ifstream stream(file);
     if (!stream) throw UsageError(fmt::format("--config {}: cannot be read", file.string()));

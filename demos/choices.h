@@ -53,7 +53,4 @@ Choices understand(const std::string& scene, GivenOptions given);
 // The JSON file that makes the same run again, every option spelled out.
 std::string config_text(const Choices& choices, const GivenOptions& given);
 
-// The option names that a scene file may hold: "preset" and the simulation options.
-std::vector<std::string> simulation_option_names();
-
 }  // namespace pushfactor::demos

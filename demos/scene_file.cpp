@@ -1,9 +1,9 @@
 #include "demos/scene_file.h"
 
-#include "demos/choices.h"
 #include "demos/errors.h"
 #include "demos/json_reader.h"
 #include "demos/palette.h"
+#include "demos/simulation_options.h"
 
 #include <fmt/format.h>
 

@@ -199,4 +199,10 @@ std::span<const SimulationOption> simulation_options() {
     return options;
 }
 
+std::vector<std::string> simulation_option_names() {
+    std::vector<std::string> names{"preset"};
+    for (const SimulationOption& option : simulation_options()) names.emplace_back(option.name);
+    return names;
+}
+
 }  // namespace pushfactor::demos

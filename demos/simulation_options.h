@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -20,5 +21,8 @@ struct SimulationOption {
 
 // In the order in which they are shown. `preset` is not among them: it is where the others start from.
 std::span<const SimulationOption> simulation_options();
+
+// "preset" and the names of the table: what a config or a scene file may set.
+std::vector<std::string> simulation_option_names();
 
 }  // namespace pushfactor::demos

@@ -1,6 +1,7 @@
 #include "engine/collision/box_box.h"
 
 #include "tests/catch.h"
+#include "tests/engine/collision/pose.h"
 #include "tests/random.h"
 
 #include <algorithm>
@@ -11,13 +12,10 @@
 
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
+using pushfactor::tests::at;
 using pushfactor::tests::Random;
 
 namespace {
-
-Pose at(const Vector3& position, const Quaternion& rotation = Quaternion::Identity()) {
-    return {position, rotation.toRotationMatrix()};
-}
 
 Quaternion turn(double angle, const Vector3& axis) {
     return Quaternion(Eigen::AngleAxisd(angle, axis.normalized()));

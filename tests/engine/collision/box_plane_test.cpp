@@ -1,16 +1,14 @@
 #include "engine/collision/pair_table.h"
 #include "tests/catch.h"
+#include "tests/engine/collision/pose.h"
 
 #include <numbers>
 
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
+using pushfactor::tests::at;
 
 namespace {
-
-Pose at(const Vector3& position, const Quaternion& rotation = Quaternion::Identity()) {
-    return {position, rotation.toRotationMatrix()};
-}
 
 const Shape cube = Box{Vector3::Ones()};
 const Shape plane = Plane{};

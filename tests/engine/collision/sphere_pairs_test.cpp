@@ -2,19 +2,17 @@
 
 #include "engine/collision/pair_table.h"
 #include "tests/catch.h"
+#include "tests/engine/collision/pose.h"
 #include "tests/random.h"
 
 #include <cmath>
 
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
+using pushfactor::tests::at;
 using pushfactor::tests::Random;
 
 namespace {
-
-Pose at(const Vector3& position, const Quaternion& rotation = Quaternion::Identity()) {
-    return {position, rotation.toRotationMatrix()};
-}
 
 Manifold touch(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin = 0.0) {
     Manifold manifold;
