@@ -165,6 +165,10 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     json.require_object(scene_keys);
     SceneDescription scene;
     scene.name = json.has("name") ? json.at("name").string() : file.stem().string();
+    // It becomes the name of a folder of frames, so it may not lead out of it.
+    const bool plain =
+        !scene.name.empty() && scene.name.front() != '.' && scene.name.find('/') == std::string::npos;
+    if (json.has("name") && !plain) json.at("name").refuse("a name without slashes that does not begin with a dot");
     if (json.at("version").number(0, 1e9) != format_version)
         json.at("version").refuse(std::to_string(format_version));
     scene.gravity = json.has("gravity_m_per_s2") ? json.at("gravity_m_per_s2").vector() : Vector3::Zero();

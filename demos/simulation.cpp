@@ -30,10 +30,13 @@ bool wants_kick(const Scene& scene, StartKick choice) {
 
 }  // namespace
 
+long whole_steps(const Settings& settings) {
+    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
+    return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
+}
+
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
     : scene_(std::move(scene)), settings_(settings), clock_(clock) {
-    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
-    total_steps_ = static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
     if (wants_kick(scene_, settings.start_kick)) scene_.world.kick_back_half(engine_dt());
     measure_state();
 }

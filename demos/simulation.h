@@ -25,6 +25,9 @@ struct Sample {
     std::optional<double> cpu_us;  // of the engine steps alone, when there is a clock
 };
 
+// How many whole steps fit into settings.seconds.
+long whole_steps(const Settings& settings);
+
 class Simulation {
   public:
     using Clock = double (*)();  // us of CPU time of this thread
@@ -35,7 +38,6 @@ class Simulation {
     // One step of settings.dt. Throws NonFiniteError when a number of the state is not finite afterwards.
     const Sample& advance();
 
-    long total_steps() const { return total_steps_; }  // whole steps in settings.seconds
     const Scene& scene() const { return scene_; }
     const Settings& settings() const { return settings_; }
     const Sample& sample() const { return sample_; }  // of the last step; of the start before the first
@@ -49,7 +51,6 @@ class Simulation {
     Scene scene_;
     Settings settings_;
     Clock clock_;
-    long total_steps_ = 0;
     Sample sample_;
 };
 

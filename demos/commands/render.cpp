@@ -60,20 +60,27 @@ void render_scene(const Choices& choices, const Request& request, const fs::path
                   renderer::Renderer& renderer) {
     ObservedRun observed(choices, request);
     const Simulation& simulation = observed.simulation();
-    const std::vector<Frame> frames = plan_frames(choices.frames, choices.settings.dt, simulation.total_steps());
+    const long steps = whole_steps(choices.settings);
+    const std::vector<Frame> frames = plan_frames(choices.frames, choices.settings.dt, steps);
     warn_of_strangers(folder, frames);
     write_file(folder / "config.json", config_text(choices, request.given));
 
     FrameWriter writer(folder);
     ProgressBar bar(choices.description.name, static_cast<long>(frames.size()));
-    for (std::size_t done = 0; done < frames.size(); ++done) {
-        stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
-        while (simulation.sample().step < frames[done].step) observed.advance();
-        writer.write(frames[done].name, renderer.render(draw_list(simulation.scene())));
-        bar.show(static_cast<long>(done) + 1);
+    std::size_t done = 0;
+    const auto advance_to = [&](long step) {
+        while (simulation.sample().step < step) {
+            stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
+            observed.advance();
+        }
+    };
+    for (const Frame& frame : frames) {
+        advance_to(frame.step);
+        writer.write(frame.name, renderer.render(draw_list(simulation.scene())));
+        bar.show(static_cast<long>(++done));
     }
     writer.finish();
-    while (simulation.sample().step < simulation.total_steps()) observed.advance();
+    advance_to(steps);
     write_file(request.summary ? fs::path(*request.summary) : folder / "summary.json", observed.finish());
 }
 
@@ -91,10 +98,14 @@ void render(const Request& request) {
     std::vector<std::pair<Choices, fs::path>> runs;
     for (const std::string& scene : request.scenes) {
         const Choices choices = understand(scene, request.given);
-        plan_frames(choices.frames, choices.settings.dt,
-                    Simulation(choices.build(), choices.settings).total_steps());
+        // Planned here already for what it refuses.
+        plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings));
         const fs::path base = request.out.value_or("out");
-        runs.emplace_back(choices, several || !request.out ? base / choices.description.name : base);
+        const fs::path folder = several || !request.out ? base / choices.description.name : base;
+        const bool taken =
+            std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return run.second == folder; });
+        if (taken) throw UsageError(fmt::format("scene {}: must not share its folder {}", scene, folder.string()));
+        runs.emplace_back(choices, folder);
     }
     for (const auto& [choices, folder] : runs) make_folder(folder);
 

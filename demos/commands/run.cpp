@@ -8,7 +8,7 @@ namespace pushfactor::demos::commands {
 void run(const Request& request) {
     const Choices choices = understand(request.scenes.front(), request.given);
     ObservedRun observed(choices, request);
-    const long steps = observed.simulation().total_steps();
+    const long steps = whole_steps(choices.settings);
     {
         ProgressBar bar(choices.description.name, steps);
         for (long step = 1; step <= steps; ++step) {

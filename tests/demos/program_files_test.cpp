@@ -132,6 +132,23 @@ TEST_CASE("a disk that is full ends with status 4, leaves no half file and keeps
     }
 }
 
+TEST_CASE("two scenes never write into one folder") {
+    const Folder folder;
+    const Ended ended = shell(folder, "pushfactor render stack stack --at 0 --out frames");
+    CHECK(ended.status == 2);
+    CHECK_THAT(ended.err, Catch::Contains("must not share its folder frames/stack"));
+    CHECK(folder.files().empty());
+}
+
+TEST_CASE("a render that is far from its next frame can be interrupted too") {
+    const Folder folder;
+    const Ended ended =
+        shell(folder, "'" PUSHFACTOR_PROGRAM "' render stack --seconds 100000 --at 0,100000 --out frames" + tiny +
+                          "& until [ -e frames/at_0s.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
+    CHECK(ended.status == 1);
+    CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames are in frames"));
+}
+
 TEST_CASE("an interrupted render leaves whole frames only and says how many") {
     const Folder folder;
     const Ended ended =

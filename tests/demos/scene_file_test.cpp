@@ -111,6 +111,10 @@ TEST_CASE("what a file does not mention is not constructed") {
 
 TEST_CASE("wrong files are refused with the path inside them, the value and what is allowed") {
     CHECK_THAT(said_of("{"), Catch::Contains("is no JSON"));
+    for (const char* name : {"../up", "/etc/x", "..", ""}) {
+        CHECK_THAT(said_of(R"({"version": 1, "bodies": [], "name": ")" + std::string(name) + "\"}"),
+                   Catch::Contains("a name without slashes"));
+    }
     CHECK_THAT(said_of("[]"), Catch::Contains("must be an object"));
     CHECK_THAT(said_of(R"({"version": 1})"), Catch::Contains("bodies: is missing"));
     CHECK_THAT(said_of(R"({"version": 2, "bodies": []})"), Catch::Contains("version 2: must be 1"));
