@@ -84,9 +84,11 @@ Measurements::Measurements(const Simulation& simulation)
       scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
       size_(judged_size(simulation.scene())),
       speed_(std::sqrt(simulation.scene().gravity.norm() * size_)),
-      last_second_(static_cast<std::size_t>(std::max(1.0, std::round(1.0 / simulation.settings().dt.value())))),
       start_(positions_of(simulation.scene().world)),
       latest_(start_) {
+    const double steps_a_second = std::max(1.0, std::round(1.0 / simulation.settings().dt.value()));
+    steps_a_moment_ = static_cast<long>(std::ceil(steps_a_second / 60.0));
+    moments_a_second_ = static_cast<std::size_t>(std::ceil(steps_a_second / static_cast<double>(steps_a_moment_)));
     for (const Vector3& position : start_) starts_.extend(position);
     const Sample& sample = simulation.sample();
     initial_energy_ = energy_ = sample.kinetic_energy + sample.potential_energy;
@@ -120,8 +122,22 @@ void Measurements::observe(const Simulation& simulation) {
     if (standing_) watch_standing(sample.time, latest_);
     if (scene_measure_) scene_measure_->observe(simulation.scene().world);
 
-    window_.push_back(judge(simulation, latest_));
-    if (window_.size() > last_second_ + 1) window_.pop_front();
+    remember(judge(simulation, latest_), sample.step);
+}
+
+void Measurements::remember(const Moment& moment, long step) {
+    if ((step - 1) % steps_a_moment_ == 0) {
+        window_.push_back(moment);
+        if (window_.size() > moments_a_second_ + 1) window_.pop_front();
+        return;
+    }
+    Moment& last = window_.back();
+    last.max_speed = std::max(last.max_speed, moment.max_speed);
+    last.kinetic_energy = std::max(last.kinetic_energy, moment.kinetic_energy);
+    last.flew |= moment.flew;
+    last.tunnelled |= moment.tunnelled;
+    last.fell |= moment.fell;
+    last.positions = moment.positions;
 }
 
 void Measurements::watch_standing(double time, const Positions& positions) {

@@ -53,6 +53,7 @@ class Measurements {
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
 
+    // Some steps together: their extremes, and where the bodies were after the last of them.
     struct Moment {
         double max_speed = 0.0;
         double kinetic_energy = 0.0;
@@ -61,6 +62,7 @@ class Measurements {
     };
 
     double largest_last_second(double Moment::*what) const;
+    void remember(const Moment& moment, long step);
     Moment judge(const Simulation& simulation, const Positions& positions) const;
     void watch_standing(double time, const Positions& positions);
     bool strayed(std::size_t i, const engine::Vector3& position) const;
@@ -68,9 +70,10 @@ class Measurements {
 
     std::optional<Standing> standing_;
     std::unique_ptr<SceneMeasure> scene_measure_;
-    double size_ = 1.0;            // m, L
-    double speed_ = 1.0;           // m/s, v_s
-    std::size_t last_second_ = 1;  // steps
+    double size_ = 1.0;        // m, L
+    double speed_ = 1.0;       // m/s, v_s
+    long steps_a_moment_ = 1;  // so that the last second is at most 60 moments, however small the steps
+    std::size_t moments_a_second_ = 1;
     Positions start_;
     Eigen::AlignedBox3d starts_;  // around all of them
     Positions latest_;

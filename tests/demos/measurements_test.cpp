@@ -5,6 +5,7 @@
 #include "demos/scenes/cube_tower.h"
 #include "tests/catch.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace pushfactor;
@@ -81,6 +82,27 @@ TEST_CASE("a number that is not finite ends the run with body, quantity and step
     CHECK_THROWS_AS(simulation.advance(), NonFiniteError);
     CHECK_THROWS_WITH(simulation.advance(),
                       Catch::Contains("body cube 1") && Catch::Contains("position") && Catch::Contains("step"));
+}
+
+TEST_CASE("a run is judged the same with small steps as with large ones") {
+    for (const Rational dt : {Rational{1, 60}, Rational{1, 1000}, Rational{1, 30}}) {
+        Settings small = settings();
+        small.dt = dt;
+        Scene sliding = one_cube();
+        sliding.world.bodies[1].linear_momentum = Vector3(5.5, 0, 0) / sliding.world.bodies[1].inverse_mass;
+        Simulation simulation(std::move(sliding), small);
+        Measurements measurements(simulation);
+        double after_a_second = 0.0;
+        for (long n = 1; n <= std::lround(2.0 / dt.value()); ++n) {
+            simulation.advance();
+            measurements.observe(simulation);
+            if (n == std::lround(1.0 / dt.value())) after_a_second = measurements.max_speed_last_second();
+        }
+        // It stops after 5.5 / (mu g) = 1.1 s: the first second is fast, the last one begins at 0.5 m/s.
+        CHECK(after_a_second == Approx(5.5).margin(0.3));
+        CHECK(measurements.max_speed_last_second() == Approx(0.5).margin(0.3));
+        CHECK(measurements.max_speed_last_second() > 0.1);
+    }
 }
 
 TEST_CASE("the median is the middle, or the mean of the two in the middle") {
