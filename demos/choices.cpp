@@ -174,6 +174,12 @@ Choices understand(const std::string& scene, GivenOptions given) {
 std::string config_text(const Choices& choices, const GivenOptions& given) {
     Json config;
     config["scene"] = choices.scene;
+    if (choices.frames.compare) {
+        for (const auto& [name, option] : given.all()) {
+            if (name != "scene") config[name] = json_of(option.text);
+        }
+        return config.dump(2) + "\n";
+    }
     config["preset"] = choices.settings.preset;
     for (const SimulationOption& option : simulation_options()) {
         const std::string text = option.get(choices.settings);

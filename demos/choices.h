@@ -26,6 +26,8 @@ class GivenOptions {
         std::string field;
     };
     const Given* find(std::string_view name) const;
+    const std::map<std::string, Given, std::less<>>& all() const { return given_; }
+    void add_all(const GivenOptions& other) { given_.insert(other.given_.begin(), other.given_.end()); }
 
   private:
     std::map<std::string, Given, std::less<>> given_;
@@ -50,7 +52,8 @@ struct Choices {
 // what is allowed; also for a parameter that the scene lacks.
 Choices understand(const std::string& scene, GivenOptions given);
 
-// The JSON file that makes the same run again, every option spelled out.
+// The JSON file that makes the same run again: every option spelled out, or where runs are compared just those that
+// were given.
 std::string config_text(const Choices& choices, const GivenOptions& given);
 
 }  // namespace pushfactor::demos

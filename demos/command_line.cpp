@@ -66,12 +66,25 @@ void add_outputs(CLI::App& app, Request& request) {
         ->group(output_group);
 }
 
+bool understand_switch(const char* option, const std::string& text) {
+    if (text != "on" && text != "off") throw UsageError(fmt::format("{} {}: must be on or off", option, text));
+    return text == "on";
+}
+
 void add_frames(CLI::App& app, Request& request) {
     for (const FrameOption& option : frame_options()) {
         add_given(app, request.given, option.name, option.placeholder, option.help, "Frames");
     }
     app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out/SCENE for each of several]")
         ->type_name("DIR")
+        ->group("Frames");
+    app.add_option("--video", request.video, "also a video (.mp4, .webm or .gif), for which ffmpeg must be installed")
+        ->type_name("FILE")
+        ->group("Frames");
+    app.add_option_function<std::string>(
+           "--frames", [&request](const std::string& text) { request.png = understand_switch("--frames", text); },
+           "off: the video alone, no PNG files [on]")
+        ->type_name("on|off")
         ->group("Frames");
 }
 
@@ -134,7 +147,18 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     add_outputs(render, request);
     add_frames(render, request);
 
-    for (CLI::App* command : {&list, &scene, &run, &render}) {
+    CLI::App& figures =
+        *app.add_subcommand("figures", "the figures of the paper's sections 8, 10 and 12, and ours, as one page");
+    figures.add_option("FIGURE", request.figures, "names of figures [all]");
+    figures.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")->type_name("DIR");
+    figures.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
+        ->type_name("N")
+        ->check(CLI::Range(400, 4096));
+    figures.add_option("--samples", request.figure_samples, "drawings that a picture is the mean of [8]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+
+    for (CLI::App* command : {&list, &scene, &run, &render, &figures}) {
         command->allow_extras();
         command->footer(exit_statuses);
     }
@@ -154,12 +178,15 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     request.command = &chosen == &scene    ? Request::Command::scene
                       : &chosen == &run    ? Request::Command::run
                       : &chosen == &render ? Request::Command::render
+                      : &chosen == &figures ? Request::Command::figures
                                            : Request::Command::list;
     if (config) add_config(*config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);
     }
-    if (request.command != Request::Command::list && request.scenes.empty()) {
+    const bool of_a_scene =
+        request.command != Request::Command::list && request.command != Request::Command::figures;
+    if (of_a_scene && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }
     const bool one = request.command == Request::Command::run || request.command == Request::Command::scene;

@@ -32,6 +32,9 @@ int carry_out(const Request& request) {
         case Request::Command::render:
             commands::render(request);
             break;
+        case Request::Command::figures:
+            commands::figures(request);
+            break;
     }
     return done;
 }

@@ -1,4 +1,4 @@
-// The colours of the project, the same in frames and plots. sRGB; told apart by the colour-blind too, by lightness.
+// The colours of the project, the same in frames and plots. sRGB; the colour-blind can tell any two apart.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct Colour {
 
 inline constexpr std::array palette{
     Colour{"vermilion", 0.90f, 0.33f, 0.22f}, Colour{"orange", 0.95f, 0.62f, 0.18f},
-    Colour{"blue", 0.20f, 0.55f, 0.80f},      Colour{"green", 0.16f, 0.66f, 0.55f},
-    Colour{"violet", 0.45f, 0.40f, 0.75f},    Colour{"ivory", 0.88f, 0.85f, 0.78f},
+    Colour{"blue", 0.14f, 0.48f, 0.78f},      Colour{"green", 0.16f, 0.66f, 0.55f},
+    Colour{"violet", 0.36f, 0.24f, 0.56f},    Colour{"ivory", 0.88f, 0.85f, 0.78f},
 };
 
 inline std::optional<Colour> find_colour(std::string_view name) {

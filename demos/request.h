@@ -10,15 +10,21 @@
 namespace pushfactor::demos {
 
 struct Request {
-    enum class Command { list, scene, run, render };
+    enum class Command { list, scene, run, render, figures };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
     GivenOptions given;                                         // simulation, scene parameters and frames
     std::optional<std::string> csv, trajectory, rows, summary;  // paths, "-" is standard output
-    std::optional<std::string> out;                             // folder for frames
+    std::optional<std::string> out;                             // folder for frames or figures
+    std::optional<std::string> video;                           // path
+    bool png = true;                                            // frames as files
     bool timing = false;
     bool names_only = false;  // list
+
+    std::vector<std::string> figures;  // names; all when empty
+    int figure_width = 1600;           // pixels
+    int figure_samples = 8;
 };
 
 }  // namespace pushfactor::demos

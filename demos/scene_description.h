@@ -66,6 +66,7 @@ struct ForceDescription {
 struct View {
     engine::Vector3 eye = engine::Vector3(6, 5, 14);
     engine::Vector3 target = engine::Vector3(0, 1, 0);
+    double field_of_view = 38.0;  // degrees, vertical, in [1, 120]
     std::optional<double> floor{};
 };
 

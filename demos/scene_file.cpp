@@ -1,5 +1,6 @@
 #include "demos/scene_file.h"
 
+#include "demos/camera_file.h"
 #include "demos/errors.h"
 #include "demos/json_reader.h"
 #include "demos/palette.h"
@@ -44,7 +45,6 @@ const Keys body_keys{"name",
 const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n"};
 const Keys end_keys{"body", "point_m"};
 const Keys force_keys{"body", "force_n", "from_s", "until_s"};
-const Keys camera_keys{"eye_m", "target_m", "floor_m"};
 
 constexpr std::array<std::pair<std::string_view, Distance::Acts>, 3> act_names{
     {{"both", Distance::Acts::both}, {"pulls", Distance::Acts::pulls}, {"pushes", Distance::Acts::pushes}}};
@@ -186,13 +186,7 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     }
     scene.contacts = json.has("contacts") && json.at("contacts").boolean();
     if (json.has("options")) read_options(json.at("options"), scene);
-    if (json.has("camera")) {
-        const JsonReader camera = json.at("camera");
-        camera.require_object(camera_keys);
-        scene.view = {.eye = camera.at("eye_m").vector(), .target = camera.at("target_m").vector()};
-        if (camera.has("floor_m")) scene.view.floor = camera.at("floor_m").number(-1e9, 1e9);
-        if (scene.view.eye == scene.view.target) camera.at("target_m").refuse("another point than eye_m");
-    }
+    if (json.has("camera")) scene.view = read_camera(json.at("camera"));
     if (json.has("colours")) read_colours(json.at("colours"), scene);
     return scene;
 }
@@ -262,7 +256,7 @@ void put_list(Json& json, const char* key, const std::vector<Described>& list) {
 const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
     static const std::map<std::string, std::vector<std::string>> keys{
         {"scene", scene_keys}, {"body", body_keys},   {"distance_constraint", distance_keys},
-        {"end", end_keys},     {"force", force_keys}, {"camera", camera_keys},
+        {"end", end_keys},     {"force", force_keys}, {"camera", {camera_keys().begin(), camera_keys().end()}},
     };
     return keys;
 }
@@ -297,8 +291,7 @@ std::string scene_file_text(const SceneDescription& scene) {
     put_list(json, "forces", scene.forces);
     if (scene.contacts) json["contacts"] = true;
     for (const auto& [name, text] : scene.options) json["options"][name] = json_of(text);
-    json["camera"] = {{"eye_m", to_json(scene.view.eye)}, {"target_m", to_json(scene.view.target)}};
-    if (scene.view.floor) json["camera"]["floor_m"] = *scene.view.floor;
+    json["camera"] = camera_json(scene.view);
     for (const BodyDescription& body : scene.bodies) {
         if (body.colour) json["colours"][body.name] = *body.colour;
     }

@@ -125,6 +125,22 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     }
 }
 
+std::vector<ContactSite> ContactStage::sites() const {
+    std::vector<ContactSite> sites;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        ContactSite site{.body_a = touch_of(i).body_a,
+                         .body_b = touch_of(i).body_b,
+                         .position = point_of(i).position,
+                         .normal = touch_of(i).manifold.normal,
+                         .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
+                         .tangents = contact.tangents};
+        if (contact.friction_row >= 0) site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
+        sites.push_back(site);
+    }
+    return sites;
+}
+
 void ContactStage::remember(std::span<const Lambda> answers) {
     if (!cache_) return;
     for (const Contact& contact : contacts_) {

@@ -9,7 +9,9 @@
 #include "engine/row_order.h"
 #include "engine/sources.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -19,6 +21,17 @@ struct ContactChoices {
     double slop = 0.002;             // penetration that is left alone, fraction of the size, >= 0
     collision::Detection detection;  // margin, points of a manifold
     RowOrder order = RowOrder::bottom_up;
+};
+
+// A contact point of the last step, for whoever wants to show it, and its rows among those of the step.
+struct ContactSite {
+    int body_a = 0;
+    int body_b = 0;
+    Vector3 position = Vector3::Zero();  // m, world frame
+    Vector3 normal = Vector3::UnitY();   // unit length, from a to b
+    std::size_t normal_row = 0;
+    std::optional<std::size_t> friction_row{};  // the first of two
+    std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
 };
 
 class ContactStage : public ConstraintSource {
@@ -35,6 +48,9 @@ class ContactStage : public ConstraintSource {
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
+
+    // In the order of the rows; empty before the first step.
+    std::vector<ContactSite> sites() const;
 
   private:
     // One contact point of this step: where its answers will stand, and along which directions.

@@ -9,5 +9,6 @@ void list(const Request& request);
 void scene(const Request& request);
 void run(const Request& request);
 void render(const Request& request);
+void figures(const Request& request);
 
 }  // namespace pushfactor::demos::commands

@@ -1,15 +1,14 @@
 #include "demos/commands/commands.h"
-#include "demos/draw_list.h"
+#include "demos/comparison.h"
 #include "demos/errors.h"
+#include "demos/json.h"
 #include "demos/observed_run.h"
 #include "demos/output_file.h"
+#include "demos/pictures/film.h"
+#include "demos/pictures/frame_writer.h"
 #include "demos/progress.h"
-#include "renderer/png.h"
-#include "renderer/renderer.h"
 
 #include <fmt/format.h>
-
-#include <future>
 
 namespace pushfactor::demos::commands {
 
@@ -17,9 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+// One scene to render: its panels, the moments of each, and where its files go.
+struct Job {
+    std::vector<Panel> panels;
+    std::vector<std::vector<Frame>> frames;  // of each panel; as many in each
+    fs::path folder;
+
+    const std::string& scene() const { return panels.front().choices.description.name; }
+};
 
 // Frames of an earlier, longer run would be taken for this one's; they are not ours to delete.
 void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames) {
@@ -35,84 +39,102 @@ void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames)
     }
 }
 
-// Encodes and writes one frame while the next one is simulated and drawn. Frames keep their order, at most one
-// waits, and what goes wrong is thrown by the next call.
-class FrameWriter {
-  public:
-    explicit FrameWriter(fs::path folder) : folder_(std::move(folder)) {}
-
-    void write(const std::string& name, renderer::Image image) {
-        finish();
-        writing_ = std::async(std::launch::async, [path = folder_ / name, image = std::move(image)] {
-            write_file(path, as_text(renderer::encode_png(image)));
-        });
+Job understand_job(const std::string& scene, const Request& request) {
+    Job job{.panels = understand_panels(scene, request.given), .frames = {}, .folder = {}};
+    for (const Panel& panel : job.panels) {
+        const Choices& choices = panel.choices;
+        job.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        if (job.frames.back().size() != job.frames.front().size()) {
+            throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
+                                         panel.label, job.frames.front().size(), job.frames.back().size()));
+        }
     }
-    void finish() {
-        if (writing_.valid()) writing_.get();
-    }
+    const fs::path base = request.out.value_or("out");
+    job.folder = request.scenes.size() > 1 || !request.out ? base / job.scene() : base;
+    return job;
+}
 
-  private:
-    fs::path folder_;
-    std::future<void> writing_;
-};
+std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
+    std::vector<ObservedRun> runs;
+    for (const Panel& panel : job.panels) runs.emplace_back(panel.choices, request);
+    return runs;
+}
 
-void render_scene(const Choices& choices, const Request& request, const fs::path& folder,
-                  renderer::Renderer& renderer) {
-    ObservedRun observed(choices, request);
-    const Simulation& simulation = observed.simulation();
-    const long steps = whole_steps(choices.settings);
-    const std::vector<Frame> frames = plan_frames(choices.frames, choices.settings.dt, steps);
-    warn_of_strangers(folder, frames);
-    write_file(folder / "config.json", config_text(choices, request.given));
+std::string summary_of(const Job& job, std::vector<ObservedRun>& runs) {
+    if (runs.size() == 1) return runs.front().finish();
+    Json summary;
+    summary["compare"] = job.panels.front().choices.frames.compare->option;
+    for (ObservedRun& run : runs) summary["panels"].push_back(Json::parse(run.finish()));
+    return summary.dump(2) + "\n";
+}
 
-    FrameWriter writer(folder);
-    ProgressBar bar(choices.description.name, static_cast<long>(frames.size()));
+void render_job(const Job& job, const Request& request, pictures::Studio& studio) {
+    const FrameChoices& choices = job.panels.front().choices.frames;
+    std::vector<ObservedRun> runs = start_runs(job, request);
+    std::vector<const Simulation*> simulations;
+    for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
+    const pictures::Film film(studio, job.panels, simulations, job.frames);
+
+    warn_of_strangers(job.folder, job.frames.front());
+    write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
+    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.film_rate());
+    const std::size_t count = job.frames.front().size();
+    ProgressBar bar(job.scene(), static_cast<long>(count));
     std::size_t done = 0;
-    const auto advance_to = [&](long step) {
-        while (simulation.sample().step < step) {
-            stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, frames.size(), folder.string()));
-            observed.advance();
+    const auto advance_to = [&](ObservedRun& run, long step) {
+        while (run.simulation().sample().step < step) {
+            stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, count, job.folder.string()));
+            run.advance();
         }
     };
-    for (const Frame& frame : frames) {
-        advance_to(frame.step);
-        writer.write(frame.name, renderer.render(draw_list(simulation.scene())));
+    while (done < count) {
+        for (std::size_t i = 0; i < runs.size(); ++i) advance_to(runs[i], job.frames[i][done].step);
+        writer.write(job.frames.front()[done].name, film.shoot());
         bar.show(static_cast<long>(++done));
     }
+    for (std::size_t i = 0; i < runs.size(); ++i) advance_to(runs[i], whole_steps(job.panels[i].choices.settings));
     writer.finish();
-    advance_to(steps);
-    write_file(request.summary ? fs::path(*request.summary) : folder / "summary.json", observed.finish());
+    write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
+}
+
+// What makes one file cannot be shared by several scenes or panels.
+void refuse_shared_files(const Request& request) {
+    const bool several = request.scenes.size() > 1;
+    const bool compares = request.given.find("compare") != nullptr;
+    for (const auto& [option, path] :
+         {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
+          std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary},
+          std::pair{"--video", request.video}}) {
+        if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
+        const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video");
+        if (compares && path && !one_for_all) {
+            throw UsageError(fmt::format("{} {}: must be for one run, not with --compare", option, *path));
+        }
+    }
+    if (request.video && request.given.find("at")) {
+        throw UsageError(fmt::format("--video {}: must be of a sequence, not of stills (--at)", *request.video));
+    }
+    if (!request.png && !request.video) throw UsageError("--frames off: must come with --video");
+    if (request.video) pictures::check_video_name(*request.video);
 }
 
 }  // namespace
 
 void render(const Request& request) {
-    const bool several = request.scenes.size() > 1;
-    for (const auto& [option, path] :
-         {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
-          std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary}}) {
-        if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
-    }
-
+    refuse_shared_files(request);
     // All input is understood and every folder made before the first frame is drawn.
-    std::vector<std::pair<Choices, fs::path>> runs;
+    std::vector<Job> jobs;
     for (const std::string& scene : request.scenes) {
-        const Choices choices = understand(scene, request.given);
-        // Planned here already for what it refuses.
-        plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings));
-        const fs::path base = request.out.value_or("out");
-        const fs::path folder = several || !request.out ? base / choices.description.name : base;
-        const bool taken =
-            std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return run.second == folder; });
-        if (taken) throw UsageError(fmt::format("scene {}: must not share its folder {}", scene, folder.string()));
-        runs.emplace_back(choices, folder);
+        jobs.push_back(understand_job(scene, request));
+        for (std::size_t i = 0; i + 1 < jobs.size(); ++i) {
+            if (jobs[i].folder != jobs.back().folder) continue;
+            throw UsageError(
+                fmt::format("scene {}: must not share its folder {}", scene, jobs.back().folder.string()));
+        }
     }
-    for (const auto& [choices, folder] : runs) make_folder(folder);
-
-    const auto context = renderer::open_offscreen_context();
-    const FrameChoices& frames = runs.front().first.frames;
-    renderer::Renderer renderer(*context, frames.width, frames.height, fs::path(PUSHFACTOR_ASSET_DIR) / "shaders");
-    for (const auto& [choices, folder] : runs) render_scene(choices, request, folder, renderer);
+    for (const Job& job : jobs) make_folder(job.folder);
+    pictures::Studio studio;
+    for (const Job& job : jobs) render_job(job, request, studio);
 }
 
 }  // namespace pushfactor::demos::commands

@@ -1,6 +1,6 @@
-#include "demos/plane_outline.h"
+#include "demos/pictures/plane_outline.h"
 
-namespace pushfactor::demos {
+namespace pushfactor::demos::pictures {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::vector<Vector3> plane_outline(const Scene& scene, const engine::Body& plane
     return area(polygon) > 1e-4 * reach * reach ? polygon : Polygon{};
 }
 
-}  // namespace pushfactor::demos
+}  // namespace pushfactor::demos::pictures

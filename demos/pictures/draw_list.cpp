@@ -1,31 +1,21 @@
-#include "demos/draw_list.h"
+#include "demos/pictures/draw_list.h"
 
-#include "demos/palette.h"
-#include "demos/plane_outline.h"
+#include "demos/pictures/plane_outline.h"
+#include "demos/pictures/to_glm.h"
 
 #include <algorithm>
 
-namespace pushfactor::demos {
+namespace pushfactor::demos::pictures {
 
 namespace {
 
 using engine::Vector3;
 
-glm::vec3 to_glm(const Vector3& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-glm::quat to_glm(const engine::Quaternion& q) {
-    return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
-            static_cast<float>(q.z())};
-}
-
 // The colour that was chosen, or else one after the other. `movable` counts the bodies that had none.
 glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
-    const Colour colour = body.colour ? *find_colour(*body.colour)
-                          : body.mass ? palette[movable++ % palette.size()]
-                                      : palette.back();
-    return {colour.red, colour.green, colour.blue};
+    return to_glm(body.colour ? *find_colour(*body.colour)
+                  : body.mass ? palette[movable++ % palette.size()]
+                              : palette.back());
 }
 
 void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& picture) {
@@ -55,10 +45,12 @@ void add_bars(const Scene& scene, renderer::Picture& picture) {
 
 }  // namespace
 
-renderer::Picture draw_list(const Scene& scene) {
+renderer::Picture draw_list(const Scene& scene, const View& view) {
     renderer::Picture picture;
-    picture.camera.eye = to_glm(scene.view.eye);
-    picture.camera.target = to_glm(scene.view.target);
+    picture.camera.eye = to_glm(view.eye);
+    picture.camera.target = to_glm(view.target);
+    picture.camera.vertical_field_of_view_degrees = static_cast<float>(view.field_of_view);
+    if (view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*view.floor)};
     if (scene.view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*scene.view.floor)};
     std::size_t movable = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -80,4 +72,4 @@ renderer::Picture draw_list(const Scene& scene) {
     return picture;
 }
 
-}  // namespace pushfactor::demos
+}  // namespace pushfactor::demos::pictures

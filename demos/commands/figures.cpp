@@ -1,0 +1,53 @@
+#include "demos/commands/commands.h"
+#include "demos/errors.h"
+#include "demos/figures/figure.h"
+#include "demos/figures/page.h"
+#include "demos/figures/workshop.h"
+#include "demos/output_file.h"
+#include "demos/progress.h"
+#include "demos/suggest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace pushfactor::demos::commands {
+
+namespace {
+
+// All, or those that were named.
+std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
+    std::vector<std::string> known;
+    for (const figures::Figure& figure : figures::all_figures()) known.emplace_back(figure.name);
+    for (const std::string& name : named) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        throw UsageError(
+            fmt::format("figure {}: must be one of {}{}", name, fmt::join(known, ", "), suggestion(name, known)));
+    }
+    std::vector<figures::Figure> result;
+    for (const figures::Figure& figure : figures::all_figures()) {
+        if (named.empty() || std::find(named.begin(), named.end(), figure.name) != named.end()) result.push_back(figure);
+    }
+    return result;
+}
+
+}  // namespace
+
+void figures(const Request& request) {
+    const std::vector<figures::Figure> chosen = wanted(request.figures);
+    const std::filesystem::path folder = request.out.value_or("out/figures");
+    make_folder(folder);
+    figures::Workshop workshop(folder, request.figure_width, request.figure_samples);
+    std::vector<std::pair<figures::Figure, figures::Plate>> plates;
+    ProgressBar bar("figures", static_cast<long>(chosen.size()));
+    for (const figures::Figure& figure : chosen) {
+        stop_if_interrupted(fmt::format("{} of {} figures are in {}", plates.size(), chosen.size(), folder.string()));
+        plates.emplace_back(figure, figure.make(workshop, figure));
+        bar.show(static_cast<long>(plates.size()));
+    }
+    write_file(folder / "index.html", figures::page_text(plates));
+    fmt::print("{}\n", (folder / "index.html").string());
+}
+
+}  // namespace pushfactor::demos::commands

@@ -1,0 +1,115 @@
+// Figure 11, "Sphere resting in a V shaped corner", with the rows of J of section 12.2 as the engine has them.
+#include "demos/figures/figure.h"
+#include "demos/figures/workshop.h"
+#include "demos/pictures/draw_list.h"
+#include "demos/pictures/framing.h"
+#include "demos/pictures/to_glm.h"
+#include "demos/simulation.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::figures {
+
+namespace {
+
+using engine::Vector3;
+
+const Colour colours[2] = {*find_colour("vermilion"), *find_colour("blue")};
+
+std::string text_of(const Vector3& v) {
+    // A zero that rounding made negative would puzzle.
+    const auto part = [](double x) { return fmt::format("{:.3f}", std::abs(x) < 5e-4 ? 0.0 : x); };
+    return fmt::format("[ {},  {},  {} ]", part(v.x()), part(v.y()), part(v.z()));
+}
+
+// The linear part of a row for the ball, whichever end of the row that is.
+Vector3 axis_of(const engine::ConstraintRow& row, int ball) {
+    return row.body_a == ball ? row.jacobian.a.head<3>() : row.jacobian.b.head<3>();
+}
+
+struct Corner {
+    Vector3 axes[2]{};  // rows of J for the ball
+    double lambda[2]{};  // N
+    Vector3 points[2]{};  // m
+    Vector3 velocity = Vector3::Zero();  // m/s
+};
+
+Corner look_at(const Simulation& run) {
+    const Scene& scene = run.scene();
+    const int ball = static_cast<int>(scene.bodies.size()) - 1;
+    Corner corner{.velocity = velocity(scene.world.bodies[static_cast<std::size_t>(ball)])};
+    const auto sites = scene.contacts->sites();
+    for (std::size_t i = 0; i < 2; ++i) {
+        corner.axes[i] = axis_of(scene.world.rows()[sites[i].normal_row], ball);
+        const auto& lambda = scene.world.lambda();
+        corner.lambda[i] = lambda(static_cast<Eigen::Index>(sites[i].normal_row), lambda.cols() - 1);
+        corner.points[i] = sites[i].position;
+    }
+    return corner;
+}
+
+renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& corner, const pictures::Size& size) {
+    constexpr double arrow = 0.42;  // m, of a unit vector
+    const View view = run.scene().view;
+    renderer::Picture picture = pictures::draw_list(run.scene(), view);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vector3 tip = corner.points[i] + arrow * corner.axes[i];
+        picture.arrows.push_back({.from = pictures::to_glm(corner.points[i]),
+                                  .to = pictures::to_glm(tip),
+                                  .colour = pictures::to_glm(colours[i])});
+        picture.dots.push_back(
+            {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
+    }
+    renderer::Image image = workshop.studio().draw(picture, size, workshop.samples());
+    const float letters = static_cast<float>(workshop.width()) / 50.0f;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vector3 beside = corner.points[i] + 1.25 * arrow * corner.axes[i];
+        const auto [x, y] = pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
+        workshop.studio().lettering().text(image, i == 0 ? "a" : "b",
+                                           {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
+                                           letters, true);
+    }
+    return image;
+}
+
+}  // namespace
+
+Plate sphere_in_corner(Workshop& workshop, const Figure& figure) {
+    const Choices choices = run_of("corner", {});
+    Simulation run(choices.build(), choices.settings);
+    while (run.sample().step < whole_steps(choices.settings)) run.advance();
+    const Corner corner = look_at(run);
+    const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];
+
+    const pictures::Size size{workshop.width() / 2, workshop.width() * 2 / 5};
+    renderer::Image sheet = renderer::blank_image(workshop.width(), size.height, glm::vec3(1.0f));
+    renderer::paste(sheet, draw(workshop, run, corner, size), 0, 0);
+    const float letters = static_cast<float>(workshop.width()) / 62.0f;
+    glm::vec2 at(static_cast<float>(size.width) + 2.0f * letters, 0.18f * static_cast<float>(size.height));
+    const auto line = [&](const std::string& text, float space) {
+        workshop.studio().lettering().text(sheet, text, at, letters);
+        at.y += space * letters;
+    };
+    line("One row of J for each contact (12.2):", 2.2f);
+    line("a = " + text_of(corner.axes[0]), 1.6f);
+    line("b = " + text_of(corner.axes[1]), 3.0f);
+    line("What each contact gives:", 2.2f);
+    line(fmt::format("λ = [ {:.3f},  {:.3f} ] N", corner.lambda[0], corner.lambda[1]), 3.0f);
+    line("Together they carry the ball (12.2.2):", 2.2f);
+    line("Jᵀ λ = a λ₁ + b λ₂ = " + text_of(sum) + " N", 3.0f);
+    line("and it does not move along either (12.2.1):", 2.2f);
+    line(fmt::format("J v = [ {:.1e},  {:.1e} ] m/s", corner.axes[0].dot(corner.velocity),
+                     corner.axes[1].dot(corner.velocity)),
+         1.0f);
+
+    Plate plate;
+    plate.pictures.push_back(workshop.save(sheet, std::string(figure.name)));
+    plate.caption = fmt::format(
+        "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the rows "
+        "are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N upwards.",
+        run.sample().time);
+    plate.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
+    return plate;
+}
+
+}  // namespace pushfactor::demos::figures

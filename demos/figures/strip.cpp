@@ -1,0 +1,79 @@
+#include "demos/figures/strip.h"
+
+#include "demos/errors.h"
+#include "demos/pictures/draw_list.h"
+#include "demos/pictures/layout.h"
+#include "demos/pictures/overlay.h"
+#include "demos/pictures/survey.h"
+#include "demos/progress.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::figures {
+
+namespace {
+
+using pictures::Ball;
+using pictures::Layout;
+using pictures::Size;
+
+long step_of(const Rational& time, const Settings& settings) {
+    return static_cast<long>((time / settings.dt).numerator);
+}
+
+// Calls `show` with every cell's index and its run at the cell's moment.
+template <typename Show>
+void play(const Strip& strip, const Show& show) {
+    for (std::size_t r = 0; r < strip.runs.size(); ++r) {
+        const Choices& choices = strip.runs[r];
+        Simulation run(choices.build(), choices.settings);
+        for (std::size_t i = 0; i < strip.cells.size(); ++i) {
+            if (strip.cells[i].row != r) continue;
+            while (run.sample().step < step_of(strip.cells[i].time, choices.settings)) {
+                stop_if_interrupted("the figure is not there");
+                run.advance();
+            }
+            show(i, run);
+        }
+    }
+}
+
+View camera_of(const Strip& strip, double aspect) {
+    std::vector<Ball> balls;
+    View view = strip.view.value_or(strip.runs.front().description.view);
+    if (!strip.fit) return view;
+    play(strip, [&](std::size_t, const Simulation& run) {
+        const std::vector<Ball> now = pictures::movable_balls(run.scene());
+        balls.insert(balls.end(), now.begin(), now.end());
+    });
+    return pictures::fitted(view, balls, aspect);
+}
+
+}  // namespace
+
+renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
+    const int rows = (static_cast<int>(strip.cells.size()) + strip.columns - 1) / strip.columns;
+    const int across = workshop.width() / strip.columns;
+    const Size sheet{workshop.width(), rows * static_cast<int>(across / strip.cell_aspect)};
+    const Layout layout = pictures::grid(sheet, strip.columns, rows);
+    const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
+    const View view = camera_of(strip, aspect);
+
+    std::vector<renderer::Image> images(strip.cells.size());
+    play(strip, [&](std::size_t i, const Simulation& run) {
+        renderer::Picture picture = pictures::draw_list(run.scene(), view);
+        if (strip.overlay) {
+            pictures::add_overlay(run.scene(), strip.overlay->kind, *strip.overlay->units_a_metre, picture);
+        }
+        images[i] = workshop.studio().draw(picture, layout.cell, workshop.samples());
+        if (strip.look) strip.look(strip.cells[i], run);
+    });
+    renderer::Image image = pictures::assemble(layout, images);
+    const float size = static_cast<float>(workshop.width()) / 90.0f;
+    for (std::size_t i = 0; i < strip.cells.size(); ++i) {
+        workshop.studio().lettering().name(image, layout.place(i), strip.cells[i].label, size);
+    }
+    return image;
+}
+
+}  // namespace pushfactor::demos::figures

@@ -1,0 +1,28 @@
+// What is drawn over the bodies to show what is behind their motion.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pushfactor::demos {
+
+enum class OverlayKind {
+    contacts,    // the contact points
+    forces,      // N, of contacts with their friction and of distances, as they enter the momenta
+    push,        // m/s, the push factors of contacts and distances
+    velocities,  // m/s, of the centres of mass, from the stored momenta
+};
+
+struct OverlayItem {
+    OverlayKind kind = OverlayKind::contacts;
+    std::optional<double> units_a_metre{};  // how long an arrow is drawn; chosen to suit the run when not given
+};
+
+// "forces,velocities" or, with a scale, "forces:50" for 50 N a metre. Nothing when the text is none of that.
+std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
+std::string to_text(const std::vector<OverlayItem>& overlay);
+std::string_view name_of(OverlayKind kind);
+
+}  // namespace pushfactor::demos

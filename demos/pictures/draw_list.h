@@ -1,0 +1,12 @@
+// From a scene to a picture: bodies, bars, planes.
+#pragma once
+
+#include "demos/scene.h"
+#include "renderer/picture.h"
+
+namespace pushfactor::demos::pictures {
+
+// The scene as it is now, seen from `view`.
+renderer::Picture draw_list(const Scene& scene, const View& view);
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,88 @@
+#include "demos/pictures/lettering.h"
+
+#include "demos/pictures/to_glm.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+using renderer::Image;
+using renderer::Paint;
+using renderer::Rectangle;
+
+const Paint ink{.colour = glm::vec3(0.13f, 0.14f, 0.17f)};
+const Paint paper{.colour = glm::vec3(1.0f), .opacity = 0.72f};
+
+}  // namespace
+
+float letter_size(int height) {
+    return std::clamp(static_cast<float>(height) / 36.0f, 11.0f, 64.0f);
+}
+
+Lettering::Lettering() : font_(PUSHFACTOR_FONT) {}
+
+void Lettering::text(Image& image, const std::string& text, glm::vec2 at, float size, bool centred) const {
+    if (centred) at.x -= 0.5f * font_.width(text, size);
+    font_.draw(image, text, at, size, ink);
+}
+
+std::string Lettering::cut(const std::string& text, float size, float width) const {
+    if (font_.width(text, size) <= width) return text;
+    std::string shorter = text;
+    while (!shorter.empty() && font_.width(shorter + "…", size) > width) {
+        // A character in UTF-8 is its first byte and those that continue it.
+        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u) shorter.pop_back();
+        if (!shorter.empty()) shorter.pop_back();
+    }
+    return shorter + "…";
+}
+
+void Lettering::plate(Image& image, const Rectangle& in, const std::string& text, float size, bool below) const {
+    const float space = 0.5f * size;  // around the plate, and beside its text
+    const std::string line = cut(text, size, in.width - 4.0f * space);
+    const float height = 1.6f * size;
+    const float top = below ? in.y + in.height - space - height : in.y + space;
+    const Rectangle plate{in.x + space, top, font_.width(line, size) + 2.0f * space, height};
+    renderer::fill(image, plate, paper, 0.25f * size);
+    font_.draw(image, line, {plate.x + space, plate.y + 1.15f * size}, size, ink);
+}
+
+void Lettering::name(Image& image, const Rectangle& in, const std::string& text, float size) const {
+    plate(image, in, text, size, false);
+}
+
+void Lettering::caption(Image& image, const Rectangle& in, const std::string& text, float size) const {
+    plate(image, in, text, size, true);
+}
+
+void Lettering::legend(Image& image, const Rectangle& in, const std::vector<LegendLine>& lines, float size) const {
+    if (lines.empty()) return;
+    const float space = 0.5f * size;
+    const float line_height = 1.5f * size;
+    const float thickness = std::max(1.5f, 0.16f * size);
+    float text_width = 0.0f;
+    float key_width = 2.0f * size;
+    for (const LegendLine& line : lines) {
+        text_width = std::max(text_width, font_.width(line.text, size));
+        key_width = std::max(key_width, line.arrow);
+    }
+    const float width = key_width + text_width + 3.0f * space;
+    const float height = line_height * static_cast<float>(lines.size()) + space;
+    const Rectangle plate{in.x + in.width - width - space, in.y + in.height - height - space, width, height};
+    renderer::fill(image, plate, paper, 0.25f * size);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const float middle = plate.y + 0.5f * space + (static_cast<float>(i) + 0.5f) * line_height;
+        const float right = plate.x + space + key_width;
+        const Paint paint{.colour = to_glm(lines[i].colour)};
+        if (lines[i].arrow > 0.0f) {
+            renderer::draw_arrow(image, {right - lines[i].arrow, middle}, {right, middle}, thickness, paint);
+        } else {
+            renderer::draw_dot(image, {right - size, middle}, 0.28f * size, paint);
+        }
+        font_.draw(image, lines[i].text, {right + space, middle + 0.36f * size}, size, ink);
+    }
+}
+
+}  // namespace pushfactor::demos::pictures

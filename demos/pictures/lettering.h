@@ -1,0 +1,47 @@
+// What is written on pictures: captions, the names of panels, legends.
+#pragma once
+
+#include "demos/palette.h"
+#include "renderer/canvas.h"
+#include "renderer/font.h"
+
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::pictures {
+
+// One line of a legend: an arrow of this length, or a dot when it is zero.
+struct LegendLine {
+    Colour colour;
+    std::string text;
+    float arrow = 0.0f;  // pixels
+};
+
+class Lettering {
+  public:
+    // Throws renderer::RendererError when the font cannot be read.
+    Lettering();
+
+    // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the bottom
+    // left, a legend at the bottom right. `size` is that of the letters in pixels. What is too long ends in "…".
+    void name(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
+    void caption(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
+    void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
+                float size) const;
+
+    // Plain text whose baseline begins at `at`; centred there when `centred`.
+    void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size, bool centred = false) const;
+    float width(const std::string& text, float size) const { return font_.width(text, size); }
+
+  private:
+    std::string cut(const std::string& text, float size, float width) const;
+    void plate(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size,
+               bool below) const;
+
+    renderer::Font font_;
+};
+
+// Letters that are read well in a picture of this height [pixels].
+float letter_size(int height);
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,153 @@
+#include "demos/pictures/overlay.h"
+
+#include "demos/errors.h"
+#include "demos/pictures/to_glm.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+using engine::Vector3;
+
+// What the step made of one row.
+struct RowAnswer {
+    const engine::ConstraintRow& row;
+    double lasting_force;  // N, what enters the momenta
+};
+
+RowAnswer answer_of(const engine::World& world, std::size_t row) {
+    const auto& lambda = world.lambda();
+    return {world.rows()[row], lambda(static_cast<Eigen::Index>(row), lambda.cols() - 1)};
+}
+
+// On which body of a contact its force is drawn: 1 for b, -1 for a.
+double drawn_on(const engine::ContactSite& site, const engine::World& world) {
+    if (world.bodies[static_cast<std::size_t>(site.body_a)].is_static()) return 1.0;
+    if (world.bodies[static_cast<std::size_t>(site.body_b)].is_static()) return -1.0;
+    return site.normal.y() >= 0.0 ? 1.0 : -1.0;
+}
+
+Vector3 force_at(const engine::ContactSite& site, const engine::World& world) {
+    Vector3 force = site.normal * answer_of(world, site.normal_row).lasting_force;
+    for (std::size_t t = 0; site.friction_row && t < 2; ++t) {
+        force += site.tangents[t] * answer_of(world, *site.friction_row + t).lasting_force;
+    }
+    return drawn_on(site, world) * force;
+}
+
+void add_contacts(const Scene& scene, std::vector<Quantity>& found) {
+    for (const auto& site : scene.contacts->sites()) {
+        const bool apart = answer_of(scene.world, site.normal_row).row.label.gap > 0.0;
+        found.push_back({.place = site.position, .kind = apart ? 1u : 0u});
+    }
+}
+
+void add_contact_forces(const Scene& scene, std::vector<Quantity>& found) {
+    for (const auto& site : scene.contacts->sites()) {
+        found.push_back({.place = site.position, .value = force_at(site, scene.world)});
+    }
+}
+
+void add_contact_push(const Scene& scene, std::vector<Quantity>& found) {
+    for (const auto& site : scene.contacts->sites()) {
+        const engine::PushFactor& push = answer_of(scene.world, site.normal_row).row.push;
+        const Vector3 outwards = drawn_on(site, scene.world) * site.normal;
+        found.push_back({.place = site.position, .value = push.correcting * outwards, .kind = 0});
+        found.push_back({.place = site.position, .value = push.lasting * outwards, .kind = 1});
+    }
+}
+
+// Calls `add` with each distance row of the last step, the place of each movable end, and the unit vector along
+// which a positive number pushes that end.
+template <typename Add>
+void each_end(const Scene& scene, const Add& add) {
+    const engine::World& world = scene.world;
+    const auto distances = scene.distances->distances();
+    std::size_t next = 0;
+    for (std::size_t row = 0; row < world.rows().size(); ++row) {
+        if (world.rows()[row].label.kind != engine::RowKind::distance) continue;
+        const engine::Distance& distance = distances[next++];
+        const auto [from, to] = span_of(distance, world.bodies);
+        const Vector3 axis = (to - from).normalized();
+        if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(row, from, -axis);
+        if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(row, to, axis);
+    }
+}
+
+void add_distance_forces(const Scene& scene, std::vector<Quantity>& found) {
+    each_end(scene, [&](std::size_t row, const Vector3& place, const Vector3& axis) {
+        found.push_back({.place = place, .value = answer_of(scene.world, row).lasting_force * axis, .kind = 1});
+    });
+}
+
+void add_distance_push(const Scene& scene, std::vector<Quantity>& found) {
+    each_end(scene, [&](std::size_t row, const Vector3& place, const Vector3& axis) {
+        const engine::PushFactor& push = scene.world.rows()[row].push;
+        found.push_back({.place = place, .value = push.correcting * axis, .kind = 0});
+        found.push_back({.place = place, .value = push.lasting * axis, .kind = 1});
+    });
+}
+
+void add_velocities(const Scene& scene, std::vector<Quantity>& found) {
+    for (const engine::Body& body : scene.world.bodies) {
+        if (!body.is_static()) found.push_back({.place = body.position, .value = velocity(body)});
+    }
+}
+
+}  // namespace
+
+std::vector<LegendEntry> entries_of(OverlayKind kind) {
+    const auto colour = [](std::string_view name) { return *find_colour(name); };
+    switch (kind) {
+        case OverlayKind::contacts:
+            return {{"contact point", colour("vermilion"), ""}, {"within the margin", colour("ivory"), ""}};
+        case OverlayKind::forces:
+            return {{"contact force", colour("violet"), "N"}, {"bar force", colour("green"), "N"}};
+        case OverlayKind::push:
+            return {{"push for this frame only", colour("orange"), "m/s"},
+                    {"push that lasts", colour("vermilion"), "m/s"}};
+        case OverlayKind::velocities:
+            break;
+    }
+    return {{"velocity", colour("blue"), "m/s"}};
+}
+
+std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
+    std::vector<Quantity> found;
+    if (kind == OverlayKind::velocities) add_velocities(scene, found);
+    if (scene.world.rows().empty()) return found;
+    if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
+    if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
+    if (scene.contacts && kind == OverlayKind::push) add_contact_push(scene, found);
+    if (scene.distances && kind == OverlayKind::forces) add_distance_forces(scene, found);
+    if (scene.distances && kind == OverlayKind::push) add_distance_push(scene, found);
+    return found;
+}
+
+void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) {
+    for (const OverlayItem& item : overlay) {
+        const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
+                         (scene.distances && item.kind != OverlayKind::contacts);
+        if (any) continue;
+        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind),
+                                     scene.name, scene.distances ? "no contacts" : "neither contacts nor distances"));
+    }
+}
+
+void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
+    const std::vector<LegendEntry> entries = entries_of(kind);
+    for (const Quantity& quantity : quantities(scene, kind)) {
+        const glm::vec3 colour = to_glm(entries[quantity.kind].colour);
+        const glm::vec3 place = to_glm(quantity.place);
+        if (kind == OverlayKind::contacts) {
+            picture.dots.push_back({.position = place, .colour = colour});
+        } else {
+            const glm::vec3 end = to_glm(quantity.place + quantity.value / units_a_metre);
+            picture.arrows.push_back({.from = place, .to = end, .colour = colour});
+        }
+    }
+}
+
+}  // namespace pushfactor::demos::pictures

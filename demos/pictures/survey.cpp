@@ -1,0 +1,76 @@
+#include "demos/pictures/survey.h"
+
+#include "demos/measurements.h"
+#include "demos/pictures/overlay.h"
+#include "demos/progress.h"
+#include "demos/simulation.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+double radius_of(const BodyDescription& body) {
+    if (const auto* box = std::get_if<BoxShape>(&body.shape)) return 0.5 * box->size.norm();
+    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return sphere->radius;
+    return 0.0;
+}
+
+// Of every body the box around its places, so that a long run needs no more memory than a short one.
+void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const Scene& scene, std::vector<Ball>& balls) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].isEmpty()) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+            balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
+                             .radius = radius_of(scene.bodies[i])});
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Ball> movable_balls(const Scene& scene) {
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].mass) continue;
+        balls.push_back({.centre = scene.world.bodies[i].position, .radius = radius_of(scene.bodies[i])});
+    }
+    return balls;
+}
+
+Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames) {
+    Survey found;
+    std::map<OverlayKind, std::vector<double>> maxima;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        const Choices& choices = panels[p].choices;
+        Simulation simulation(choices.build(), choices.settings);
+        const Scene& scene = simulation.scene();
+        std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
+        for (const Frame& frame : frames[p]) {
+            while (simulation.sample().step < frame.step) {
+                stop_if_interrupted("nothing was drawn yet");
+                simulation.advance();
+            }
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                if (scene.bodies[i].mass) places[i].extend(scene.world.bodies[i].position);
+            }
+            for (const OverlayItem& item : choices.frames.overlay) {
+                double most = 0.0;
+                for (const Quantity& quantity : quantities(scene, item.kind)) {
+                    const double size = quantity.value.norm();
+                    most = std::max(most, size);
+                    if (size > 0.0 || item.kind == OverlayKind::contacts) {
+                        found.shown.insert({item.kind, quantity.kind});
+                    }
+                }
+                if (most > 0.0) maxima[item.kind].push_back(most);
+            }
+        }
+        add_corners(places, scene, found.reached);
+    }
+    for (auto& [kind, values] : maxima) found.typical[kind] = median(values);
+    return found;
+}
+
+}  // namespace pushfactor::demos::pictures
