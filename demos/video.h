@@ -1,0 +1,66 @@
+// Frames become a video by way of ffmpeg, a program that is looked for only when a video is wanted.
+#pragma once
+
+#include "demos/rational.h"
+#include "renderer/image.h"
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+namespace pushfactor::demos {
+
+// Throws UsageError unless the name ends in .mp4, .webm or .gif. Looks at the name only.
+void check_video_name(const std::filesystem::path& file);
+
+// Whether there is an ffmpeg on PATH.
+bool ffmpeg_is_there();
+
+// A video that is either made whole or not at all: ffmpeg writes to a temporary file beside `file`
+// (name.partial.mp4), and finish() gives it its name. Without finish(), or after an error, ffmpeg is stopped,
+// nothing is left and what was there before stays. Every member throws OutputError that names the file and the
+// reason, with ffmpeg's own last words where it failed; after that only the destructor may be called.
+//
+// The name decides the format: .mp4 is H.264, .webm VP9, .gif a GIF of at most 50 frames a second and 640 pixels
+// across. A GIF has one palette for all frames, so ffmpeg keeps them in memory until the end, 4 bytes a pixel: it
+// is for seconds, not for minutes.
+//
+// Any number of videos may be made at once, each by one thread at a time. Ctrl-C in a terminal does not reach
+// ffmpeg: whether the video is finished or dropped is for the program to decide.
+class Video {
+  public:
+    // Starts ffmpeg. `width` and `height` in pixels, above 0; `fps` in frames a second, above 0. Throws UsageError
+    // for a name that check_video_name() refuses.
+    Video(std::filesystem::path file, int width, int height, const Rational& fps);
+    ~Video();
+    Video(const Video&) = delete;
+    Video& operator=(const Video&) = delete;
+
+    // The next frame, of the size given at the start. Waits while ffmpeg is behind.
+    void add(const renderer::Image& image);
+
+    // Waits until ffmpeg has written the last frame; the video has its name then. At least one must have been
+    // added.
+    void finish();
+
+  private:
+    Video(std::filesystem::path file, int width, int height);
+
+    void make_temporary();
+    void start(const Rational& fps);
+    int wait_for_end();
+    [[noreturn]] void fail(const std::string& why) const;
+    [[noreturn]] void fail_as_ffmpeg_did(int status) const;
+
+    std::filesystem::path file_;
+    std::filesystem::path temporary_;  // empty when it is not there
+    int width_;
+    int height_;
+    int frames_in_ = -1;         // our end of ffmpeg's standard input, -1 when closed
+    std::FILE* said_ = nullptr;  // ffmpeg's standard error, a file without a name
+    pid_t ffmpeg_ = 0;           // 0 when none runs
+};
+
+}  // namespace pushfactor::demos
