@@ -18,7 +18,7 @@ std::optional<CameraChoice> parse_camera(std::string_view text) {
             const auto speed = parse_number(part.substr(orbit.size()));
             if (!speed || std::abs(*speed) > 1e4) return std::nullopt;
             choice.degrees_a_second = *speed;
-        } else if (part.empty() || choice.view) {
+        } else if (choice.view || !(part.ends_with(".json") || std::filesystem::is_regular_file(part))) {
             return std::nullopt;
         } else {
             choice.view = read_camera_file(part);

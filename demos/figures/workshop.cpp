@@ -1,5 +1,6 @@
 #include "demos/figures/workshop.h"
 
+#include "demos/errors.h"
 #include "demos/figures/figure.h"
 #include "demos/output_file.h"
 #include "demos/palette.h"
@@ -35,12 +36,21 @@ std::string colours() {
     return text;
 }
 
+void draw_plot(const std::vector<std::string>& arguments) {
+    try {
+        Tool("gnuplot", "gnuplot-nox", arguments).finish();
+    } catch (const ToolError& error) {
+        throw OutputError(error.what());
+    }
+}
+
 }  // namespace
 
 Choices run_of(const std::string& scene, const Options& options) {
     GivenOptions given;
     for (const auto& [name, text] : options) given.add(name, text, "--" + name);
-    return understand(scene, given);
+    if (find_scene(scene)) return understand(scene, given);
+    return understand((fs::path(PUSHFACTOR_ASSET_DIR) / "scenes" / (scene + ".json")).string(), given);
 }
 
 std::string command_text(const std::string& command, const std::string& scene, const Options& options) {
@@ -75,7 +85,7 @@ void Workshop::plot(const Table& table, const std::string& name, double aspect, 
             fmt::format("{}data = {}; made = {}; format = {}; width = {}; height = {}; style = {}", colours(),
                         quoted(csv.string()), quoted(made.string()), quoted(format), width_, height,
                         quoted((scripts / "style.gp").string()));
-        run_tool({"gnuplot", "-e", settings, (scripts / (name + ".gp")).string()});
+        draw_plot({"-e", settings, (scripts / (name + ".gp")).string()});
         (format == "png" ? plate.pictures : plate.files).push_back(name + "." + format);
     }
 }

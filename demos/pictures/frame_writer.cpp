@@ -14,7 +14,7 @@ FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::opti
       png_(png),
       video_name_(video),
       fps_(fps),
-      can_film_(video_name_ && ffmpeg_is_there()) {
+      can_film_(video_name_ && find_tool("ffmpeg")) {
     if (video_name_ && !can_film_) png_ = true;
 }
 
@@ -37,8 +37,8 @@ void FrameWriter::finish() {
     if (writing_.valid()) writing_.get();
     if (video_) video_->finish();
     if (video_name_ && !can_film_) {
-        throw OutputError(fmt::format("{}: {}; the frames are in {}", *video_name_, ffmpeg_is_missing,
-                                      folder_.string()));
+        throw OutputError(fmt::format("{}: ffmpeg is not installed (Debian: apt install ffmpeg); the frames are in {}",
+                                      *video_name_, folder_.string()));
     }
 }
 

@@ -31,3 +31,48 @@ TEST_CASE("a step that is no part of a frame is refused, whatever the step") {
     CHECK_THROWS_AS(steps_a_frame({60, 1}, {1, 100}), UsageError);
     CHECK_THROWS_WITH(steps_a_frame({60, 1}, {2, 125}), Catch::Contains("62.5"));
 }
+
+namespace {
+
+// What the option makes of a text; nothing when it refuses it.
+std::optional<FrameChoices> set(std::string_view name, std::string_view text) {
+    FrameChoices choices;
+    for (const FrameOption& option : frame_options()) {
+        if (option.name == name && option.set(choices, text)) return choices;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("a film in slow motion has its frames nearer together in simulated time") {
+    FrameChoices choices;
+    choices.play_speed = Rational{1, 4};
+    choices.fps = Rational{30, 1};
+    CHECK(plan_frames(choices, Rational{1, 120}, 120).size() == 121);
+    CHECK_THROWS_WITH(plan_frames(choices, Rational{1, 60}, 60), Catch::Contains("--play-speed 0.25") &&
+                                                                     Catch::Contains("rates that fit are 15"));
+}
+
+TEST_CASE("overlays are named, may have a scale, and are not named twice") {
+    const auto choices = set("overlay", "forces:50,contacts");
+    REQUIRE(choices);
+    CHECK(choices->overlay[0].units_a_metre == 50.0);
+    CHECK(!choices->overlay[1].units_a_metre);
+    CHECK(to_text(choices->overlay) == "forces:50,contacts");
+    for (const char* wrong : {"force", "", "forces,", "contacts:3", "forces:0", "forces:x", "push,push"}) {
+        INFO(wrong);
+        CHECK(!set("overlay", wrong));
+    }
+}
+
+TEST_CASE("a camera turns about the vertical through its target at the speed that was given") {
+    const auto choices = set("camera", "orbit:90");
+    REQUIRE(choices);
+    const View view{.eye = {3, 5, 0}, .target = {1, 1, 0}};
+    const View after = turned(choices->camera, view, 1.0);
+    CHECK((after.eye - pushfactor::engine::Vector3(1, 5, -2)).norm() < 1e-12);
+    CHECK(set("camera", "fit,orbit:-3")->camera.fit);
+    for (const char* wrong : {"orbit", "orbit:x", "", "fit,"}) CHECK(!set("camera", wrong));
+    CHECK_THROWS_WITH(set("camera", "nowhere.json"), Catch::Contains("nowhere.json: cannot be read"));
+}

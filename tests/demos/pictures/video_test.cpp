@@ -1,5 +1,5 @@
 // Videos, with a shell script in the place of ffmpeg: what is tested is what goes into it and how its end is taken.
-#include "demos/video.h"
+#include "demos/pictures/video.h"
 
 #include "demos/errors.h"
 #include "tests/catch.h"
@@ -14,6 +14,7 @@
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
+using namespace pushfactor::demos::pictures;
 using namespace pushfactor::tests;
 
 namespace {
@@ -198,13 +199,13 @@ TEST_CASE("without ffmpeg the error says what to install, and nothing is left") 
     const Folder folder, empty;
     {
         const Path path(empty.path().string());
-        CHECK(!ffmpeg_is_there());
+        CHECK(!find_tool("ffmpeg"));
         CHECK_THAT(error_of([&] { make_video(folder / "film.mp4"); }),
                    Catch::Contains("film.mp4: ffmpeg is not installed; on Debian: apt install ffmpeg"));
     }
     CHECK(folder.files().empty());
     const FakeFfmpeg ffmpeg;
-    CHECK(ffmpeg_is_there());
+    CHECK(find_tool("ffmpeg"));
 }
 
 TEST_CASE("an ffmpeg that cannot be started is no video either") {

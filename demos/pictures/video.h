@@ -2,21 +2,17 @@
 #pragma once
 
 #include "demos/rational.h"
+#include "demos/tool.h"
 #include "renderer/image.h"
 
-#include <sys/types.h>
-
-#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
-namespace pushfactor::demos {
+namespace pushfactor::demos::pictures {
 
 // Throws UsageError unless the name ends in .mp4, .webm or .gif. Looks at the name only.
 void check_video_name(const std::filesystem::path& file);
-
-// Whether there is an ffmpeg on PATH.
-bool ffmpeg_is_there();
 
 // A video that is either made whole or not at all: ffmpeg writes to a temporary file beside `file`
 // (name.partial.mp4), and finish() gives it its name. Without finish(), or after an error, ffmpeg is stopped,
@@ -27,8 +23,7 @@ bool ffmpeg_is_there();
 // across. A GIF has one palette for all frames, so ffmpeg keeps them in memory until the end, 4 bytes a pixel: it
 // is for seconds, not for minutes.
 //
-// Any number of videos may be made at once, each by one thread at a time. Ctrl-C in a terminal does not reach
-// ffmpeg: whether the video is finished or dropped is for the program to decide.
+// Any number of videos may be made at once, each by one thread at a time.
 class Video {
   public:
     // Starts ffmpeg. `width` and `height` in pixels, above 0; `fps` in frames a second, above 0. Throws UsageError
@@ -46,21 +41,15 @@ class Video {
     void finish();
 
   private:
-    Video(std::filesystem::path file, int width, int height);
-
     void make_temporary();
-    void start(const Rational& fps);
-    int wait_for_end();
+    void remove_temporary();
     [[noreturn]] void fail(const std::string& why) const;
-    [[noreturn]] void fail_as_ffmpeg_did(int status) const;
 
     std::filesystem::path file_;
     std::filesystem::path temporary_;  // empty when it is not there
     int width_;
     int height_;
-    int frames_in_ = -1;         // our end of ffmpeg's standard input, -1 when closed
-    std::FILE* said_ = nullptr;  // ffmpeg's standard error, a file without a name
-    pid_t ffmpeg_ = 0;           // 0 when none runs
+    std::unique_ptr<Tool> ffmpeg_;
 };
 
-}  // namespace pushfactor::demos
+}  // namespace pushfactor::demos::pictures

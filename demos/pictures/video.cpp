@@ -1,0 +1,152 @@
+#include "demos/pictures/video.h"
+
+#include "demos/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// With the point; of ".mp4" all of it. (That is no extension to std::filesystem, but it is one to ffmpeg.)
+std::string extension(const fs::path& file) {
+    const std::string name = file.filename();
+    return name.substr(std::min(name.rfind('.'), name.size()));
+}
+
+// ffmpeg takes the format from the extension, so that stays last. It takes a name that begins with '-' for an
+// option, and what stands before a ':' for a protocol; neither happens to a name that begins with a folder.
+fs::path temporary_name(const fs::path& file) {
+    std::string name = file.filename();
+    name.insert(name.size() - extension(file).size(), ".partial");
+    const fs::path folder = file.parent_path();
+    return (folder.is_absolute() ? folder : "." / folder) / name;
+}
+
+// What follows is options in one line, parted by single spaces.
+
+// One colour for 2 x 2 pixels, which every player can show, needs even sides. An odd side gets its last line of
+// pixels twice: scaling would blur every pixel, and a line of black would be seen.
+std::string even_sides(int width, int height) {
+    if (width % 2 == 0 && height % 2 == 0) return "";
+    return fmt::format("format=gbrp,pad={}:{},fillborders=right={}:bottom={}:mode=smear,", width + width % 2,
+                       height + height % 2, width % 2, height % 2);
+}
+
+// Left to itself ffmpeg converts with the matrix of standard definition and says nothing of it, and players guess
+// by the size of the picture. So the conversion is chosen, and the video says which it was.
+std::string film(int width, int height, std::string_view codec) {
+    return fmt::format(
+        "-vf {}scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_inp {} "
+        "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv",
+        even_sides(width, height), codec);
+}
+
+// Time in a GIF goes by hundredths of a second, and players slow down what asks for less than two of them. The
+// palette is made for what moves.
+std::string gif(int width, const Rational& fps) {
+    return fmt::format("-filter_complex {}{}split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse",
+                       fps.value() > 50.0 ? "fps=50," : "", width > 640 ? "scale=640:-1:flags=area," : "");
+}
+
+std::string format_options(const std::string& format, int width, int height, const Rational& fps) {
+    if (format == ".gif") return gif(width, fps);
+    if (format == ".webm") {
+        return film(width, height, "-c:v libvpx-vp9 -deadline realtime -cpu-used 6 -row-mt 1 -crf 30 -b:v 0");
+    }
+    return film(width, height, "-c:v libx264 -preset veryfast -crf 18 -movflags +faststart");
+}
+
+// Without "xerror" a disk that fills up is reported but the status is 0. "bitexact" leaves out what a file would
+// say of its making, so that equal frames give equal files.
+std::vector<std::string> arguments(const fs::path& target, int width, int height, const Rational& fps) {
+    std::istringstream line(fmt::format(
+        "-loglevel error -xerror -nostdin -y "
+        "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {}/{} -i pipe:0 -fflags +bitexact {}",
+        width, height, fps.numerator, fps.denominator, format_options(extension(target), width, height, fps)));
+    std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
+    words.push_back(target);
+    return words;
+}
+
+}  // namespace
+
+void check_video_name(const fs::path& file) {
+    const std::string format = extension(file);
+    if (format == ".mp4" || format == ".webm" || format == ".gif") return;
+    throw UsageError(fmt::format("--video {}: must end in .mp4, .webm or .gif", file.string()));
+}
+
+Video::Video(fs::path file, int width, int height, const Rational& fps)
+    : file_(std::move(file)), width_(width), height_(height) {
+    check_video_name(file_);
+    make_temporary();
+    try {
+        ffmpeg_ = std::make_unique<Tool>("ffmpeg", "ffmpeg", arguments(temporary_, width, height, fps));
+    } catch (const ToolError& error) {
+        remove_temporary();
+        fail(error.what());
+    }
+}
+
+Video::~Video() {
+    ffmpeg_.reset();
+    remove_temporary();
+}
+
+void Video::fail(const std::string& why) const {
+    throw OutputError(file_.string() + ": " + why);
+}
+
+// Made here and not by ffmpeg, so that a folder that is not there or not ours is heard of before the first frame.
+void Video::make_temporary() {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file_, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail("is there already and is no regular file");
+    const fs::path name = temporary_name(file_);
+    std::FILE* const made = std::fopen(name.c_str(), "wb");
+    if (!made) fail(std::strerror(errno));
+    std::fclose(made);
+    temporary_ = name;
+}
+
+void Video::remove_temporary() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    temporary_.clear();
+}
+
+void Video::add(const renderer::Image& image) {
+    assert(image.width == width_ && image.height == height_);
+    try {
+        ffmpeg_->feed(image.rgb);
+    } catch (const ToolError& error) {
+        fail(error.what());
+    }
+}
+
+void Video::finish() {
+    try {
+        ffmpeg_->finish();
+    } catch (const ToolError& error) {
+        fail(error.what());
+    }
+    std::error_code error;
+    fs::rename(temporary_, file_, error);
+    if (error) fail(error.message());
+    temporary_.clear();
+}
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,114 @@
+// What the overlays show, against closed forms.
+#include "demos/pictures/overlay.h"
+
+#include "demos/choices.h"
+#include "demos/errors.h"
+#include "demos/pictures/survey.h"
+#include "demos/simulation.h"
+#include "tests/catch.h"
+
+using namespace pushfactor::demos;
+using namespace pushfactor::demos::pictures;
+using pushfactor::engine::Vector3;
+
+namespace {
+
+Choices run_of(const std::string& scene, std::initializer_list<std::pair<const char*, const char*>> options) {
+    GivenOptions given;
+    for (const auto& [name, text] : options) given.add(name, text, name);
+    return understand(scene, given);
+}
+
+Simulation after(const Choices& choices, long steps) {
+    Simulation run(choices.build(), choices.settings);
+    while (run.sample().step < steps) run.advance();
+    return run;
+}
+
+Vector3 sum_of(const std::vector<Quantity>& quantities, std::size_t kind) {
+    Vector3 sum = Vector3::Zero();
+    for (const Quantity& quantity : quantities) {
+        if (quantity.kind == kind) sum += quantity.value;
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the contact forces of a stack at rest carry what lies above them, and point upwards") {
+    const Simulation run = after(run_of("stack", {}), 600);
+    const auto forces = quantities(run.scene(), OverlayKind::forces);
+    CHECK(forces.size() == 20);
+    // 60 + 48 + 36 + 24 + 12 N
+    CHECK((sum_of(forces, 0) - Vector3(0, 180, 0)).norm() < 1e-4);
+    CHECK(std::all_of(forces.begin(), forces.end(), [](const Quantity& q) { return q.value.y() > 0.0; }));
+    // Four points below each cube, at the heights of the joints.
+    for (const Quantity& contact : quantities(run.scene(), OverlayKind::contacts)) {
+        const double joint = contact.place.y() / 2.4;
+        CHECK(joint == Approx(std::round(joint)).margin(0.01));
+    }
+}
+
+TEST_CASE("a contact force turns with the body on which it acts: the upper of two, the movable one of a pair") {
+    // Cubes whose contacts are made in either order of bodies give the same picture.
+    const Simulation run = after(run_of("funnel", {}), 1200);
+    Vector3 from_walls = Vector3::Zero();
+    const auto sites = run.scene().contacts->sites();
+    const auto forces = quantities(run.scene(), OverlayKind::forces);
+    REQUIRE(sites.size() == forces.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const bool wall = run.scene().world.bodies[static_cast<std::size_t>(sites[i].body_a)].is_static();
+        if (wall) from_walls += forces[i].value;
+        else CHECK(forces[i].value.dot(sites[i].normal) * sites[i].normal.y() >= -1e-6);
+    }
+    CHECK((from_walls - Vector3(0, 200, 0)).norm() < 1e-4);  // 20 balls of 1 kg
+}
+
+TEST_CASE("the push of an overlap is beta d / dt, and lies in the part that the kind of push says") {
+    for (const auto& [kind, entry] : {std::pair{"single-frame", 0u}, std::pair{"persistent", 1u}}) {
+        const Simulation run = after(
+            run_of("intersecting-stack", {{"push", kind}, {"beta", "0.2"}, {"slop", "0"}, {"count", "1"}}), 1);
+        const auto push = quantities(run.scene(), OverlayKind::push);
+        CHECK(push.size() == 8);  // both parts of four points
+        CHECK((sum_of(push, entry) - Vector3(0, 4 * 0.2 * 1.2 * 60, 0)).norm() < 1e-9);
+        CHECK(sum_of(push, 1 - entry).norm() == 0.0);
+    }
+}
+
+TEST_CASE("the bar of a hanging ball pulls it up with its weight") {
+    const Simulation run = after(run_of("pendulum-wave", {{"count", "1"}, {"amplitude", "0.1"}}), 3000);
+    const auto forces = quantities(run.scene(), OverlayKind::forces);
+    REQUIRE(forces.size() == 1);
+    CHECK(forces[0].kind == 1);
+    CHECK(forces[0].value.y() == Approx(10.0).epsilon(1e-3));
+    CHECK(forces[0].place.y() > run.scene().world.bodies[0].position.y());
+}
+
+TEST_CASE("velocities are there from the start, all else from the first step on") {
+    const Simulation run = after(run_of("stack", {}), 0);
+    CHECK(quantities(run.scene(), OverlayKind::velocities).size() == 5);
+    for (const OverlayKind kind : {OverlayKind::contacts, OverlayKind::forces, OverlayKind::push}) {
+        CHECK(quantities(run.scene(), kind).empty());
+    }
+}
+
+TEST_CASE("an overlay for which a scene has no part is refused with its reason") {
+    const Simulation wave = after(run_of("pendulum-wave", {{"count", "2"}}), 0);
+    CHECK_THROWS_WITH(require_shown(wave.scene(), {{.kind = OverlayKind::contacts}}),
+                      "--overlay contacts: scene pendulum-wave has no contacts, so there is nothing to show");
+    CHECK_NOTHROW(require_shown(wave.scene(), {{.kind = OverlayKind::forces}, {.kind = OverlayKind::velocities}}));
+}
+
+TEST_CASE("a survey finds the usual size of what is shown and how far the bodies go") {
+    const Choices choices = run_of("intersecting-stack", {{"preset", "paper"}, {"overlay", "velocities,push"}});
+    std::vector<Frame> frames;
+    for (long step = 0; step <= 30; ++step) frames.push_back({step, ""});
+    const Survey found = survey({{.label = "", .choices = choices}}, {frames});
+    double top = 0.0;
+    for (const Ball& ball : found.reached) top = std::max(top, ball.centre.y());
+    CHECK(top > 21.0);  // 22.2 m at 0.5 s
+    CHECK(top < 23.0);
+    CHECK(found.typical.at(OverlayKind::velocities) > 20.0);
+    CHECK(found.shown.contains({OverlayKind::push, 1}));
+    CHECK(!found.shown.contains({OverlayKind::push, 0}));
+}
