@@ -62,6 +62,14 @@ void check(const Panel& panel, const std::string& name) {
     require(panel.opacity >= 0.0f && panel.opacity <= 1.0f, name + ".opacity is not between 0 and 1");
 }
 
+void check(const Arrow& arrow, const std::string& name) {
+    require(finite(arrow.from) && finite(arrow.to) && finite(arrow.colour), name + " is not finite");
+}
+
+void check(const Dot& dot, const std::string& name) {
+    require(finite(dot.position) && finite(dot.colour), name + " is not finite");
+}
+
 template <typename Thing>
 void check_each(const std::vector<Thing>& things, const std::string& name) {
     for (std::size_t i = 0; i < things.size(); ++i) check(things[i], name + "[" + std::to_string(i) + "]");
@@ -77,6 +85,8 @@ void check(const Picture& picture) {
     check_each(picture.spheres, "spheres");
     check_each(picture.bars, "bars");
     check_each(picture.panels, "panels");
+    check_each(picture.arrows, "arrows");
+    check_each(picture.dots, "dots");
 }
 
 }  // namespace pushfactor::renderer

@@ -56,6 +56,19 @@ struct Ground {
     float height = 0.0f;  // y, m
 };
 
+// Arrows and dots are drawn flat, over everything else and as wide on the screen wherever they are, so that what is
+// inside of bodies is seen. What is behind the eye is not drawn.
+struct Arrow {
+    glm::vec3 from{0.0f};            // world frame, m
+    glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; nothing is seen of an arrow that points at the eye
+    glm::vec3 colour{0.0f};          // sRGB, each 0..1
+};
+
+struct Dot {
+    glm::vec3 position{0.0f};  // world frame, m
+    glm::vec3 colour{0.0f};    // sRGB, each 0..1
+};
+
 // All that one frame shows.
 struct Picture {
     Camera camera;
@@ -66,6 +79,8 @@ struct Picture {
     std::vector<Bar> bars{};
     std::vector<Panel> panels{};  // in any order; where panels cross each other, the one that is farther as a
                                   // whole is drawn first
+    std::vector<Arrow> arrows{};  // each over those before it
+    std::vector<Dot> dots{};      // likewise, and all of them under the arrows
 };
 
 // Throws RendererError that names the first field with which the picture cannot be drawn: a number that is

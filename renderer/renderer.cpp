@@ -4,6 +4,7 @@
 #include "renderer/gl.h"
 #include "renderer/instanced_mesh.h"
 #include "renderer/instances.h"
+#include "renderer/marks.h"
 #include "renderer/meshes.h"
 #include "renderer/panel_mesh.h"
 #include "renderer/panels.h"
@@ -226,7 +227,9 @@ Renderer::~Renderer() {
 Image Renderer::render(const Picture& picture) {
     check(picture);
     context_.make_current();
-    return pipeline_->draw(picture);
+    Image image = pipeline_->draw(picture);
+    draw_marks(image, picture);
+    return image;
 }
 
 }  // namespace pushfactor::renderer

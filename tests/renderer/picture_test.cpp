@@ -68,5 +68,13 @@ TEST_CASE("A picture that cannot be drawn is refused by the name of the field") 
         picture.panels[0].opacity = GENERATE(-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN());
         CHECK_THROWS_WITH(check(picture), Contains("panels[0].opacity"));
     }
+    SECTION("an arrow's end") {
+        picture.arrows = {{}, {.to = {nan, 0.0f, 0.0f}}};
+        CHECK_THROWS_WITH(check(picture), Contains("arrows[1] is"));
+    }
+    SECTION("a dot's colour") {
+        picture.dots = {{.colour = {0.0f, 0.0f, nan}}};
+        CHECK_THROWS_WITH(check(picture), Contains("dots[0] is"));
+    }
     CHECK_THROWS_AS(Studio(8, 8).render(picture), RendererError);
 }
