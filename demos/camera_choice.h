@@ -10,10 +10,10 @@
 namespace pushfactor::demos {
 
 struct CameraChoice {
-    std::string text{};            // as it was given; empty when it was not
-    std::optional<View> view{};    // of a camera file
-    bool fit = false;              // from the same direction, as near as shows all that moves, all the time
-    double degrees_a_second = 0.0; // around the vertical through the target, counter-clockwise seen from above
+    std::string text{};             // as it was given; empty when it was not
+    std::optional<View> view{};     // of a camera file
+    bool fit = false;               // from the same direction, as near as shows all that moves, all the time
+    double degrees_a_second = 0.0;  // around the vertical through the target, counter-clockwise seen from above
 };
 
 // "FILE", "fit" or "orbit:DEGREES_PER_SECOND", or some of them separated by commas. Nothing when the text is none

@@ -78,7 +78,8 @@ void add_frames(CLI::App& app, Request& request) {
     app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out/SCENE for each of several]")
         ->type_name("DIR")
         ->group("Frames");
-    app.add_option("--video", request.video, "also a video (.mp4, .webm or .gif), for which ffmpeg must be installed")
+    app.add_option("--video", request.video,
+                   "also a video (.mp4, .webm or .gif), for which ffmpeg must be installed")
         ->type_name("FILE")
         ->group("Frames");
     app.add_option_function<std::string>(
@@ -150,7 +151,8 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     CLI::App& figures =
         *app.add_subcommand("figures", "the figures of the paper's sections 8, 10 and 12, and ours, as one page");
     figures.add_option("FIGURE", request.figures, "names of figures [all]");
-    figures.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")->type_name("DIR");
+    figures.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")
+        ->type_name("DIR");
     figures.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
         ->type_name("N")
         ->check(CLI::Range(400, 4096));
@@ -175,11 +177,11 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     const CLI::App& chosen = *app.get_subcommands().front();
     refuse_extras(chosen);
 
-    request.command = &chosen == &scene    ? Request::Command::scene
-                      : &chosen == &run    ? Request::Command::run
-                      : &chosen == &render ? Request::Command::render
+    request.command = &chosen == &scene     ? Request::Command::scene
+                      : &chosen == &run     ? Request::Command::run
+                      : &chosen == &render  ? Request::Command::render
                       : &chosen == &figures ? Request::Command::figures
-                                           : Request::Command::list;
+                                            : Request::Command::list;
     if (config) add_config(*config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);

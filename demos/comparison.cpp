@@ -30,8 +30,8 @@ std::vector<Panel> understand_panels(const std::string& scene, const GivenOption
     const std::vector<std::string> names = comparable(common);
     if (std::find(names.begin(), names.end(), comparison->option) == names.end()) {
         const auto* chosen = given.find("compare");
-        throw UsageError(fmt::format("{} {}: cannot compare {}; it must be one of {}{}", chosen->field, chosen->text,
-                                     comparison->option, fmt::join(names, ", "),
+        throw UsageError(fmt::format("{} {}: cannot compare {}; it must be one of {}{}", chosen->field,
+                                     chosen->text, comparison->option, fmt::join(names, ", "),
                                      suggestion(comparison->option, names)));
     }
     std::vector<Panel> panels;

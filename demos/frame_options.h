@@ -20,13 +20,13 @@ struct Comparison {
 };
 
 struct FrameChoices {
-    int width = 1280, height = 720;   // pixels
-    int samples = 1;                  // drawings that a picture is the mean of
-    std::optional<Rational> fps{};    // frames a second of the film; 60 when not given
-    Rational play_speed{1, 1};        // simulated seconds in a second of the film
-    std::vector<Rational> at{};       // s; stills instead of a sequence when not empty
+    int width = 1280, height = 720;  // pixels
+    int samples = 1;                 // drawings that a picture is the mean of
+    std::optional<Rational> fps{};   // frames a second of the film; 60 when not given
+    Rational play_speed{1, 1};       // simulated seconds in a second of the film
+    std::vector<Rational> at{};      // s; stills instead of a sequence when not empty
     CameraChoice camera{};
-    bool caption = true;              // scene, options and time, below
+    bool caption = true;  // scene, options and time, below
     std::vector<OverlayItem> overlay{};
     std::optional<Comparison> compare{};
 

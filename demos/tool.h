@@ -14,7 +14,8 @@
 
 namespace pushfactor::demos {
 
-// A tool that is not there, does not start or fails. The message is one line and ends with the tool's own last words.
+// A tool that is not there, does not start or fails. The message is one line and ends with the tool's own last
+// words.
 class ToolError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -23,9 +24,9 @@ class ToolError : public std::runtime_error {
 // Where PATH has it.
 std::optional<std::filesystem::path> find_tool(const std::string& name);
 
-// A tool at work. Ctrl-C in a terminal does not reach it: whether its work is finished or dropped is for the program
-// to decide. Any number may be at work at once, each used by one thread at a time. Members throw ToolError; after
-// that only the destructor may be called.
+// A tool at work. Ctrl-C in a terminal does not reach it: whether its work is finished or dropped is for the
+// program to decide. Any number may be at work at once, each used by one thread at a time. Members throw ToolError;
+// after that only the destructor may be called.
 class Tool {
   public:
     // `package` is what to install where it is missing.

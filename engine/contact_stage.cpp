@@ -135,7 +135,8 @@ std::vector<ContactSite> ContactStage::sites() const {
                          .normal = touch_of(i).manifold.normal,
                          .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
                          .tangents = contact.tangents};
-        if (contact.friction_row >= 0) site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
+        if (contact.friction_row >= 0)
+            site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
         sites.push_back(site);
     }
     return sites;

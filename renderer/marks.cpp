@@ -55,14 +55,17 @@ std::optional<Segment> visible_part(Segment segment) {
 
 class Marks {
   public:
-    Marks(Image& image, const Camera& camera)
-        : image_(image), size_(image.width, image.height), world_to_clip_(projection(camera, size_)) {}
+    Marks(Image& image, const Picture& picture)
+        : image_(image),
+          size_(image.width, image.height),
+          unit_(size_.y * static_cast<double>(picture.mark_scale)),
+          world_to_clip_(projection(picture.camera, size_)) {}
 
     void draw(const Dot& dot) {
         const glm::dvec4 position = clip_position(dot.position);
         if (position.z <= -position.w || position.w <= 0.0) return;
         const glm::dvec2 centre = on_image(position);
-        const double width = 2.0 * std::max(2.0, size_.y / 160.0);
+        const double width = 2.0 * std::max(2.0, unit_ / 160.0);
         draw_shape(image_, Capsule(centre, centre, width + 2.0 * casing_width()), casing);
         draw_shape(image_, Capsule(centre, centre, width), {.colour = dot.colour});
     }
@@ -73,7 +76,7 @@ class Marks {
         const glm::dvec2 from = on_image(seen->from);
         const glm::dvec2 to = on_image(seen->to);
         if (glm::distance(from, to) < least_length) return;
-        const double width = std::max(1.5, size_.y / 220.0);
+        const double width = std::max(1.5, unit_ / 220.0);
         if (seen->to_is_its_end) {
             draw_shape(image_, ArrowShape(from, to, width, casing_width()), casing);
             draw_shape(image_, ArrowShape(from, to, width), {.colour = arrow.colour});
@@ -98,17 +101,18 @@ class Marks {
         return size_ * (0.5 + 0.5 * glm::dvec2(position.x, -position.y) / position.w);
     }
 
-    double casing_width() const { return std::max(0.7, size_.y / 720.0); }  // on each side, px
+    double casing_width() const { return std::max(0.7, unit_ / 720.0); }  // on each side, px
 
     Image& image_;
     glm::dvec2 size_;  // px
+    double unit_;      // px, by which widths are measured
     glm::dmat4 world_to_clip_;
 };
 
 }  // namespace
 
 void draw_marks(Image& image, const Picture& picture) {
-    Marks marks(image, picture.camera);
+    Marks marks(image, picture);
     for (const Dot& dot : picture.dots) marks.draw(dot);
     for (const Arrow& arrow : picture.arrows) marks.draw(arrow);
 }

@@ -81,6 +81,7 @@ void check(const Picture& picture) {
     check(picture.camera);
     require(finite(picture.towards_sun) && picture.towards_sun != glm::vec3(0.0f), "towards_sun has no direction");
     if (picture.ground) require(finite(picture.ground->height), "ground.height is not finite");
+    require(finite(picture.mark_scale) && picture.mark_scale > 0.0f, "mark_scale is not above 0");
     check_each(picture.boxes, "boxes");
     check_each(picture.spheres, "spheres");
     check_each(picture.bars, "bars");

@@ -79,6 +79,7 @@ struct Picture {
     std::vector<Bar> bars{};
     std::vector<Panel> panels{};  // in any order; where panels cross each other, the one that is farther as a
                                   // whole is drawn first
+    float mark_scale = 1.0f;      // widths of arrows and dots, as a multiple of what suits the image's height, > 0
     std::vector<Arrow> arrows{};  // each over those before it
     std::vector<Dot> dots{};      // likewise, and all of them under the arrows
 };

@@ -11,7 +11,7 @@ plot data using 1:4 with lines linewidth 2 linecolor rgb vermilion title 'persis
      data using 1:6 with lines linewidth 2 linecolor rgb green title 'single-frame'
 set format x '%g'
 set xlabel 'time [s]'
-set ylabel 'upward velocity [m/s]'
+set ylabel 'largest upward velocity [m/s]'
 unset key
 plot data using 1:5 with lines linewidth 2 linecolor rgb vermilion, \
      data using 1:3 with lines linewidth 2 dashtype '-' linecolor rgb blue, \

@@ -1,7 +1,8 @@
 # Contact forces below each cube of the stack, and what each pair has to carry at rest.
 load style
-set xrange [0:10]
-set yrange [0:200]
+set xrange [0:2]
+set logscale y
+set yrange [4:4000]
 set xlabel 'time [s]'
 set ylabel 'contact force [N]'
 array colour[5] = [vermilion, orange, blue, green, violet]

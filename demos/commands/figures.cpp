@@ -27,7 +27,8 @@ std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
     }
     std::vector<figures::Figure> result;
     for (const figures::Figure& figure : figures::all_figures()) {
-        if (named.empty() || std::find(named.begin(), named.end(), figure.name) != named.end()) result.push_back(figure);
+        if (named.empty() || std::find(named.begin(), named.end(), figure.name) != named.end())
+            result.push_back(figure);
     }
     return result;
 }
@@ -42,7 +43,8 @@ void figures(const Request& request) {
     std::vector<std::pair<figures::Figure, figures::Plate>> plates;
     ProgressBar bar("figures", static_cast<long>(chosen.size()));
     for (const figures::Figure& figure : chosen) {
-        stop_if_interrupted(fmt::format("{} of {} figures are in {}", plates.size(), chosen.size(), folder.string()));
+        stop_if_interrupted(
+            fmt::format("{} of {} figures are in {}", plates.size(), chosen.size(), folder.string()));
         plates.emplace_back(figure, figure.make(workshop, figure));
         bar.show(static_cast<long>(plates.size()));
     }

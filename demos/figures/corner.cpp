@@ -28,9 +28,9 @@ Vector3 axis_of(const engine::ConstraintRow& row, int ball) {
 }
 
 struct Corner {
-    Vector3 axes[2]{};  // rows of J for the ball
-    double lambda[2]{};  // N
-    Vector3 points[2]{};  // m
+    Vector3 axes[2]{};                   // rows of J for the ball
+    double lambda[2]{};                  // N
+    Vector3 points[2]{};                 // m
     Vector3 velocity = Vector3::Zero();  // m/s
 };
 
@@ -52,6 +52,7 @@ renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& co
     constexpr double arrow = 0.42;  // m, of a unit vector
     const View view = run.scene().view;
     renderer::Picture picture = pictures::draw_list(run.scene(), view);
+    picture.mark_scale = 1.5f;
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 tip = corner.points[i] + arrow * corner.axes[i];
         picture.arrows.push_back({.from = pictures::to_glm(corner.points[i]),
@@ -63,11 +64,11 @@ renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& co
     renderer::Image image = workshop.studio().draw(picture, size, workshop.samples());
     const float letters = static_cast<float>(workshop.width()) / 50.0f;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Vector3 beside = corner.points[i] + 1.25 * arrow * corner.axes[i];
+        const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
         const auto [x, y] = pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
-        workshop.studio().lettering().text(image, i == 0 ? "a" : "b",
-                                           {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
-                                           letters, true);
+        workshop.studio().lettering().text(
+            image, i == 0 ? "a" : "b", {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
+            letters, true);
     }
     return image;
 }
@@ -105,8 +106,10 @@ Plate sphere_in_corner(Workshop& workshop, const Figure& figure) {
     Plate plate;
     plate.pictures.push_back(workshop.save(sheet, std::string(figure.name)));
     plate.caption = fmt::format(
-        "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the rows "
-        "are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N upwards.",
+        "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
+        "rows "
+        "are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N "
+        "upwards.",
         run.sample().time);
     plate.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
     return plate;

@@ -27,13 +27,13 @@ struct Figure {
 // In the order of the page: those of the paper by number, then ours.
 std::span<const Figure> all_figures();
 
-Plate push_error(Workshop& workshop, const Figure& figure);           // Figure 5
-Plate stack_over_time(Workshop& workshop, const Figure& figure);      // Figure 6
-Plate intersecting_stack(Workshop& workshop, const Figure& figure);   // Figure 7
-Plate funnel(Workshop& workshop, const Figure& figure);               // Figure 8
-Plate pendulum_grid(Workshop& workshop, const Figure& figure);        // Figure 9
-Plate pendulum_wave(Workshop& workshop, const Figure& figure);        // Figure 10
-Plate sphere_in_corner(Workshop& workshop, const Figure& figure);     // Figure 11
+Plate push_error(Workshop& workshop, const Figure& figure);          // Figure 5
+Plate stack_over_time(Workshop& workshop, const Figure& figure);     // Figure 6
+Plate intersecting_stack(Workshop& workshop, const Figure& figure);  // Figure 7
+Plate funnel(Workshop& workshop, const Figure& figure);              // Figure 8
+Plate pendulum_grid(Workshop& workshop, const Figure& figure);       // Figure 9
+Plate pendulum_wave(Workshop& workshop, const Figure& figure);       // Figure 10
+Plate sphere_in_corner(Workshop& workshop, const Figure& figure);    // Figure 11
 Plate push_against_beta(Workshop& workshop, const Figure& figure);
 Plate intersecting_motion(Workshop& workshop, const Figure& figure);
 Plate pendulum_energy(Workshop& workshop, const Figure& figure);

@@ -15,8 +15,8 @@ namespace {
 using engine::Body;
 
 // Adds to `table`, one row a step, what `measure` says of the run after each; the first column is the time.
-void follow(const Choices& choices, std::size_t first_column, const std::function<std::vector<double>(const Simulation&)>& measure,
-            Table& table) {
+void follow(const Choices& choices, std::size_t first_column,
+            const std::function<std::vector<double>(const Simulation&)>& measure, Table& table) {
     Simulation run(choices.build(), choices.settings);
     for (std::size_t step = 0;; ++step) {
         if (table.rows.size() <= step) {
@@ -77,7 +77,8 @@ Plate intersecting_motion(Workshop& workshop, const Figure& figure) {
     }
     Plate plate;
     plate.caption = fmt::format(
-        "Height of the topmost centre and the largest stored upward velocity of the intersecting stack (preset paper). "
+        "Height of the topmost centre and the largest stored upward velocity of the intersecting stack (preset "
+        "paper). "
         "It reaches {:.1f} m without a push (the cubes stay inside each other), {:.1f} m with a persistent one and "
         "{:.1f} m with a single-frame push; 10.8 m is the height at rest.",
         most[0], most[1], most[2]);
@@ -123,8 +124,10 @@ Plate pendulum_energy(Workshop& workshop, const Figure& figure) {
     }
     Plate plate;
     plate.caption = fmt::format(
-        "Energy of a pendulum's swing over two minutes at 60 steps a second, as a share of what it had at the start. For "
-        "distances the persistent push is the right one: after 120 s {:.1f} % is left with beta 1, {:.1f} % with beta 0.2; "
+        "Energy of a pendulum's swing over two minutes at 60 steps a second, as a share of what it had at the "
+        "start. For "
+        "distances the persistent push is the right one: after 120 s {:.1f} % is left with beta 1, {:.1f} % with "
+        "beta 0.2; "
         "a single-frame push takes the correction out of the velocity each step, and {:.1f} % is left.",
         100.0 * left[0], 100.0 * left[1], 100.0 * left[2]);
     workshop.plot(table, std::string(figure.name), 1.9, plate);
@@ -145,8 +148,9 @@ Plate stack_forces(Workshop& workshop, const Figure& figure) {
         choices, 1, [&](const Simulation& run) { return last = forces_between(run); }, table);
     Plate plate;
     plate.caption = fmt::format(
-        "Contact forces of the stack, summed over the points below each cube, while it lands and at rest; default "
-        "settings. After 10 s they are {:.4f}, {:.4f}, {:.4f}, {:.4f} and {:.4f} N: what each pair has to carry is 60, 48, "
+        "Contact forces of the stack, summed over the points below each cube, in the first two seconds; default "
+        "settings. After 10 s they are {:.4f}, {:.4f}, {:.4f}, {:.4f} and {:.4f} N: what each pair has to carry is "
+        "60, 48, "
         "36, 24 and 12 N.",
         last[0], last[1], last[2], last[3], last[4]);
     workshop.plot(table, std::string(figure.name), 1.9, plate);

@@ -1,4 +1,5 @@
-// Figure 5, "Error caused by the push factor": the box of section 8.1 with k = 1, in four steps one after the other.
+// Figure 5, "Error caused by the push factor": the box of section 8.1 with k = 1, in four steps one after the
+// other.
 #include "demos/figures/figure.h"
 #include "demos/figures/strip.h"
 
@@ -10,15 +11,15 @@ Plate push_error(Workshop& workshop, const Figure& figure) {
     const Options original{{"push", "persistent"}};
     const Options improved{{"push", "single-frame"}};
     Strip strip{.runs = {run_of("push_error", original), run_of("push_error", improved)}, .columns = 4};
+    strip.titles = {"original", "single-frame"};
     strip.fit = false;
     strip.cell_aspect = 1.25;
     strip.overlay = OverlayItem{OverlayKind::velocities, 12.0};
     const Rational dt = strip.runs.front().settings.dt;
     for (const std::size_t row : {0, 1}) {
         for (const int frame : {0, 1, 2, 3}) {
-            strip.cells.push_back({.row = row,
-                                   .time = dt * Rational{frame, 1},
-                                   .label = fmt::format("{}, frame {}", row == 0 ? "original" : "single-frame", frame + 1)});
+            strip.cells.push_back(
+                {.row = row, .time = dt * Rational{frame, 1}, .label = fmt::format("frame {}", frame + 1)});
         }
     }
     std::vector<double> depths, speeds;
@@ -30,13 +31,17 @@ Plate push_error(Workshop& workshop, const Figure& figure) {
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption = fmt::format(
-        "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In frame "
-        "2 it is {:.3f} m deep, and the push factor puts it onto the floor in frame 3. In the original method (above) "
-        "the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push (below) leaves {:.2f} "
+        "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In "
+        "frame "
+        "2 it is {:.3f} m deep, and the push factor puts it onto the floor in frame 3. In the original method "
+        "(above) "
+        "the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push (below) leaves "
+        "{:.2f} "
         "m/s. Arrows: stored velocity, 12 m/s a metre.",
         depths[0], speeds[0], speeds[1]);
-    plate.commands = {"pushfactor render assets/scenes/push_error.json --compare push=persistent,single-frame --fps 30 "
-                      "--overlay velocities:12"};
+    plate.commands = {
+        "pushfactor render assets/scenes/push_error.json --compare push=persistent,single-frame --fps 30 "
+        "--overlay velocities:12"};
     return plate;
 }
 

@@ -31,37 +31,40 @@ int above_middle(const Simulation& run) {
 
 Plate funnel(Workshop& workshop, const Figure& figure) {
     const Options options{{"seconds", "30"}};
-    Strip strip{.runs = {run_of("funnel", options)}, .columns = 3};
+    Strip strip{.runs = {run_of("funnel", options)}, .columns = 2};
+    strip.cell_aspect = 1.6;
     strip.fit = false;
-    add_instants(strip, 0, {{1, 1}, {2, 1}, {30, 1}});
+    add_instants(strip, 0, {{2, 1}, {30, 1}});
     double energy = 0.0;
     strip.look = [&](const Cell&, const Simulation& run) { energy = run.sample().kinetic_energy; };
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption = fmt::format(
-        "Twenty balls of 1 m and 1 kg in a pyramid of four infinite planes, inclined by 45 degrees (the paper gives no "
+        "Twenty balls of 1 m and 1 kg in a pyramid of four infinite planes, inclined by 45 degrees (the paper "
+        "gives no "
         "numbers). Default settings; the kinetic energy after 30 s is {:.1e} J.",
         energy);
-    plate.commands = {command_text("render", "funnel", {{"seconds", "30"}, {"at", "1,2,30"}})};
+    plate.commands = {command_text("render", "funnel", {{"seconds", "30"}, {"at", "2,30"}})};
     return plate;
 }
 
 Plate pendulum_grid(Workshop& workshop, const Figure& figure) {
     const Options options{{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}};
     Strip strip{.runs = {run_of("pendulum-grid", options)}, .columns = 3};
-    strip.fit = false;
-    add_instants(strip, 0, {{2, 1}, {5, 2}, {3, 1}});
+    add_instants(strip, 0, {{2, 1}, {14, 5}, {31, 10}});
     std::vector<int> held;
     strip.look = [&](const Cell&, const Simulation& run) { held.push_back(above_middle(run)); };
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption = fmt::format(
-        "Five by five pendulums, each attached to one point in space by a bar and to nothing else, hold {} objects. From "
-        "2 s on a force of 60 N presses on one of the spheres; it pushes the pendulums aside and falls through. After "
-        "3 s {} objects are held. Default settings.",
+        "Five by five pendulums, each attached to one point in space by a bar and to nothing else, hold {} "
+        "objects. From "
+        "2 s on a force of 60 N presses on one of the spheres; it pushes the pendulums aside and falls through. "
+        "After "
+        "3.1 s {} objects are held. Default settings.",
         held.front(), held.back());
     plate.commands = {command_text("render", "pendulum-grid",
-                                   {{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}, {"at", "2,2.5,3"}})};
+                                   {{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}, {"at", "2,2.8,3.1"}})};
     return plate;
 }
 
@@ -69,12 +72,12 @@ Plate pendulum_wave(Workshop& workshop, const Figure& figure) {
     const Options options{{"seconds", "120"}};
     Strip strip{.runs = {run_of("pendulum-wave", options)}, .columns = 3};
     strip.cell_aspect = 1.5;
-    strip.fit = false;
     add_instants(strip, 0, {{0, 1}, {12, 1}, {30, 1}, {40, 1}, {60, 1}, {120, 1}});
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption =
-        "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two minutes. "
+        "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two "
+        "minutes. "
         "After 30, 40 and 60 s they form four, three and two groups, after 120 s one. Default settings, 60 steps a "
         "second.";
     plate.commands = {command_text("render", "pendulum-wave", {{"seconds", "120"}, {"at", "0,12,30,40,60,120"}})};

@@ -28,13 +28,11 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     const Options paper{{"preset", "paper"}, {"seconds", "72"}};
     const Options ours{{"seconds", "72"}};
     Strip strip{.runs = {run_of("stack", paper), run_of("stack", ours)}, .columns = 6};
+    strip.titles = {"paper", "default"};
     strip.cell_aspect = 0.62;
     for (const std::size_t row : {0, 1}) {
         for (const int time : {0, 1, 20, 50, 66, 71}) {
-            strip.cells.push_back({.row = row,
-                                   .time = {time, 1},
-                                   .label = fmt::format("{}{} s", time == 0 ? (row == 0 ? "paper, " : "default, ") : "",
-                                                        time)});
+            strip.cells.push_back({.row = row, .time = {time, 1}, .label = fmt::format("{} s", time)});
         }
     }
     std::vector<double> heights;
@@ -44,13 +42,14 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption = fmt::format(
-        "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 steps a "
-        "second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings (single-frame "
+        "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
+        "steps a "
+        "second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings "
+        "(single-frame "
         "push, contact caching); it is at {:.2f} m and stays there.",
         heights[0], heights[1]);
-    plate.commands = {command_text("render", "stack", {{"compare", "preset=paper,default"},
-                                                       {"seconds", "72"},
-                                                       {"at", "0,1,20,50,66,71"}})};
+    plate.commands = {command_text(
+        "render", "stack", {{"compare", "preset=paper,default"}, {"seconds", "72"}, {"at", "0,1,20,50,66,71"}})};
     return plate;
 }
 
@@ -60,7 +59,7 @@ Plate intersecting_stack(Workshop& workshop, const Figure& figure) {
     Strip strip{.runs = {run_of("intersecting-stack", original), run_of("intersecting-stack", improved)},
                 .columns = 3};
     strip.cell_aspect = 0.72;
-    strip.overlay = OverlayItem{OverlayKind::velocities, 8.0};
+    strip.overlay = OverlayItem{OverlayKind::velocities, 10.0};
     strip.cells = {{.row = 0, .time = {0, 1}, .label = "a) start"},
                    {.row = 0, .time = {1, 2}, .label = "b) original method, 0.5 s"},
                    {.row = 1, .time = {1, 2}, .label = "c) single-frame push, 0.5 s"}};
@@ -71,17 +70,19 @@ Plate intersecting_stack(Workshop& workshop, const Figure& figure) {
     Plate plate;
     plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
     plate.caption = fmt::format(
-        "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations from "
-        "zero, k = 0.2, 60 steps a second). After half a second the original method has them fly upwards at {} m/s, "
+        "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
+        "from "
+        "zero, k = 0.2, 60 steps a second). After half a second the original method has them fly upwards at {} "
+        "m/s, "
         "from the lowest to the topmost. With the single-frame push and everything else equal they move at {} m/s. "
-        "Arrows: stored velocity, 8 m/s a metre.",
+        "Arrows: stored velocity, 10 m/s a metre.",
         fmt::join(speeds[0], ", "), fmt::join(speeds[1], ", "));
     plate.commands = {command_text("render", "intersecting-stack",
                                    {{"preset", "paper"},
                                     {"compare", "push=persistent,single-frame"},
                                     {"at", "0,0.5"},
                                     {"camera", "fit"},
-                                    {"overlay", "velocities:8"}})};
+                                    {"overlay", "velocities:10"}})};
     return plate;
 }
 

@@ -7,7 +7,8 @@
 #include "demos/pictures/survey.h"
 #include "demos/progress.h"
 
-#include <fmt/format.h>
+#include <cmath>
+#include <sstream>
 
 namespace pushfactor::demos::figures {
 
@@ -49,12 +50,26 @@ View camera_of(const Strip& strip, double aspect) {
     return pictures::fitted(view, balls, aspect);
 }
 
+// The titles of the rows, each in the middle of its row's height.
+void write_titles(const Strip& strip, const Layout& layout, int margin, float size,
+                  const pictures::Lettering& lettering, renderer::Image& image) {
+    for (std::size_t row = 0; row < strip.titles.size(); ++row) {
+        const renderer::Rectangle place = layout.place(row * static_cast<std::size_t>(layout.columns));
+        std::istringstream lines(strip.titles[row]);
+        float y = place.y + 0.5f * place.height;
+        for (std::string line; std::getline(lines, line); y += 1.5f * size) {
+            lettering.text(image, line, {0.5f * static_cast<float>(margin), y}, size, true);
+        }
+    }
+}
+
 }  // namespace
 
 renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
+    const int margin = strip.titles.empty() ? 0 : workshop.width() / 11;
     const int rows = (static_cast<int>(strip.cells.size()) + strip.columns - 1) / strip.columns;
-    const int across = workshop.width() / strip.columns;
-    const Size sheet{workshop.width(), rows * static_cast<int>(across / strip.cell_aspect)};
+    const int across = (workshop.width() - margin) / strip.columns;
+    const Size sheet{workshop.width() - margin, rows * static_cast<int>(across / strip.cell_aspect)};
     const Layout layout = pictures::grid(sheet, strip.columns, rows);
     const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
     const View view = camera_of(strip, aspect);
@@ -62,6 +77,7 @@ renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
     std::vector<renderer::Image> images(strip.cells.size());
     play(strip, [&](std::size_t i, const Simulation& run) {
         renderer::Picture picture = pictures::draw_list(run.scene(), view);
+        picture.mark_scale = static_cast<float>(rows);
         if (strip.overlay) {
             pictures::add_overlay(run.scene(), strip.overlay->kind, *strip.overlay->units_a_metre, picture);
         }
@@ -69,11 +85,16 @@ renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
         if (strip.look) strip.look(strip.cells[i], run);
     });
     renderer::Image image = pictures::assemble(layout, images);
-    const float size = static_cast<float>(workshop.width()) / 90.0f;
+    const pictures::Lettering& lettering = workshop.studio().lettering();
+    const float size = static_cast<float>(workshop.width()) / 95.0f;
     for (std::size_t i = 0; i < strip.cells.size(); ++i) {
-        workshop.studio().lettering().name(image, layout.place(i), strip.cells[i].label, size);
+        lettering.name(image, layout.place(i), strip.cells[i].label, size);
     }
-    return image;
+    if (margin == 0) return image;
+    renderer::Image with_margin = renderer::blank_image(workshop.width(), sheet.height, glm::vec3(1.0f));
+    renderer::paste(with_margin, image, margin, 0);
+    write_titles(strip, layout, margin, size, lettering, with_margin);
+    return with_margin;
 }
 
 }  // namespace pushfactor::demos::figures

@@ -20,11 +20,12 @@ struct Cell {
 
 struct Strip {
     std::vector<Choices> runs{};
-    std::vector<Cell> cells{};  // in the order in which they are shown; of one run in the order of time
+    std::vector<Cell> cells{};          // in the order in which they are shown; of one run in the order of time
+    std::vector<std::string> titles{};  // of the rows of the picture, in a margin on the left; lines end with \n
     int columns = 1;
-    double cell_aspect = 1.0;           // width over height
-    bool fit = true;                    // one camera that shows all that moves in all cells; else the scene's own
-    std::optional<View> view{};         // from where, instead of the scene's own
+    double cell_aspect = 1.0;    // width over height
+    bool fit = true;             // one camera that shows all that moves in all cells; else the scene's own
+    std::optional<View> view{};  // from where, instead of the scene's own
     std::optional<OverlayItem> overlay{};  // with its scale
     // Is shown every cell's run at its moment, for the numbers of the caption.
     std::function<void(const Cell& cell, const Simulation& run)> look{};

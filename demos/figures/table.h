@@ -8,7 +8,7 @@
 namespace pushfactor::demos::figures {
 
 struct Table {
-    std::vector<std::string> columns;  // with units: "time_s"
+    std::vector<std::string> columns;                      // with units: "time_s"
     std::vector<std::vector<std::optional<double>>> rows;  // empty where there is nothing to say
 };
 

@@ -73,8 +73,9 @@ void Workshop::plot(const Table& table, const std::string& name, double aspect, 
     write_file(csv, csv_text(table));
     plate.files.push_back(name + ".csv");
     if (!find_tool("gnuplot")) {
-        plate.caption += " The plot needs gnuplot, which is not installed (Debian: apt install gnuplot-nox); its data "
-                         "are here.";
+        plate.caption +=
+            " The plot needs gnuplot, which is not installed (Debian: apt install gnuplot-nox); its data "
+            "are here.";
         return;
     }
     const fs::path scripts = fs::path(PUSHFACTOR_ASSET_DIR) / "plots";

@@ -72,8 +72,7 @@ View Film::place_camera(const Scene& scene, double across) const {
 
 renderer::Image Film::draw(std::size_t panel) const {
     const Simulation& run = *runs_[panel];
-    renderer::Picture picture =
-        draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
+    renderer::Picture picture = draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
     for (const Scale& scale : scales_) add_overlay(run.scene(), scale.kind, scale.units_a_metre, picture);
     return studio_.draw(picture, layout_.cell, choices_.samples);
 }
@@ -88,11 +87,11 @@ std::vector<LegendLine> Film::legend(const View& view) const {
         for (std::size_t i = 0; i < entries.size(); ++i) {
             if (!survey_.shown.contains({scale.kind, i})) continue;
             const bool points = entries[i].unit.empty();
-            lines.push_back({.colour = entries[i].colour,
-                             .text = points ? entries[i].name
-                                            : fmt::format("{}, {:g} {}", entries[i].name, example, entries[i].unit),
-                             .arrow = points ? 0.0f
-                                             : static_cast<float>(example / scale.units_a_metre * pixels_a_metre)});
+            lines.push_back(
+                {.colour = entries[i].colour,
+                 .text = points ? entries[i].name
+                                : fmt::format("{}, {:g} {}", entries[i].name, example, entries[i].unit),
+                 .arrow = points ? 0.0f : static_cast<float>(example / scale.units_a_metre * pixels_a_metre)});
         }
     }
     return lines;
@@ -110,9 +109,11 @@ void Film::write(renderer::Image& sheet) const {
         lettering.caption(sheet, all, time + "   " + caption_, size);
     }
     if (scales_.empty()) return;
-    // An arrow of the legend is as long as one at the camera's target; where the panels' cameras differ, each has one.
+    // An arrow of the legend is as long as one at the camera's target; where the panels' cameras differ, each has
+    // one.
     const bool alike = std::all_of(views_.begin(), views_.end(), [&](const View& view) {
-        return distance_of(view) == distance_of(views_.front()) && view.field_of_view == views_.front().field_of_view;
+        return distance_of(view) == distance_of(views_.front()) &&
+               view.field_of_view == views_.front().field_of_view;
     });
     for (std::size_t i = alike ? views_.size() - 1 : 0; i < views_.size(); ++i) {
         lettering.legend(sheet, layout_.place(i), legend(views_[i]), size);

@@ -37,8 +37,9 @@ void FrameWriter::finish() {
     if (writing_.valid()) writing_.get();
     if (video_) video_->finish();
     if (video_name_ && !can_film_) {
-        throw OutputError(fmt::format("{}: ffmpeg is not installed (Debian: apt install ffmpeg); the frames are in {}",
-                                      *video_name_, folder_.string()));
+        throw OutputError(
+            fmt::format("{}: ffmpeg is not installed (Debian: apt install ffmpeg); the frames are in {}",
+                        *video_name_, folder_.string()));
     }
 }
 

@@ -19,7 +19,8 @@ namespace pushfactor::demos::pictures {
 class FrameWriter {
   public:
     // PNG files go to `folder` when `png`. `video` must have a name that check_video_name() accepts.
-    FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video, const Rational& fps);
+    FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
+                const Rational& fps);
 
     void write(const std::string& name, renderer::Image image);
     void finish();

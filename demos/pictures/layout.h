@@ -11,7 +11,7 @@ namespace pushfactor::demos::pictures {
 struct Layout {
     int columns = 1, rows = 1;
     Size sheet{}, cell{};  // pixels
-    int gap = 0;       // pixels between cells
+    int gap = 0;           // pixels between cells
 
     renderer::Rectangle place(std::size_t index) const;  // of a cell, row by row; pixels
 };

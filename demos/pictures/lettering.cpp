@@ -33,7 +33,8 @@ std::string Lettering::cut(const std::string& text, float size, float width) con
     std::string shorter = text;
     while (!shorter.empty() && font_.width(shorter + "…", size) > width) {
         // A character in UTF-8 is its first byte and those that continue it.
-        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u) shorter.pop_back();
+        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u)
+            shorter.pop_back();
         if (!shorter.empty()) shorter.pop_back();
     }
     return shorter + "…";

@@ -22,15 +22,17 @@ class Lettering {
     // Throws renderer::RendererError when the font cannot be read.
     Lettering();
 
-    // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the bottom
-    // left, a legend at the bottom right. `size` is that of the letters in pixels. What is too long ends in "…".
+    // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the
+    // bottom left, a legend at the bottom right. `size` is that of the letters in pixels. What is too long ends in
+    // "…".
     void name(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void caption(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
                 float size) const;
 
     // Plain text whose baseline begins at `at`; centred there when `centred`.
-    void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size, bool centred = false) const;
+    void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size,
+              bool centred = false) const;
     float width(const std::string& text, float size) const { return font_.width(text, size); }
 
   private:

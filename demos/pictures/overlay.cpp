@@ -131,8 +131,9 @@ void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) 
         const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
                          (scene.distances && item.kind != OverlayKind::contacts);
         if (any) continue;
-        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind),
-                                     scene.name, scene.distances ? "no contacts" : "neither contacts nor distances"));
+        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show",
+                                     name_of(item.kind), scene.name,
+                                     scene.distances ? "no contacts" : "neither contacts nor distances"));
     }
 }
 

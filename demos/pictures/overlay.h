@@ -27,7 +27,8 @@ struct LegendEntry {
 std::vector<LegendEntry> entries_of(OverlayKind kind);
 
 // Of the last step of the world, at its contact points as they were at the step's start; nothing before the first
-// step, except velocities. A force acts on the body that it is drawn on: the movable one of a pair, the upper one of two.
+// step, except velocities. A force acts on the body that it is drawn on: the movable one of a pair, the upper one
+// of two.
 std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind);
 
 // Throws UsageError for an overlay that can show nothing, because the scene has no such part.

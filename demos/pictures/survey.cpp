@@ -36,6 +36,12 @@ std::vector<Ball> movable_balls(const Scene& scene) {
         if (!scene.bodies[i].mass) continue;
         balls.push_back({.centre = scene.world.bodies[i].position, .radius = radius_of(scene.bodies[i])});
     }
+    if (!scene.distances) return balls;
+    for (const engine::Distance& distance : scene.distances->distances()) {
+        const auto [from, to] = span_of(distance, scene.world.bodies);
+        balls.push_back({.centre = from});
+        balls.push_back({.centre = to});
+    }
     return balls;
 }
 
@@ -47,8 +53,8 @@ Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Fr
         Simulation simulation(choices.build(), choices.settings);
         const Scene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        for (const Frame& frame : frames[p]) {
-            while (simulation.sample().step < frame.step) {
+        for (std::size_t f = 0; f < frames[p].size(); ++f) {
+            while (simulation.sample().step < frames[p][f].step) {
                 stop_if_interrupted("nothing was drawn yet");
                 simulation.advance();
             }
@@ -64,12 +70,17 @@ Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Fr
                         found.shown.insert({item.kind, quantity.kind});
                     }
                 }
-                if (most > 0.0) maxima[item.kind].push_back(most);
+                auto& at_frame = maxima[item.kind];
+                at_frame.resize(frames[p].size(), 0.0);
+                at_frame[f] = std::max(at_frame[f], most);
             }
         }
         add_corners(places, scene, found.reached);
     }
-    for (auto& [kind, values] : maxima) found.typical[kind] = median(values);
+    for (auto& [kind, values] : maxima) {
+        std::erase(values, 0.0);
+        if (!values.empty()) found.typical[kind] = median(values);
+    }
     return found;
 }
 

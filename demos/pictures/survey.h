@@ -14,15 +14,16 @@
 namespace pushfactor::demos::pictures {
 
 struct Survey {
-    std::vector<Ball> reached;              // around all that moves, at all frames of all panels
-    std::map<OverlayKind, double> typical;  // N or m/s: median over the frames of the largest value; absent for none
+    std::vector<Ball> reached;  // around all that moves, at all frames of all panels
+    std::map<OverlayKind, double>
+        typical;  // N or m/s: median over the frames of the largest value in any panel; absent for none
     std::set<std::pair<OverlayKind, std::size_t>> shown;  // entries of which there is something to see
 };
 
 // `frames` are those of the panels, in the same order.
 Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames);
 
-// Around the movable bodies of a scene as it is now.
+// Around the movable bodies of a scene as it is now, and the points that they hang on.
 std::vector<Ball> movable_balls(const Scene& scene);
 
 }  // namespace pushfactor::demos::pictures

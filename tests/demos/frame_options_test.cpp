@@ -50,8 +50,8 @@ TEST_CASE("a film in slow motion has its frames nearer together in simulated tim
     choices.play_speed = Rational{1, 4};
     choices.fps = Rational{30, 1};
     CHECK(plan_frames(choices, Rational{1, 120}, 120).size() == 121);
-    CHECK_THROWS_WITH(plan_frames(choices, Rational{1, 60}, 60), Catch::Contains("--play-speed 0.25") &&
-                                                                     Catch::Contains("rates that fit are 15"));
+    CHECK_THROWS_WITH(plan_frames(choices, Rational{1, 60}, 60),
+                      Catch::Contains("--play-speed 0.25") && Catch::Contains("rates that fit are 15"));
 }
 
 TEST_CASE("overlays are named, may have a scale, and are not named twice") {

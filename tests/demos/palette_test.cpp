@@ -1,5 +1,6 @@
 // Can the colours be told apart by those who see fewer of them?
 #include "demos/palette.h"
+
 #include "tests/catch.h"
 
 #include <Eigen/Core>

@@ -16,7 +16,8 @@ std::vector<Ball> random_balls(int count) {
     pushfactor::tests::Random random(7);
     std::vector<Ball> balls;
     for (int i = 0; i < count; ++i) {
-        balls.push_back({.centre = {random.in(-6, 9), random.in(0, 20), random.in(-3, 3)}, .radius = random.in(0.1, 2)});
+        balls.push_back(
+            {.centre = {random.in(-6, 9), random.in(0, 20), random.in(-3, 3)}, .radius = random.in(0.1, 2)});
     }
     return balls;
 }
@@ -29,7 +30,8 @@ Reach outline(const View& view, const std::vector<Ball>& balls, double aspect) {
             const double z = 1.0 - 2.0 * (i + 0.5) / 2000.0;
             const double turn = i * 2.399963;
             const double side = std::sqrt(1.0 - z * z);
-            const Vector3 point = ball.centre + ball.radius * Vector3(side * std::cos(turn), z, side * std::sin(turn));
+            const Vector3 point =
+                ball.centre + ball.radius * Vector3(side * std::cos(turn), z, side * std::sin(turn));
             const Place place = place_in_picture(point, view, aspect);
             most.across = std::max(most.across, std::abs(2.0 * place.x - 1.0));
             most.up = std::max(most.up, std::abs(2.0 * place.y - 1.0));

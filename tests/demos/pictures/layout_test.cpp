@@ -20,7 +20,8 @@ TEST_CASE("cells do not overlap, stay on the sheet, and a single one is all of i
             CHECK(a.y + a.height <= 600.0f);
             for (int j = 0; j < i; ++j) {
                 const auto b = layout.place(static_cast<std::size_t>(j));
-                CHECK((a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height || b.y >= a.y + a.height));
+                CHECK((a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height ||
+                       b.y >= a.y + a.height));
             }
         }
     }

@@ -58,8 +58,10 @@ TEST_CASE("a contact force turns with the body on which it acts: the upper of tw
     REQUIRE(sites.size() == forces.size());
     for (std::size_t i = 0; i < sites.size(); ++i) {
         const bool wall = run.scene().world.bodies[static_cast<std::size_t>(sites[i].body_a)].is_static();
-        if (wall) from_walls += forces[i].value;
-        else CHECK(forces[i].value.dot(sites[i].normal) * sites[i].normal.y() >= -1e-6);
+        if (wall)
+            from_walls += forces[i].value;
+        else
+            CHECK(forces[i].value.dot(sites[i].normal) * sites[i].normal.y() >= -1e-6);
     }
     CHECK((from_walls - Vector3(0, 200, 0)).norm() < 1e-4);  // 20 balls of 1 kg
 }
