@@ -10,6 +10,7 @@
 #include "renderer/panels.h"
 #include "renderer/render_target.h"
 #include "renderer/renderer_error.h"
+#include "renderer/sampling.h"
 #include "renderer/shader_program.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_meshes.h"
@@ -65,12 +66,21 @@ int checked_side(int pixels) {
     return pixels;
 }
 
+int checked_samples(int samples) {
+    if (samples < 1 || samples > Renderer::max_samples) {
+        throw RendererError("a picture is the mean of 1 to " + std::to_string(Renderer::max_samples) +
+                            " samples, not of " + std::to_string(samples));
+    }
+    return samples;
+}
+
 }  // namespace
 
 class Renderer::Pipeline {
   public:
-    Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders)
+    Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders, int samples)
         : gl_(load_gl(context)),
+          samples_(samples),
           width_(width),
           height_(height),
           aspect_(static_cast<float>(width) / static_cast<float>(height)),
@@ -106,13 +116,21 @@ class Renderer::Pipeline {
         bars_.set_instances(bodies.bars);
         panels_.set_triangles(panel_triangles(picture.panels, picture.camera.eye));
 
-        const glm::vec3 towards_sun = glm::normalize(picture.towards_sun);
-        const SunView sun = sun_view(picture.camera, towards_sun, bodies.all(), ShadowMap::max_side);
         // The corners of the ground are the farthest that is drawn.
-        const glm::mat4 world_to_clip = camera_view(picture.camera, aspect_, 1.5f * ground_reach * scale);
-        draw({picture, bodies, scale, towards_sun, sun, world_to_clip,
-              plan_frame(width_, height_, world_to_clip, bodies, picture, towards_sun, sun.texel)});
-        return target_.read();
+        const glm::mat4 view = camera_view(picture.camera, aspect_, 1.5f * ground_reach * scale);
+        const auto draw_sample = [&](int index) {
+            const auto [pixel, towards_sun] = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
+            const SunView sun = sun_view(picture.camera, towards_sun, bodies.all(), ShadowMap::max_side);
+            const glm::vec2 clip = 2.0f * pixel / glm::vec2(width_, height_);
+            const glm::mat4 world_to_clip = glm::translate(glm::mat4(1.0f), glm::vec3(clip, 0.0f)) * view;
+            draw({picture, bodies, scale, towards_sun, sun, world_to_clip,
+                  plan_frame(width_, height_, world_to_clip, bodies, picture, towards_sun, sun.texel)});
+            return target_.read();
+        };
+        if (samples_ == 1) return draw_sample(0);
+        SampleMean mean(width_, height_);
+        for (int index = 0; index < samples_; ++index) mean.add(draw_sample(index));
+        return mean.mean();
     }
 
   private:
@@ -234,6 +252,7 @@ class Renderer::Pipeline {
     }
 
     Gl gl_;
+    int samples_;
     int width_;   // pixels
     int height_;  // pixels
     float aspect_;
@@ -254,9 +273,11 @@ class Renderer::Pipeline {
     PanelMesh panels_;
 };
 
-Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory)
+Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory,
+                   int samples)
     : context_(context),
-      pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory)) {}
+      pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory,
+                                           checked_samples(samples))) {}
 
 // What the pipeline holds is deleted in its own context.
 Renderer::~Renderer() {
