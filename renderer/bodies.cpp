@@ -31,9 +31,9 @@ Bodies visible_bodies(const Picture& picture, float reach) {
         std::erase_if(*kind, [&](const Instance& body) {
             return !(glm::distance(eye, body.position) - bounding_radius(body) <= reach);
         });
+        std::ranges::stable_sort(*kind, {},
+                                 [&](const Instance& body) { return glm::distance(eye, body.position); });
     }
-    std::ranges::stable_sort(bodies.spheres, {},
-                             [&](const Instance& sphere) { return glm::distance(eye, sphere.position); });
     return bodies;
 }
 

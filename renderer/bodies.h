@@ -7,10 +7,10 @@
 
 namespace pushfactor::renderer {
 
-// The bodies of one frame, by their kind.
+// The bodies of one frame, by their kind; of each the nearest first, as they hide the others.
 struct Bodies {
     std::vector<Instance> boxes;
-    std::vector<Instance> spheres;  // the nearest first, as they hide the others
+    std::vector<Instance> spheres;
     std::vector<Instance> bars;
 
     // All that cast a shadow.

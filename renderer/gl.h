@@ -57,6 +57,7 @@ class OffscreenContext;
     X(ReadBuffer)                     \
     X(ReadPixels)                     \
     X(RenderbufferStorageMultisample) \
+    X(Scissor)                        \
     X(ShaderSource)                   \
     X(TexImage2D)                     \
     X(TexParameterfv)                 \

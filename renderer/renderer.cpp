@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include "renderer/bodies.h"
+#include "renderer/frame_plan.h"
 #include "renderer/gl.h"
 #include "renderer/instanced_mesh.h"
 #include "renderer/instances.h"
@@ -10,6 +11,7 @@
 #include "renderer/panels.h"
 #include "renderer/render_target.h"
 #include "renderer/renderer_error.h"
+#include "renderer/sampling.h"
 #include "renderer/shader_program.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_meshes.h"
@@ -40,8 +42,11 @@ constexpr float least_bar_width = 1.2f;
 struct Scene {
     const Picture& picture;
     const Bodies& bodies;
-    SunView sun;
     float scale;  // m
+    glm::vec3 towards_sun;
+    SunView sun;
+    glm::mat4 world_to_clip;
+    FramePlan plan;
 };
 
 // From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
@@ -62,23 +67,37 @@ int checked_side(int pixels) {
     return pixels;
 }
 
+int checked_samples(int samples) {
+    if (samples < 1 || samples > Renderer::max_samples) {
+        throw RendererError("a picture is the mean of 1 to " + std::to_string(Renderer::max_samples) +
+                            " samples, not of " + std::to_string(samples));
+    }
+    return samples;
+}
+
 }  // namespace
 
 class Renderer::Pipeline {
   public:
-    Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders)
+    Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders, int samples)
         : gl_(load_gl(context)),
+          samples_(samples),
+          width_(width),
           height_(height),
           aspect_(static_cast<float>(width) / static_cast<float>(height)),
           target_(gl_, width, height),
           shadow_map_(gl_),
           shadow_program_(gl_, shaders, {"body.vert"}),
           sphere_shadow_program_(gl_, shaders, {"sphere.vert"}),
-          ground_program_(gl_, shaders, {"body.vert", "ground.frag", "lines.frag", "light.frag", "haze.frag"}),
+          ground_program_(gl_, shaders,
+                          {"body.vert", "ground.frag", "lines.frag", "light.frag", "no_shadow.frag", "haze.frag"}),
+          shadowed_ground_program_(
+              gl_, shaders, {"body.vert", "ground.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
           contact_program_(gl_, shaders, {"contact.vert", "contact.frag", "haze.frag"}),
-          body_program_(gl_, shaders, {"body.vert", "body.frag", "light.frag", "haze.frag"}),
-          sphere_program_(gl_, shaders, {"sphere.vert", "sphere.frag", "light.frag", "haze.frag"}),
-          panel_program_(gl_, shaders, {"panel.vert", "panel.frag", "lines.frag", "light.frag", "haze.frag"}),
+          body_program_(gl_, shaders, {"body.vert", "body.frag", "light.frag", "shadow.frag", "haze.frag"}),
+          sphere_program_(gl_, shaders, {"sphere.vert", "sphere.frag", "light.frag", "shadow.frag", "haze.frag"}),
+          panel_program_(gl_, shaders,
+                         {"panel.vert", "panel.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
           boxes_(gl_, box_mesh()),
           spheres_(gl_),
           bars_(gl_, capsule_mesh()),
@@ -93,22 +112,65 @@ class Renderer::Pipeline {
         const float scale = scale_of(picture.camera);
         // Bodies beyond the reach of the ground are lost in the haze, however far they have been thrown.
         const Bodies bodies = visible_bodies(picture, ground_reach * scale);
-        const Scene scene{picture, bodies, sun_view(picture, bodies.all(), ShadowMap::max_side), scale};
         boxes_.set_instances(bodies.boxes);
         spheres_.set_instances(bodies.spheres, picture.camera.eye, pixel_at_one_metre(picture.camera, height_));
         bars_.set_instances(bodies.bars);
-        draw_shadow(scene);
-        begin_frame();
-        if (picture.ground) {
-            draw_ground(scene, *picture.ground);
-            draw_contacts(scene, *picture.ground);
-        }
-        draw_bodies(scene);
-        if (!picture.panels.empty()) draw_panels(scene);
-        return target_.read();
+        panels_.set_triangles(panel_triangles(picture.panels, picture.camera.eye));
+
+        // The corners of the ground are the farthest that is drawn.
+        const glm::mat4 view = camera_view(picture.camera, aspect_, 1.5f * ground_reach * scale);
+        const auto draw_sample = [&](int index) {
+            const auto [pixel, towards_sun] = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
+            const SunView sun = sun_view(picture.camera, towards_sun, bodies.all(), ShadowMap::max_side);
+            const glm::vec2 clip = 2.0f * pixel / glm::vec2(width_, height_);
+            const glm::mat4 world_to_clip = glm::translate(glm::mat4(1.0f), glm::vec3(clip, 0.0f)) * view;
+            draw({picture, bodies, scale, towards_sun, sun, world_to_clip,
+                  plan_frame(width_, height_, world_to_clip, bodies, picture, towards_sun, sun.texel)});
+            return target_.read();
+        };
+        if (samples_ == 1) return draw_sample(0);
+        SampleMean mean(width_, height_);
+        for (int index = 0; index < samples_; ++index) mean.add(draw_sample(index));
+        return mean.mean();
     }
 
   private:
+    void draw(const Scene& scene) {
+        draw_shadow(scene);
+        shadow_map_.bind_texture();
+        gl_.ClearColor(background.r, background.g, background.b, 1.0f);
+
+        target_.bind_image();
+        gl_.Clear(GL_COLOR_BUFFER_BIT);
+        draw_floor(scene, scene.plan.bare);
+
+        target_.bind_samples();
+        for (const auto* parts : {&scene.plan.edged.lit, &scene.plan.edged.shadowed}) {
+            within(*parts, [&] { gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); });
+        }
+        draw_floor(scene, scene.plan.edged);
+        draw_bodies(scene);
+        if (!scene.picture.panels.empty()) draw_panels(scene);
+        for (const auto* parts : {&scene.plan.edged.lit, &scene.plan.edged.shadowed}) target_.resolve(*parts);
+    }
+
+    // Calls `draw` once for each rectangle, and nothing outside of it changes.
+    template <typename Draw>
+    void within(std::span<const Rectangle> parts, const Draw& draw) const {
+        gl_.Enable(GL_SCISSOR_TEST);
+        for (const auto& [x, y, width, height] : parts) {
+            gl_.Scissor(x, y, width, height);
+            draw();
+        }
+        gl_.Disable(GL_SCISSOR_TEST);
+    }
+
+    void draw_floor(const Scene& scene, const FramePlan::Part& part) {
+        if (!scene.picture.ground) return;
+        draw_ground(scene, part);
+        draw_contacts(scene, *scene.picture.ground);
+    }
+
     void draw_shadow(const Scene& scene) {
         shadow_map_.begin(scene.sun.width, scene.sun.height);
         shadow_program_.use();
@@ -119,27 +181,17 @@ class Renderer::Pipeline {
         bars_.draw();
         sphere_shadow_program_.use();
         sphere_shadow_program_.set("world_to_clip", scene.sun.world_to_clip);
-        sphere_shadow_program_.set("viewer", scene.picture.towards_sun);
+        sphere_shadow_program_.set("viewer", scene.towards_sun);
         sphere_shadow_program_.set("parallel", 1);
         spheres_.draw();
     }
 
-    void begin_frame() {
-        target_.bind();
-        gl_.ClearColor(background.r, background.g, background.b, 1.0f);
-        gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        shadow_map_.bind_texture();
-    }
-
     // Takes a program into use and sets all that does not depend on what it draws.
     void use(const ShaderProgram& program, const Scene& scene) const {
-        const Picture& picture = scene.picture;
         program.use();
-        // The corners of the ground are the farthest that is drawn.
-        const float farthest = 1.5f * ground_reach * scene.scale;
-        program.set("world_to_clip", camera_view(picture.camera, aspect_, farthest));
-        program.set("eye", picture.camera.eye);
-        program.set("towards_sun", glm::normalize(picture.towards_sun));
+        program.set("world_to_clip", scene.world_to_clip);
+        program.set("eye", scene.picture.camera.eye);
+        program.set("towards_sun", scene.towards_sun);
         program.set("background", background);
         program.set("haze_distance", haze * scene.scale);
         program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
@@ -147,12 +199,17 @@ class Renderer::Pipeline {
         program.set("shadow_map", 0);
     }
 
-    void draw_ground(const Scene& scene, const Ground& ground) {
-        const Instance square = ground_instance(ground, scene.picture.camera.eye, ground_reach * scene.scale);
+    void draw_ground(const Scene& scene, const FramePlan::Part& part) {
+        const Instance square =
+            ground_instance(*scene.picture.ground, scene.picture.camera.eye, ground_reach * scene.scale);
         squares_.set_instances(std::span(&square, 1));
-        use(ground_program_, scene);
-        ground_program_.set("line_spacing", line_spacing(scene.scale));
-        squares_.draw();
+        const auto draw_with = [&](const ShaderProgram& program, std::span<const Rectangle> parts) {
+            use(program, scene);
+            program.set("line_spacing", line_spacing(scene.scale));
+            within(parts, [&] { squares_.draw(); });
+        };
+        draw_with(ground_program_, part.lit);
+        draw_with(shadowed_ground_program_, part.shadowed);
     }
 
     // Nothing but the ground has been drawn when this darkens it, so there is no depth to test.
@@ -183,7 +240,6 @@ class Renderer::Pipeline {
 
     // Last, over all that they let through; they hide nothing from each other.
     void draw_panels(const Scene& scene) {
-        panels_.set_triangles(panel_triangles(scene.picture.panels, scene.picture.camera.eye));
         use(panel_program_, scene);
         panel_program_.set("line_spacing", line_spacing(scene.scale));
         gl_.Disable(GL_CULL_FACE);
@@ -197,6 +253,8 @@ class Renderer::Pipeline {
     }
 
     Gl gl_;
+    int samples_;
+    int width_;   // pixels
     int height_;  // pixels
     float aspect_;
     RenderTarget target_;
@@ -204,6 +262,7 @@ class Renderer::Pipeline {
     ShaderProgram shadow_program_;
     ShaderProgram sphere_shadow_program_;
     ShaderProgram ground_program_;
+    ShaderProgram shadowed_ground_program_;
     ShaderProgram contact_program_;
     ShaderProgram body_program_;
     ShaderProgram sphere_program_;
@@ -215,9 +274,11 @@ class Renderer::Pipeline {
     PanelMesh panels_;
 };
 
-Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory)
+Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory,
+                   int samples)
     : context_(context),
-      pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory)) {}
+      pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory,
+                                           checked_samples(samples))) {}
 
 // What the pipeline holds is deleted in its own context.
 Renderer::~Renderer() {

@@ -13,11 +13,16 @@ namespace pushfactor::renderer {
 class Renderer {
   public:
     static constexpr int max_side = 4096;  // pixels
+    static constexpr int max_samples = 256;
 
     // `context` must outlive the renderer. Width and height are in pixels, each 1..max_side.
-    // `shader_directory` holds the project's shaders. Throws RendererError for other sizes, and when a
-    // shader is missing or refused.
-    Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory);
+    // `shader_directory` holds the project's shaders. `samples`, 1..max_samples, is the number of times that a
+    // picture is drawn, each time moved by a part of a pixel and lit from another point of the sun's disc; the
+    // image is their mean, taken in linear light. One is for videos; more take as much longer, no more memory,
+    // and give stills finer edges and shadows that are the softer the farther they fall.
+    // Throws RendererError for other numbers, and when a shader is missing or refused.
+    Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory,
+             int samples = 1);
     ~Renderer();
 
     // Throws RendererError for a picture that check() refuses.

@@ -39,14 +39,14 @@ float pixel_at_one_metre(const Camera& camera, int height) {
     return 2.0f * std::tan(half_angle) / static_cast<float>(height);
 }
 
-SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int max_side) {
-    const glm::vec3& towards_sun = picture.towards_sun;
+SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<const Instance> bodies,
+                 int max_side) {
     const glm::mat4 world_to_sun = glm::lookAt(glm::vec3(0.0f), -towards_sun, screen_up(towards_sun));
     const auto seen = [&](const glm::vec3& position) {
         return glm::vec3(world_to_sun * glm::vec4(position, 1.0f));
     };
 
-    const glm::vec3 target = seen(picture.camera.target);
+    const glm::vec3 target = seen(camera.target);
     glm::vec3 low = bodies.empty() ? target : seen(bodies[0].position);
     glm::vec3 high = low;
     for (const Instance& body : bodies) {
@@ -54,7 +54,7 @@ SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int m
         high = glm::max(high, seen(body.position) + bounding_radius(body));
     }
     // One body far away shall not make the shadows of all others coarse; along the light it does not.
-    const float scale = scale_of(picture.camera);
+    const float scale = scale_of(camera);
     const glm::vec3 range(4.0f * scale, 4.0f * scale, std::numeric_limits<float>::max());
     low = glm::clamp(low, target - range, target + range);
     high = glm::clamp(high, target - range, target + range);

@@ -33,6 +33,7 @@ struct SunView {
 
 // A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side.
 // It moves by whole texels, so that the shadows of resting bodies keep still while others move.
-SunView sun_view(const Picture& picture, std::span<const Instance> bodies, int max_side);
+SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<const Instance> bodies,
+                 int max_side);
 
 }  // namespace pushfactor::renderer

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <random>
 
 using namespace pushfactor::renderer;
@@ -49,6 +50,16 @@ TEST_CASE("A frame as PNG takes less than a fifth of its bytes") {
     const std::size_t size = encode_png(image).size();
     INFO(size << " of " << image.rgb.size() << " bytes");
     CHECK(size < image.rgb.size() / 5);
+}
+
+TEST_CASE("Several threads may encode at the same time") {
+    const Image image = noise(200, 100);
+    const std::vector<std::uint8_t> alone = encode_png(image);
+    std::vector<std::future<std::vector<std::uint8_t>>> results;
+    for (int i = 0; i < 16; ++i) {
+        results.push_back(std::async(std::launch::async, [&image] { return encode_png(image); }));
+    }
+    for (auto& result : results) CHECK(result.get() == alone);
 }
 
 TEST_CASE("An image whose bytes do not fit its size is not encoded") {

@@ -29,7 +29,8 @@ inline const Camera from_above{.eye = {0.0f, 20.0f, 0.0f}, .target = glm::vec3(0
 // A renderer with a context of its own.
 class Studio {
   public:
-    Studio(int width, int height) : renderer_(*context_, width, height, shader_directory) {}
+    Studio(int width, int height, int samples = 1)
+        : renderer_(*context_, width, height, shader_directory, samples) {}
 
     Image render(const Picture& picture) { return renderer_.render(picture); }
 
