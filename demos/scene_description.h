@@ -44,6 +44,13 @@ struct BodyDescription {
     std::optional<std::string> colour{};                         // name in the palette
 };
 
+// Of a sphere around the body's centre that holds it, m; 0 for a plane, which nothing holds.
+inline double bounding_radius(const BodyDescription& body) {
+    if (const auto* box = std::get_if<BoxShape>(&body.shape)) return 0.5 * box->size.norm();
+    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return sphere->radius;
+    return 0.0;
+}
+
 struct DistanceDescription {
     struct End {
         std::string body = "world";                       // a body's name, or "world"

@@ -29,16 +29,28 @@ void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& 
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
+// Slender against its own length and against what hangs on it.
+double bar_radius(const engine::Distance& distance, const Scene& scene) {
+    double radius = std::min(0.015 * distance.length, 0.04);
+    for (const int end : {distance.body_a, distance.body_b}) {
+        const auto i = static_cast<std::size_t>(end);
+        if (i < scene.bodies.size() && scene.bodies[i].mass) {
+            radius = std::min(radius, 0.13 * bounding_radius(scene.bodies[i]));
+        }
+    }
+    return radius;
+}
+
 void add_bars(const Scene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
-    // Thick enough to be seen from where the camera is.
+    // Thick enough to be seen from where the scene is usually looked at.
     const double least = 0.001 * (scene.view.eye - scene.view.target).norm();
     for (const engine::Distance& distance : scene.distances->distances()) {
         const auto [from, to] = span_of(distance, scene.world.bodies);
         renderer::Bar bar;
         bar.from = to_glm(from);
         bar.to = to_glm(to);
-        bar.radius = static_cast<float>(std::max(least, std::min(0.015 * distance.length, 0.04)));
+        bar.radius = static_cast<float>(std::max(least, bar_radius(distance, scene)));
         picture.bars.push_back(bar);
     }
 }

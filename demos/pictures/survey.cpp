@@ -11,19 +11,13 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-double radius_of(const BodyDescription& body) {
-    if (const auto* box = std::get_if<BoxShape>(&body.shape)) return 0.5 * box->size.norm();
-    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return sphere->radius;
-    return 0.0;
-}
-
 // Of every body the box around its places, so that a long run needs no more memory than a short one.
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const Scene& scene, std::vector<Ball>& balls) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].isEmpty()) continue;
         for (int corner = 0; corner < 8; ++corner) {
             balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
-                             .radius = radius_of(scene.bodies[i])});
+                             .radius = bounding_radius(scene.bodies[i])});
         }
     }
 }
@@ -34,7 +28,7 @@ std::vector<Ball> movable_balls(const Scene& scene) {
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].mass) continue;
-        balls.push_back({.centre = scene.world.bodies[i].position, .radius = radius_of(scene.bodies[i])});
+        balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
     }
     if (!scene.distances) return balls;
     for (const engine::Distance& distance : scene.distances->distances()) {
