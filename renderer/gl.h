@@ -46,6 +46,7 @@ class OffscreenContext;
     X(GenRenderbuffers)               \
     X(GenTextures)                    \
     X(GenVertexArrays)                \
+    X(GetError)                       \
     X(GetIntegerv)                    \
     X(GetProgramInfoLog)              \
     X(GetProgramiv)                   \

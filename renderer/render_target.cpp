@@ -1,6 +1,6 @@
 #include "renderer/render_target.h"
 
-#include "renderer/renderer_error.h"
+#include "renderer/frame_checks.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,12 +14,6 @@ void attach(const Gl& gl, GLenum attachment, const GlObject& image, GLenum forma
     gl.BindRenderbuffer(GL_RENDERBUFFER, image.name());
     gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, image.name());
-}
-
-void check_complete(const Gl& gl) {
-    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw RendererError("OpenGL cannot draw into an image of this size");
-    }
 }
 
 }  // namespace
@@ -41,11 +35,11 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height)
     gl.BindFramebuffer(GL_FRAMEBUFFER, samples_.name());
     attach(gl, GL_COLOR_ATTACHMENT0, colour_, GL_SRGB8_ALPHA8, samples, width, height);
     attach(gl, GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT24, samples, width, height);
-    check_complete(gl);
+    check_framebuffer(gl, "samples of this size");
 
     gl.BindFramebuffer(GL_FRAMEBUFFER, image_.name());
     attach(gl, GL_COLOR_ATTACHMENT0, image_colour_, GL_SRGB8_ALPHA8, 0, width, height);
-    check_complete(gl);
+    check_framebuffer(gl, "an image of this size");
 }
 
 void RenderTarget::bind_image() const {

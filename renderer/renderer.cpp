@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include "renderer/bodies.h"
+#include "renderer/frame_checks.h"
 #include "renderer/frame_plan.h"
 #include "renderer/gl.h"
 #include "renderer/instanced_mesh.h"
@@ -106,6 +107,7 @@ class Renderer::Pipeline {
         gl_.Enable(GL_CULL_FACE);
         gl_.Enable(GL_DEPTH_TEST);
         gl_.Enable(GL_FRAMEBUFFER_SRGB);
+        check_gl_errors(gl_);
     }
 
     Image draw(const Picture& picture) {
@@ -126,7 +128,9 @@ class Renderer::Pipeline {
             const glm::mat4 world_to_clip = glm::translate(glm::mat4(1.0f), glm::vec3(clip, 0.0f)) * view;
             draw({picture, bodies, scale, towards_sun, sun, world_to_clip,
                   plan_frame(width_, height_, world_to_clip, bodies, picture, towards_sun, sun.texel)});
-            return target_.read();
+            Image image = target_.read();
+            check_gl_errors(gl_);
+            return image;
         };
         if (samples_ == 1) return draw_sample(0);
         SampleMean mean(width_, height_);
@@ -289,6 +293,7 @@ Image Renderer::render(const Picture& picture) {
     check(picture);
     context_.make_current();
     Image image = pipeline_->draw(picture);
+    check_in_view(image, background, picture.camera);
     draw_marks(image, picture);
     return image;
 }

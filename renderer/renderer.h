@@ -20,12 +20,13 @@ class Renderer {
     // picture is drawn, each time moved by a part of a pixel and lit from another point of the sun's disc; the
     // image is their mean, taken in linear light. One is for videos; more take as much longer, no more memory,
     // and give stills finer edges and shadows that are the softer the farther they fall.
-    // Throws RendererError for other numbers, and when a shader is missing or refused.
+    // Throws RendererError for other numbers, when a shader is missing or refused, and when GL fails.
     Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory,
              int samples = 1);
     ~Renderer();
 
-    // Throws RendererError for a picture that check() refuses.
+    // Never a blank image. Throws RendererError for a picture that check() refuses or of which the camera sees
+    // nothing, and when GL fails; the message says why.
     Image render(const Picture& picture);
 
   private:

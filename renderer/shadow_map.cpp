@@ -1,5 +1,7 @@
 #include "renderer/shadow_map.h"
 
+#include "renderer/frame_checks.h"
+
 #include <array>
 
 namespace pushfactor::renderer {
@@ -28,6 +30,7 @@ void ShadowMap::begin(int width, int height) const {
     bind_texture();
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    check_framebuffer(gl_, "a shadow map");
     gl_.Viewport(0, 0, width, height);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);
 }

@@ -12,7 +12,8 @@ class ShadowMap {
 
     explicit ShadowMap(const Gl& gl);
 
-    // Directs drawing to a new, empty map of this size in texels, each side 1..max_side.
+    // Directs drawing to a new, empty map of this size in texels, each side 1..max_side. Throws
+    // RendererError when GL refuses it.
     void begin(int width, int height) const;
 
     // Makes the map the texture of unit 0.

@@ -27,7 +27,7 @@ int darkening_around(const Image& image, const Image& empty, int x, int y) {
 
 TEST_CASE("A bar is seen between its ends and not beyond, whatever its direction") {
     Studio studio(width, height);
-    const Image empty = studio.render({.camera = from_the_front});
+    const Image empty = studio.background();
     for (const glm::vec3 direction :
          {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f, -1.0f, 0.0f),
           glm::vec3(-0.6f, -0.8f, 0.0f), glm::vec3(0.8f, -0.6f, 0.0f), glm::vec3(0.48f, 0.6f, 0.64f)}) {
@@ -62,7 +62,7 @@ TEST_CASE("A bar whose ends coincide is a dot") {
 
 TEST_CASE("A bar much thinner than a pixel has no gaps") {
     Studio studio(width, height);
-    const Image empty = studio.render({.camera = from_the_front});
+    const Image empty = studio.background();
     for (const float degrees : {0.0f, 3.0f, 20.0f, 45.0f, 77.0f, 90.0f, 130.0f}) {
         INFO(degrees << " degrees");
         const float angle = glm::radians(degrees);

@@ -59,7 +59,7 @@ TEST_CASE("A panel behind a ball does not show through it") {
 TEST_CASE("A panel is seen from both sides, from the back fainter") {
     Studio studio(320, 180);
     const Panel panel = square_at(0.0f, blue, 0.5f);
-    const Pixel empty = at(studio.render({.camera = from_the_front}), middle);
+    const Pixel empty = at(studio.background(), middle);
     const Pixel front = at(studio.render({.camera = from_the_front, .panels = {panel}}), middle);
     const Pixel back = at(studio.render({.camera = from_the_front, .panels = {reversed(panel)}}), middle);
     CHECK(difference(back, empty) > 30);
@@ -71,7 +71,7 @@ TEST_CASE("Opacity says how much a panel hides") {
     const auto seen = [&](float opacity) {
         return at(studio.render({.camera = from_the_front, .panels = {square_at(0.0f, blue, opacity)}}), middle);
     };
-    CHECK(seen(0.0f) == at(studio.render({.camera = from_the_front}), middle));
+    CHECK(seen(0.0f) == at(studio.background(), middle));
     CHECK(seen(0.3f)[0] > seen(0.6f)[0] + 15);
     CHECK(seen(0.6f)[0] > seen(1.0f)[0] + 15);
 }

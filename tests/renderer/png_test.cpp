@@ -2,12 +2,8 @@
 
 #include "renderer/renderer_error.h"
 #include "tests/catch.h"
+#include "tests/renderer/decode_png.h"
 #include "tests/renderer/sample_pictures.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,18 +13,6 @@
 using namespace pushfactor::renderer;
 
 namespace {
-
-Image decode_png(const std::vector<std::uint8_t>& png) {
-    Image image;
-    int channels = 0;
-    stbi_uc* pixels =
-        stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &image.width, &image.height, &channels, 0);
-    REQUIRE(pixels != nullptr);
-    CHECK(channels == 3);
-    image.rgb.assign(pixels, pixels + 3 * image.width * image.height);
-    stbi_image_free(pixels);
-    return image;
-}
 
 Image noise(int width, int height) {
     std::mt19937 random(1);

@@ -22,7 +22,7 @@ double mean_difference(const Image& a, const Image& b) {
 
 TEST_CASE("A red box in the middle is red there and leaves the background elsewhere") {
     Studio studio(160, 90);
-    const Image empty = studio.render({.camera = from_the_front});
+    const Image empty = studio.background();
     const Image image = studio.render({.camera = from_the_front, .boxes = {{.colour = red}}});
     CHECK(is_red(image.pixel(80, 45)));
     for (const auto& [x, y] : {std::pair{0, 0}, std::pair{159, 0}, std::pair{0, 89}, std::pair{159, 89},
@@ -209,6 +209,7 @@ TEST_CASE("A scene a tenth or ten times the size looks the same") {
 TEST_CASE("The ground is seen from above only") {
     Studio studio(160, 90);
     const Camera below{.eye = {0.0f, -5.0f, 10.0f}, .target = glm::vec3(0.0f)};
-    CHECK(largest_difference(studio.render({.camera = below, .ground = Ground{}}),
-                             studio.render({.camera = below})) == 0);
+    const std::vector<Box> boxes{{.position = {0.0f, 2.0f, 0.0f}}};
+    CHECK(largest_difference(studio.render({.camera = below, .ground = Ground{}, .boxes = boxes}),
+                             studio.render({.camera = below, .boxes = boxes})) == 0);
 }

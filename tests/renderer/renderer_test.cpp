@@ -20,7 +20,7 @@ TEST_CASE("The same picture gives the same bytes, whatever was drawn in between"
     other.towards_sun = {1.0f, 1.0f, 0.0f};
     other.ground.reset();
     CHECK(studio.render(other) != first);
-    CHECK(studio.render(Picture{}) != first);
+    CHECK(studio.render(all_kinds()) != first);
     CHECK(studio.render(stack_of_cubes(5)) == first);
 }
 

@@ -34,6 +34,14 @@ class Studio {
 
     Image render(const Picture& picture) { return renderer_.render(picture); }
 
+    // What every picture shows where it shows nothing. By itself that is refused.
+    Image background() {
+        Image image = render({.camera = from_the_front, .boxes = {{}}});
+        const auto corner = image.pixel(0, 0);
+        for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = corner[i % 3];
+        return image;
+    }
+
   private:
     std::unique_ptr<OffscreenContext> context_ = open_offscreen_context();
     Renderer renderer_;

@@ -25,7 +25,7 @@ int brightness(const Image& image, const std::pair<int, int>& pixel) {
 
 TEST_CASE("A sphere's outline is a circle of the right size, near and far") {
     Studio studio(width, height);
-    const Image empty = studio.render({.camera = from_the_front});
+    const Image empty = studio.background();
     for (const float radius : {0.1f, 0.16f, 0.3f, 0.45f, 0.8f, 1.15f, 2.0f, 4.0f}) {
         INFO("radius " << radius << " m");
         const Image image =
@@ -77,7 +77,7 @@ TEST_CASE("A sphere looks as round from the side and from straight above as from
     Studio studio(width, height);
     const auto covered = [&](const glm::vec3& eye) {
         const Camera camera{.eye = eye, .target = glm::vec3(0.0f)};
-        const Image empty = studio.render({.camera = camera});
+        const Image empty = studio.background();
         const Image image = studio.render({.camera = camera, .spheres = {{.radius = 1.0f, .colour = red}}});
         int count = 0;
         for (int y = 0; y < height; ++y) {
