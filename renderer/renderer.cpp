@@ -293,8 +293,8 @@ Image Renderer::render(const Picture& picture) {
     check(picture);
     context_.make_current();
     Image image = pipeline_->draw(picture);
-    check_in_view(image, background, picture.camera);
     draw_marks(image, picture);
+    check_in_view(image, background, picture.camera);
     return image;
 }
 

@@ -42,7 +42,6 @@ int pixels_of(const Image& image, const Pixel& colour) {
 
 TEST_CASE("An arrow is seen along all of its length, and ends at its tip", "[marks]") {
     Studio studio(width, height);
-    const Image empty = studio.render({.camera = from_the_front});
     for (const auto& [from, to] : {std::pair{glm::vec3(-1.0f, 0.5f, 0.0f), glm::vec3(2.0f, -1.0f, 0.0f)},
                                    std::pair{glm::vec3(1.0f, -1.0f, 3.0f), glm::vec3(0.5f, 2.0f, -4.0f)},
                                    std::pair{glm::vec3(-4.0f, 2.0f, 0.0f), glm::vec3(-1.0f, 2.0f, 0.0f)}}) {
@@ -52,7 +51,7 @@ TEST_CASE("An arrow is seen along all of its length, and ends at its tip", "[mar
             CHECK(is_red(colour_at(image, from + part * (to - from))));
         }
         for (const float part : {-0.2f, 1.1f}) {
-            CHECK(colour_at(image, from + part * (to - from)) == colour_at(empty, from + part * (to - from)));
+            CHECK(colour_at(image, from + part * (to - from)) == image.pixel(0, 0));
         }
     }
 }
@@ -72,12 +71,11 @@ TEST_CASE("Marks are projected like bodies, whatever the camera and the shape of
                 both.dots = {{.position = place, .colour = blue}};
                 const Image without = studio.render(ball);
                 const Image with = studio.render(both);
-                const Image nothing = studio.render({.camera = camera});
                 glm::vec2 ball_sum(0.0f), dot_sum(0.0f);
                 float ball_count = 0.0f, dot_count = 0.0f;
                 for (int y = 0; y < rows; ++y) {
                     for (int x = 0; x < columns; ++x) {
-                        if (without.pixel(x, y) != nothing.pixel(x, y)) {
+                        if (without.pixel(x, y) != without.pixel(0, 0)) {
                             ball_sum += glm::vec2(x, y);
                             ball_count += 1.0f;
                         }
