@@ -44,7 +44,7 @@ double bar_radius(const engine::Distance& distance, const Scene& scene) {
 void add_bars(const Scene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
     // Thick enough to be seen from where the scene is usually looked at.
-    const double least = 0.001 * (scene.view.eye - scene.view.target).norm();
+    const double least = 0.0015 * (scene.view.eye - scene.view.target).norm();
     for (const engine::Distance& distance : scene.distances->distances()) {
         const auto [from, to] = span_of(distance, scene.world.bodies);
         renderer::Bar bar;
