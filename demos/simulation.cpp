@@ -56,10 +56,11 @@ const Sample& Simulation::advance() {
 
 void Simulation::step_engine() {
     const double before = clock_ ? clock_() : 0.0;
-    const int sweeps_so_far = sample_.count.sweeps;
+    const engine::StepCount so_far = sample_.count;
     sample_.count = scene_.world.step(engine_dt());
     if (clock_) *sample_.cpu_us += clock_() - before;
-    sample_.count.sweeps += sweeps_so_far;
+    sample_.count.sweeps += so_far.sweeps;
+    sample_.count.multiply_adds += so_far.multiply_adds;
     sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));
     sample_.max_length_error = max_length_error(scene_.world.rows());
 }

@@ -19,14 +19,14 @@ StepCount World::step(double dt, StageObserver* observer) {
     ended(Stage::rows);
     build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
     ended(Stage::system);
-    const int sweeps = solve();  // 7
+    const solvers::SolveCount solved = solve();  // 7
     ended(Stage::solve);
     remember();  // 6.2.3
     ended(Stage::remember);
     integrate(dt);  // 3.2, 8.1
     time_ += dt;
     ended(Stage::integrate);
-    return count(sweeps);
+    return count(solved);
 }
 
 void World::add_forces() {
@@ -46,7 +46,7 @@ void World::append_rows(double dt) {
     }
 }
 
-int World::solve() {
+solvers::SolveCount World::solve() {
     const Eigen::Index last = system_.column_count() - 1;
     lambda_.resize(system_.row_count(), system_.column_count());
     for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
@@ -54,7 +54,7 @@ int World::solve() {
         lambda_(j, 0) = guess.first;
         lambda_(j, last) = guess.last;
     }
-    return rows_.empty() ? 0 : solver->solve(system_, termination, lambda_);
+    return rows_.empty() ? solvers::SolveCount{} : solver->solve(system_, termination, lambda_);
 }
 
 void World::remember() {
@@ -109,11 +109,12 @@ void World::integrate(double dt) {
     }
 }
 
-StepCount World::count(int sweeps) const {
+StepCount World::count(const solvers::SolveCount& solved) const {
     StepCount count;
     for (const ConstraintRow& row : rows_) ++count.rows_of_kind[static_cast<std::size_t>(row.label.kind)];
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
-    count.sweeps = sweeps;
+    count.sweeps = solved.iterations;
+    count.multiply_adds = solved.multiply_adds;
     return count;
 }
 

@@ -26,6 +26,7 @@ struct StepCount {
     std::array<int, 3> rows_of_kind{};  // by RowKind
     int columns = 0;                    // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
     int sweeps = 0;                     // iterations of the solver
+    double multiply_adds = 0.0;         // of the solver
 
     int rows() const { return rows_of_kind[0] + rows_of_kind[1] + rows_of_kind[2]; }
     int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
@@ -59,10 +60,10 @@ class World {
   private:
     void add_forces();
     void append_rows(double dt);
-    int solve();
+    solvers::SolveCount solve();
     void remember();
     void integrate(double dt);
-    StepCount count(int sweeps) const;
+    StepCount count(const solvers::SolveCount& solved) const;
 
     double time_ = 0.0;
     std::vector<ConstraintRow> rows_;

@@ -53,19 +53,26 @@ void sweep(const SystemEquation& system, const MatrixX& A, Columns& lambda, Eige
 
 class Dense : public Solver {
   public:
-    int solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
         const bool checked = termination.tolerance_high > 0.0;
-        if (checked && natural_residual(system, lambda) <= termination.tolerance_high) return 0;
+        SolveCount count;
+        if (checked && natural_residual(system, lambda) <= termination.tolerance_high) return count;
 
         const MatrixX J = stacked_jacobian(system);
         const MatrixX A = J * stacked_inverse_mass(system) * J.transpose();
-        for (int k = 1; k <= termination.iterations; ++k) {
+        // J M^-1 J^T as two dense products, then a full row of A for each update of lambda.
+        const auto rows = static_cast<double>(J.rows());
+        const auto columns = static_cast<double>(J.cols());
+        count.multiply_adds = rows * columns * (columns + rows);
+        while (count.iterations < termination.iterations) {
+            ++count.iterations;
+            count.multiply_adds += rows * rows * static_cast<double>(system.column_count());
             for (Eigen::Index column = 0; column < system.column_count(); ++column) {
                 sweep(system, A, lambda, column);
             }
-            if (checked && natural_residual(system, lambda) <= termination.tolerance_low) return k;
+            if (checked && natural_residual(system, lambda) <= termination.tolerance_low) break;
         }
-        return termination.iterations;
+        return count;
     }
 };
 

@@ -21,13 +21,19 @@ struct Termination {
     double tolerance_low = 0.0;   // m/s, at most tolerance_high
 };
 
+// What a solve took.
+struct SolveCount {
+    int iterations = 0;          // of the solver's own kind; 0 when the guess was kept
+    double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
+};
+
 class Solver {
   public:
     virtual ~Solver() = default;
 
     // Solves `system` in all its columns. `lambda` [N, rows x columns] holds the guess and receives the answer.
-    // Returns the number of iterations that it took. A row with A_jj = 0 gets lambda 0.
-    virtual int solve(const SystemEquation& system, const Termination& termination, Columns& lambda) = 0;
+    // A row with A_jj = 0 gets lambda 0.
+    virtual SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) = 0;
 };
 
 struct SolverEntry {

@@ -1,0 +1,136 @@
+// The system equation in the form that the iterative and direct solvers work on: rows of unit length, one set of
+// axes for reading and writing. An inner matter of the solvers.
+//
+// With M^(-1/2) = [m^(-1/2), W] (W W^T = I^-1) and s_j = sqrt(A_jj):
+//
+//   row axis       u_j = M^(-1/2)^T j_c / s_j        unit length, so that A_jj becomes 1
+//   force          y_j = lambda_j dt s_j             [sqrt(kg) m/s]
+//   right side     t_j = b_j dt / s_j
+//   body velocity  x   = sum_j u_j y_j               what the forces of all rows do to a body
+//
+// and 7.1.1 reads y_j <- clamp(y_j + t_j - u_j . x): no division. u_j . x is A lambda, because
+// u_i . u_j = A_ij / (s_i s_j). The columns of b share the axes; each has its own y and x.
+#pragma once
+
+#include "engine/system_equation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace pushfactor::engine::solvers {
+
+template <int columns>
+class UnitRows {
+  public:
+    using BodyVelocity = Eigen::Matrix<double, 6, columns>;
+
+    struct Row {
+        Vector6 axis_a = Vector6::Zero(), axis_b = Vector6::Zero();  // u_j
+        std::size_t a = 0, b = 0;                                    // bodies
+        std::array<double, columns> y{}, t{};
+        double low = 0.0, high = 0.0;  // bounds of y, or factors of the other row's y
+        int of_row = -1;
+        double scale = 0.0;  // s_j; 0 for a row that cannot move anything
+    };
+
+    // Takes the system and a guess [N]. A row with A_jj = 0 becomes one of zeros.
+    void load(const SystemEquation& system, const Columns& guess) {
+        velocity.assign(system.inverse_mass.size(), BodyVelocity::Zero());
+        rows.assign(static_cast<std::size_t>(system.row_count()), Row{});
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) load_row(system, guess, j);
+    }
+
+    // Writes the answer [N].
+    void store(const SystemEquation& system, Columns& lambda) const {
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+            const Row& row = rows[static_cast<std::size_t>(j)];
+            for (int c = 0; c < columns; ++c) {
+                lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
+                // The bounds once more: scaling back may pass them by a rounding.
+                const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, c);
+                lambda(j, c) = std::max(std::min(lambda(j, c), high), low);
+            }
+        }
+    }
+
+    // t_j - u_j . x
+    double error(const Row& row, int c) const {
+        return row.t[at(c)] - row.axis_a.dot(velocity[row.a].col(c)) - row.axis_b.dot(velocity[row.b].col(c));
+    }
+
+    // `y` between the row's bounds as they are now.
+    double clamped(const Row& row, int c, double y) const {
+        const double other = row.of_row < 0 ? 1.0 : rows[static_cast<std::size_t>(row.of_row)].y[at(c)];
+        return std::max(std::min(y, row.high * other), row.low * other);
+    }
+
+    // Gives a row the force y, and its bodies the velocities that follow. Returns the change of y.
+    double set(Row& row, int c, double y) {
+        const double change = y - row.y[at(c)];
+        row.y[at(c)] = y;
+        velocity[row.a].col(c) += row.axis_a * change;
+        velocity[row.b].col(c) += row.axis_b * change;
+        return change;
+    }
+
+    // Natural-map residual [m/s], the same as natural_residual() up to rounding.
+    double residual() const {
+        double largest = 0.0;
+        for (const Row& row : rows) {
+            for (int c = 0; c < columns; ++c) {
+                const double moved = clamped(row, c, row.y[at(c)] + error(row, c));
+                largest = std::max(largest, row.scale * std::abs(moved - row.y[at(c)]));
+            }
+        }
+        return largest;
+    }
+
+    static constexpr std::size_t at(int column) { return static_cast<std::size_t>(column); }
+
+    // Multiply-adds of one pass that reads and writes every row in every column, and of one that only reads.
+    double pass_work() const { return 24.0 * columns * static_cast<double>(rows.size()); }
+    double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
+
+    std::vector<Row> rows;
+    std::vector<BodyVelocity> velocity;  // x, one a body
+
+  private:
+    void load_row(const SystemEquation& system, const Columns& guess, Eigen::Index j) {
+        const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
+        Row& row = rows[static_cast<std::size_t>(j)];
+        row.a = static_cast<std::size_t>(source.body_a);
+        row.b = static_cast<std::size_t>(source.body_b);
+        const double scale = std::sqrt(system.diagonal[j]);
+        if (!(scale > 0.0)) return;
+        row.scale = scale;
+        row.axis_a = weighted(system.inverse_mass[row.a], source.jacobian.a) / row.scale;
+        row.axis_b = weighted(system.inverse_mass[row.b], source.jacobian.b) / row.scale;
+
+        row.of_row = source.bounds.of_row;
+        const double bound_scale = row.of_row < 0 ? system.dt * row.scale : row.scale / scale_of(row.of_row);
+        row.low = source.bounds.c_min * bound_scale;
+        row.high = source.bounds.c_max * bound_scale;
+
+        for (int c = 0; c < columns; ++c) {
+            row.t[at(c)] = system.b(j, c) * (system.dt / row.scale);
+            set(row, c, guess(j, c) * (system.dt * row.scale));
+        }
+    }
+
+    // M^(-1/2)^T j, angular part in body axes.
+    static Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
+        Vector6 result;
+        result << std::sqrt(inverse_mass.linear) * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>();
+        return result;
+    }
+
+    // The other row's s; 1 where it is 0, because its y is 0 then.
+    double scale_of(int row) const {
+        const double scale = rows[static_cast<std::size_t>(row)].scale;
+        return scale > 0.0 ? scale : 1.0;
+    }
+};
+
+}  // namespace pushfactor::engine::solvers
