@@ -11,6 +11,7 @@ namespace {
 Settings paper() {
     Settings settings;
     settings.preset = "paper";
+    settings.solver = "pgs";
     settings.tolerance_high = 0.0;
     settings.tolerance_low = 0.0;
     settings.contacts = {engine::PushKind::persistent, 0.2};
@@ -33,11 +34,25 @@ Settings recommended() {
     return settings;
 }
 
+// Every step solved to rounding, and every error corrected in one step.
+Settings exact() {
+    Settings settings;
+    settings.preset = "exact";
+    settings.solver = "direct";
+    settings.iterations = 1000;
+    settings.tolerance_high = 1e-10;
+    settings.contacts.beta = 1.0;
+    settings.slop = 0.0;
+    return settings;
+}
+
 }  // namespace
 
 std::span<const Preset> presets() {
     static constexpr std::array table{
-        Preset{"default", "single-frame push, contact caching, slop and margin, two tolerances", recommended},
+        Preset{"default", "single-frame push, contact caching, slop and margin, solver auto with two tolerances",
+               recommended},
+        Preset{"exact", "every step solved to rounding, beta 1, no slop", exact},
         Preset{"paper", "the original method: persistent push, 25 iterations from zero, no caching", paper},
     };
     return table;

@@ -24,7 +24,7 @@ struct Settings {
     int substeps = 1;       // engine steps of dt / substeps in one step of the run
     double seconds = 10.0;  // simulated time, whole steps of it
 
-    std::string solver = "pgs";    // name in the solver table
+    std::string solver = "auto";   // name in the solver table
     int iterations = 25;           // at most, a solve
     double tolerance_high = 1e-8;  // m/s: below it the cached answer is kept
     double tolerance_low = 1e-10;  // m/s: above it a solve goes on

@@ -1,7 +1,9 @@
 #include "engine/solvers/solver.h"
 
 #include "engine/invalid_input.h"
+#include "engine/solvers/auto.h"
 #include "engine/solvers/dense.h"
+#include "engine/solvers/direct.h"
 #include "engine/solvers/pgs.h"
 
 #include <array>
@@ -11,7 +13,9 @@ namespace pushfactor::engine::solvers {
 
 std::span<const SolverEntry> solver_table() {
     static constexpr std::array table{
+        SolverEntry{"auto", "the exact answer where bodies are connected like a thread, else sweeps", make_auto},
         SolverEntry{"pgs", "projected Gauss-Seidel on the sparse rows", make_pgs},
+        SolverEntry{"direct", "the exact answer, by Newton steps in the space of the bodies", make_direct},
         SolverEntry{"dense", "projected Gauss-Seidel on the dense A, as section 7.2 prints it", make_dense},
     };
     return table;

@@ -75,6 +75,17 @@ class UnitRows {
         return change;
     }
 
+    // The bodies' velocities anew from all forces, which removes what roundings have left behind.
+    void follow() {
+        std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
+        for (const Row& row : rows) {
+            for (int c = 0; c < columns; ++c) {
+                velocity[row.a].col(c) += row.axis_a * row.y[at(c)];
+                velocity[row.b].col(c) += row.axis_b * row.y[at(c)];
+            }
+        }
+    }
+
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
     double residual() const {
         double largest = 0.0;

@@ -1,0 +1,74 @@
+// Sweeps contract slowly where a force has a long way to go (stacks, chains, great mass ratios), and exactly there
+// the bodies are connected like a thread: the matrix of the exact answer has little fill, and a factorisation costs
+// about as much as a few sweeps. Where the bodies are connected like a heap it is the other way round: a
+// factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
+//
+// So: keep the guess when it is good; sweep once where no two rows share a body, which is the answer; solve a
+// thread exactly; sweep a heap. A heap whose sweeps end far from the answer gets a bounded number of exact steps on
+// top. The rules look at the structure and the residual, never at the clock.
+#include "engine/solvers/auto.h"
+
+#include "engine/solvers/exact_answer.h"
+#include "engine/solvers/gauss_seidel.h"
+
+namespace pushfactor::engine::solvers {
+
+namespace {
+
+// Pairs a movable body, static partners included: 1 for a thread that hangs or stands, about 3 for a heap.
+constexpr double pairs_of_a_thread = 1.1;
+// What is left after the sweeps of a heap that calls for exact steps [m/s].
+constexpr double far = 3e-2;
+// How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
+constexpr int exact_steps = 4;
+constexpr double sweeps_an_exact_step = 25.0;
+
+class Auto : public Solver {
+  public:
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
+        return system.column_count() == 2 ? run(two_columns_, system, termination, lambda)
+                                          : run(one_column_, system, termination, lambda);
+    }
+
+  private:
+    template <int columns>
+    SolveCount run(UnitRows<columns>& rows, const SystemEquation& system, const Termination& termination,
+                   Columns& lambda) {
+        SolveCount count;
+        rows.load(system, lambda);
+        if (keeps_guess(rows, termination, count)) return count;
+        exact_.find_pairs(rows);
+        if (!exact_.rows_couple()) {
+            sweep_until(rows, {1, termination.tolerance_high, termination.tolerance_low}, count);
+        } else if (exact_.pairs() <= pairs_of_a_thread * exact_.movable_bodies()) {
+            exact_.plan();
+            exact_.solve(rows, termination.tolerance_low, termination.iterations, count);
+        } else {
+            solve_heap(rows, termination, count);
+        }
+        rows.store(system, lambda);
+        return count;
+    }
+
+    template <int columns>
+    void solve_heap(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
+        if (sweep_until(rows, termination, count)) return;
+        count.multiply_adds += rows.look_work();
+        if (rows.residual() <= far) return;
+        exact_.plan();
+        if (exact_.factor_work() > sweeps_an_exact_step * rows.pass_work()) return;
+        exact_.solve(rows, termination.tolerance_low, exact_steps, count);
+    }
+
+    UnitRows<1> one_column_;
+    UnitRows<2> two_columns_;
+    ExactAnswer exact_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_auto() {
+    return std::make_unique<Auto>();
+}
+
+}  // namespace pushfactor::engine::solvers

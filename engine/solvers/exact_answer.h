@@ -1,0 +1,133 @@
+// The exact answer to a system in unit rows, column by column (proximal_newton.h); the columns share the factor
+// while the same rows are clamped. Bounds that follow another row (Coulomb friction) are found by a fixed point:
+// solve with the bounds as they are, set them anew, until they stay.
+#pragma once
+
+#include "engine/solvers/proximal_newton.h"
+#include "engine/solvers/unit_rows.h"
+
+namespace pushfactor::engine::solvers {
+
+// Rounds of the fixed point, at most: a settled stack takes 2, a landing up to 20.
+inline constexpr int most_bound_rounds = 20;
+
+class ExactAnswer {
+  public:
+    // Finds out which bodies the rows connect. Comes first.
+    template <int columns>
+    void find_pairs(const UnitRows<columns>& rows);
+    int pairs() const { return all_pairs_; }      // static partners included
+    bool rows_couple() const { return couple_; }  // whether any movable body is in two rows
+    int movable_bodies() const { return static_cast<int>(alone_.size()); }
+
+    // Plans the factorisation. Comes second, and costs more where there are many pairs.
+    void plan() { matrix_.connect(bodies_, pairs_, alone_); }
+    double factor_work() const { return matrix_.factor_work(); }  // multiply-adds
+
+    // Improves the forces until the natural residual is at most `tolerance` [m/s] or falls no further, with at most
+    // `factorisations` a column. Never leaves them worse than they were.
+    template <int columns>
+    void solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count);
+
+  private:
+    template <int columns>
+    void take(const UnitRows<columns>& rows, int column);
+    template <int columns>
+    double follow_bounds(const UnitRows<columns>& rows);
+
+    BodyMatrix matrix_;
+    ProximalNewton newton_{matrix_};
+    UnitProblem problem_;
+    std::vector<double> y_;
+    std::vector<std::pair<int, int>> pairs_;
+    std::vector<int> alone_;  // movable bodies, in a pair or not
+    int all_pairs_ = 0;
+    bool couple_ = false;
+    std::size_t bodies_ = 0;
+};
+
+template <int columns>
+void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
+    pairs_.clear();
+    alone_.clear();
+    couple_ = false;
+    std::vector<char> moves(rows.velocity.size(), 0);
+    for (const auto& row : rows.rows) {
+        const bool a_moves = !row.axis_a.isZero(0.0);
+        const bool b_moves = !row.axis_b.isZero(0.0);
+        const std::pair pair{static_cast<int>(std::min(row.a, row.b)), static_cast<int>(std::max(row.a, row.b))};
+        for (const auto& [body, has_axis] : {std::pair{row.a, a_moves}, std::pair{row.b, b_moves}}) {
+            if (!has_axis) continue;
+            couple_ = couple_ || moves[body];
+            moves[body] = 1;
+        }
+        if ((a_moves || b_moves) && row.a != row.b && (pairs_.empty() || pairs_.back() != pair))
+            pairs_.push_back(pair);
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    all_pairs_ = static_cast<int>(pairs_.size());
+    std::erase_if(pairs_, [&](const auto& pair) {
+        return !moves[static_cast<std::size_t>(pair.first)] || !moves[static_cast<std::size_t>(pair.second)];
+    });
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        if (moves[i]) alone_.push_back(static_cast<int>(i));
+    }
+    bodies_ = moves.size();
+}
+
+template <int columns>
+void ExactAnswer::take(const UnitRows<columns>& rows, int column) {
+    const std::size_t c = rows.at(column);
+    problem_.bodies = rows.velocity.size();
+    problem_.rows.resize(rows.rows.size());
+    y_.resize(rows.rows.size());
+    for (std::size_t j = 0; j < rows.rows.size(); ++j) {
+        const auto& row = rows.rows[j];
+        problem_.rows[j] = {.a = static_cast<int>(row.a),
+                            .b = static_cast<int>(row.b),
+                            .axis_a = row.axis_a,
+                            .axis_b = row.axis_b,
+                            .t = row.t[c],
+                            .low = row.low,
+                            .high = row.high,
+                            .scale = row.scale};
+        y_[j] = row.y[c];
+    }
+    follow_bounds(rows);
+}
+
+// Sets the bounds that follow another row to what they are with y as it is. Returns the largest change [m/s].
+template <int columns>
+double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < rows.rows.size(); ++j) {
+        const auto& row = rows.rows[j];
+        if (row.of_row < 0) continue;
+        UnitProblem::Row& own = problem_.rows[j];
+        const double other = y_[static_cast<std::size_t>(row.of_row)];
+        largest = std::max(largest, row.scale * std::abs(row.high * other - own.high));
+        own.low = row.low * other;
+        own.high = row.high * other;
+        y_[j] = std::max(std::min(y_[j], own.high), own.low);
+    }
+    return largest;
+}
+
+template <int columns>
+void ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count) {
+    newton_.start();
+    const bool follows =
+        std::any_of(rows.rows.begin(), rows.rows.end(), [](const auto& row) { return row.of_row >= 0; });
+    for (int c = 0; c < columns; ++c) {
+        take(rows, c);
+        for (int round = 0; round < (follows ? most_bound_rounds : 1); ++round) {
+            newton_.solve(problem_, tolerance, factorisations, y_, count);
+            if (!follows || follow_bounds(rows) <= tolerance) break;
+        }
+        for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
+    }
+    rows.follow();
+}
+
+}  // namespace pushfactor::engine::solvers
