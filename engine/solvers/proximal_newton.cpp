@@ -12,7 +12,7 @@ using Row = UnitProblem::Row;
 constexpr double largest_rho = 1e7;
 // Below this residual [m/s] the guess is taken to know most of the clamped rows.
 constexpr double warm = 1e-4;
-constexpr int warm_changes = 4;
+constexpr int most_changes = 4;
 constexpr int most_steps = 30;
 
 double clamp(double value, double low, double high) {
@@ -182,13 +182,12 @@ double ProximalNewton::solve(const UnitProblem& problem, double tolerance, int f
         return better;
     };
 
-    if (reached <= warm) {
-        for (int k = 0; k < warm_changes && reached > tolerance && left_ > 0; ++k) {
-            const bool stayed = settle_active_set(problem, y, count);
-            if (!look() && stayed) break;
-        }
-        y = best;
+    // A few changes of the active set often are enough, even from a poor guess, and need no line search.
+    for (int k = 0; k < most_changes && reached > tolerance && left_ > 0; ++k) {
+        const bool stayed = settle_active_set(problem, y, count);
+        if (!look() && stayed) break;
     }
+    y = best;
     // Continuation: small rho finds its way through many clamped rows with few changes at a time.
     double rho = reached <= warm ? largest_rho : 10.0;
     int without_gain = 0;

@@ -62,8 +62,8 @@ TEST_CASE("values out of range are refused by option, value and what is allowed"
     check_refusal("run stack --count 2.5", 2, {"--count 2.5", "whole number"});
     check_refusal("run stack --beta 2", 2, {"--beta 2", "from 0 to 1"});
     check_refusal("run stack --beta", 2, {"--beta"});
-    check_refusal("run stack --preset best", 2, {"--preset best", "default, paper"});
-    check_refusal("run stack --solver magic", 2, {"--solver magic", "pgs, dense"});
+    check_refusal("run stack --preset best", 2, {"--preset best", "default, exact, paper"});
+    check_refusal("run stack --solver magic", 2, {"--solver magic", "auto, pgs, direct, dense"});
     check_refusal("run stack --tolerance 1e-10/1e-8", 2, {"--tolerance", "LOW <= HIGH"});
     check_refusal("run stack --seconds -1", 2, {"--seconds -1"});
     check_refusal("run stack --friction inf", 2, {"--friction inf"});

@@ -1,0 +1,192 @@
+// The exact answer on problems where others fail, and where there is more than one.
+#include "engine/distance_constraint.h"
+#include "engine/solvers/solver.h"
+#include "tests/catch.h"
+#include "tests/engine/rows.h"
+#include "tests/random.h"
+#include "tests/scene_fixture.h"
+
+using namespace pushfactor;
+using namespace pushfactor::engine;
+using pushfactor::tests::Column;
+using pushfactor::tests::Frozen;
+using solvers::make_solver;
+
+namespace {
+
+constexpr double dt = 1.0 / 60.0;
+constexpr solvers::Termination to_rounding{.iterations = 1000, .tolerance_high = 1e-12, .tolerance_low = 1e-12};
+
+struct Answer {
+    Columns lambda;
+    double residual;  // m/s
+    solvers::SolveCount count;
+};
+
+Answer solve(const char* solver, const Frozen& frozen, const solvers::Termination& termination = to_rounding) {
+    Answer answer{.lambda = frozen.zero(), .residual = 0.0, .count = {}};
+    answer.count = make_solver(solver)->solve(frozen.system, termination, answer.lambda);
+    answer.residual = natural_residual(frozen.system, answer.lambda);
+    return answer;
+}
+
+// A chain of balls that hangs from the ground, the last `ratio` times heavier, with `twice` as many rows if asked.
+struct Chain {
+    std::vector<Body> bodies{static_body(Vector3::Zero())};
+    std::vector<Distance> distances;
+
+    Chain(int links, double ratio) {
+        for (int i = 1; i <= links; ++i) {
+            bodies.push_back(ball_body(i == links ? ratio : 1.0, 0.1, {0.8 * i, -0.6 * i, 0}));
+            bodies.back().force = Vector3(0, -10.0 * bodies.back().mass(), 0);
+            distances.push_back({.body_a = i - 1, .body_b = i, .length = 1.0});
+        }
+    }
+    Frozen frozen() const {
+        std::vector<ConstraintRow> rows;
+        DistanceConstraints(distances, {PushKind::persistent, 1.0}, false).append_rows(bodies, dt, rows);
+        return {bodies, rows, dt};
+    }
+};
+
+// Random rows with bounds between random bodies; the answer is checked against its definition alone.
+Frozen random_problem(std::uint64_t seed) {
+    tests::Random random(seed);
+    std::vector<Body> bodies{static_body(Vector3::Zero())};
+    const int count = 3 + static_cast<int>(random.in(0, 6));
+    for (int i = 0; i < count; ++i) {
+        bodies.push_back(box_body(std::pow(10.0, random.in(-2, 2)),
+                                  Vector3(random.in(0.2, 2), 1, random.in(0.2, 2)), random.vector(-3, 3),
+                                  random.rotation()));
+        bodies.back().force = random.vector(-20, 20);
+        bodies.back().torque = random.vector(-5, 5);
+    }
+    std::vector<ConstraintRow> rows;
+    const int row_count = 4 + static_cast<int>(random.in(0, 40));
+    for (int j = 0; j < row_count; ++j) {
+        ConstraintRow row;
+        row.body_a = static_cast<int>(random.in(0, count + 1));
+        row.body_b = static_cast<int>(random.in(0, count + 1));
+        if (row.body_a == row.body_b) continue;
+        row.jacobian.a << random.vector(-1, 1), random.vector(-1, 1);
+        row.jacobian.b << random.vector(-1, 1), random.vector(-1, 1);
+        row.push.lasting = random.in(-0.1, 0.1);
+        const double kind = random.in(0, 1);
+        row.bounds.c_min = kind < 0.5 ? 0.0 : kind < 0.7 ? -random.in(0, 20) : -1e4;
+        // All bounds are finite: rows that contradict each other then have an answer, too.
+        row.bounds.c_max = kind < 0.2 || kind > 0.9 ? random.in(0.1, 30) : 1e4;
+        if (random.in(0, 1) < 0.3) row.push.correcting = random.in(0, 0.5);
+        rows.push_back(row);
+        if (random.in(0, 1) < 0.3) rows.push_back(row);  // redundant
+    }
+    return {bodies, rows, dt};
+}
+
+}  // namespace
+
+TEST_CASE("direct solves random problems with redundant rows and both columns to rounding") {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const Frozen frozen = random_problem(seed);
+        const Answer answer = solve("direct", frozen);
+        INFO("seed " << seed << ", " << frozen.rows.size() << " rows");
+        // Rounding in a row that moves at up to 1e3 m/s.
+        CHECK(answer.residual < 1e-9);
+    }
+}
+
+TEST_CASE("direct and a very long sweep move the bodies alike, also where the forces are not unique") {
+    auto simulation =
+        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+    tests::advance(simulation, 0.1);
+    const World& world = simulation.scene().world;
+    const Frozen frozen(world.bodies, world.rows(), dt);
+    const Answer exact = solve("direct", frozen);
+    const Answer swept =
+        solve("pgs", frozen, {.iterations = 100000, .tolerance_high = 1e-12, .tolerance_low = 1e-12});
+    CHECK(exact.residual < 1e-12);
+    for (Eigen::Index column = 0; column < frozen.system.column_count(); ++column) {
+        std::vector<Vector6> a, b;
+        constraint_forces(frozen.system, exact.lambda, column, a);
+        constraint_forces(frozen.system, swept.lambda, column, b);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const bool moves = frozen.system.inverse_mass[i].linear > 0.0;
+            if (moves) CHECK((a[i] - b[i]).norm() < 1e-7);
+        }
+    }
+}
+
+TEST_CASE("direct holds a chain whose end is a thousand or a million times heavier, where sweeps do not") {
+    for (const double ratio : {1e3, 1e6}) {
+        const Frozen frozen = Chain(20, ratio).frozen();
+        const Answer exact = solve("direct", frozen);
+        CHECK(exact.residual < 1e-9);
+        CHECK(solve("pgs", frozen, {.iterations = 100}).residual > 1e-3);
+    }
+}
+
+TEST_CASE("one factorisation solves bars alone, whatever their number, at a cost that grows with it") {
+    const Answer ten = solve("direct", Chain(10, 1.0).frozen());
+    const Answer forty = solve("direct", Chain(40, 1.0).frozen());
+    CHECK(ten.residual < 1e-12);
+    CHECK(forty.residual < 1e-12);
+    CHECK(ten.count.iterations == 1);
+    CHECK(forty.count.iterations == 1);
+    CHECK(forty.count.multiply_adds < 4.2 * ten.count.multiply_adds);
+}
+
+TEST_CASE("bars that contradict each other share the error, and their forces stay finite from step to step") {
+    Chain chain(1, 1.0);
+    chain.bodies[1].position = Vector3(0, -1, 0);
+    chain.distances = {{.body_a = 0, .body_b = 1, .length = 0.9}, {.body_a = 0, .body_b = 1, .length = 1.1}};
+    Answer answer = solve("direct", chain.frozen());
+    CHECK(answer.lambda.allFinite());
+    // Between the two, with its weight carried.
+    CHECK(answer.lambda.sum() == Approx(-10.0).epsilon(1e-3));
+    const double once = answer.lambda.cwiseAbs().maxCoeff();
+    for (int step = 0; step < 10; ++step) {
+        const Frozen frozen = chain.frozen();
+        make_solver("direct")->solve(frozen.system, to_rounding, answer.lambda);
+    }
+    CHECK(answer.lambda.allFinite());
+    CHECK(answer.lambda.cwiseAbs().maxCoeff() < 3.0 * once);
+}
+
+TEST_CASE("direct finds the bounds of Coulomb friction: a box on a slope slides as theory says, or holds") {
+    for (const auto& [angle, moves] : {std::pair{0.3, false}, std::pair{0.6, true}}) {
+        demos::Settings settings = demos::preset_settings("exact");
+        settings.friction_model = demos::FrictionModel::coulomb;
+        demos::SceneDescription scene;
+        scene.name = "slope";
+        scene.contacts = true;
+        const Quaternion tilt(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+        scene.bodies.push_back({.name = "slope", .shape = demos::PlaneShape{}, .orientation = tilt});
+        scene.bodies.push_back({.name = "box", .shape = demos::BoxShape{}, .mass = 1.0});
+        scene.bodies.back().position = tilt * Vector3(0, 0.5, 0);
+        scene.bodies.back().orientation = tilt;
+        demos::Simulation run(demos::build_scene(scene, settings), settings);
+        tests::advance(run, 1.0);
+        const double speed = velocity(run.scene().world.bodies[1]).norm();
+        const double theory = 10.0 * (std::sin(angle) - 0.5 * std::cos(angle));
+        CHECK(speed == Approx(moves ? theory : 0.0).margin(moves ? 1e-6 : 1e-9).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("auto sweeps once where no two rows share a body, is exact on threads, and sweeps heaps") {
+    const auto of_step = [](const char* scene, const char* solver, double seconds) {
+        demos::Settings settings = demos::preset_settings("default");
+        settings.solver = solver;
+        auto run = tests::simulate(scene, settings);
+        tests::advance(run, seconds);
+        return run.sample();
+    };
+    const demos::Sample wave = of_step("pendulum-wave", "auto", 0.5);
+    CHECK(wave.count.sweeps == 1);
+    CHECK(wave.residual < 1e-12);
+    // A stack while it lands, which 25 sweeps leave far from the answer.
+    CHECK(of_step("stack", "auto", 0.55).residual < 1e-9);
+    CHECK(of_step("stack", "pgs", 0.55).residual > 1e-4);
+    // A heap is swept, and what is spent on top is bounded.
+    const demos::Sample heap = of_step("funnel", "auto", 3.0);
+    CHECK(heap.count.sweeps >= 25);
+    CHECK(heap.count.multiply_adds <= 5.0 * of_step("funnel", "pgs", 3.0).count.multiply_adds);
+}
