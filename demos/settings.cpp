@@ -41,6 +41,7 @@ Settings exact() {
     settings.solver = "direct";
     settings.iterations = 1000;
     settings.tolerance_high = 1e-10;
+    settings.tolerance_low = 1e-10;
     settings.contacts.beta = 1.0;
     settings.slop = 0.0;
     return settings;

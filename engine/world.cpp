@@ -54,7 +54,15 @@ solvers::SolveCount World::solve() {
         lambda_(j, 0) = guess.first;
         lambda_(j, last) = guess.last;
     }
-    return rows_.empty() ? solvers::SolveCount{} : solver->solve(system_, termination, lambda_);
+    if (rows_.empty()) return {};
+    // An answer that has just stopped a motion holds the force that stopped it, and kept for the next step it would
+    // start the motion again, the other way round. So the upper tolerance counts only from the step on in which the
+    // guess was as good as an answer.
+    solvers::Termination now = termination;
+    if (!calm_) now.tolerance_high = now.tolerance_low;
+    const solvers::SolveCount count = solver->solve(system_, now, lambda_);
+    calm_ = count.iterations == 0;
+    return count;
 }
 
 void World::remember() {

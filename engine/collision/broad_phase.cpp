@@ -22,6 +22,9 @@ Vector3 reach_of(const Shape& shape, const Body& body) {
     return pose_of(body).rotation.cwiseAbs() * std::get<Box>(shape).half_size;
 }
 
+// So many are compared each with each in less time than a grid takes to fill and search.
+constexpr std::size_t few = 48;
+
 // Of the cells that hold a box with this longest edge.
 int level_of(double edge) {
     return std::isfinite(edge) && edge > 0.0 ? std::ilogb(edge) + 1 : 0;
@@ -101,13 +104,16 @@ void BroadPhase::pair_with_cell(int index, const Cell& cell, std::span<const Col
         if (other.cell != cell) continue;  // another cell of the same bucket
         // Within a level each pair is met from both sides.
         if (cell.level == box.cell.level && i <= index) continue;
-        if (box.fixed && other.fixed) continue;
-        if (at(colliders, box.collider).body == at(colliders, other.collider).body) continue;
-        const bool overlap =
-            (box.low.array() < other.high.array()).all() && (other.low.array() < box.high.array()).all();
-        if (overlap)
-            pairs_.push_back({std::min(box.collider, other.collider), std::max(box.collider, other.collider)});
+        pair_if_near(box, other, colliders);
     }
+}
+
+void BroadPhase::pair_if_near(const Bounds& box, const Bounds& other, std::span<const Collider> colliders) {
+    const bool overlap =
+        (box.low.array() < other.high.array()).all() && (other.low.array() < box.high.array()).all();
+    if (!overlap || (box.fixed && other.fixed)) return;
+    if (at(colliders, box.collider).body == at(colliders, other.collider).body) return;
+    pairs_.push_back({std::min(box.collider, other.collider), std::max(box.collider, other.collider)});
 }
 
 // Boxes no longer than a cell overlap only when their centres lie in the same or in adjacent cells, so it is enough
@@ -132,9 +138,15 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
                                              double margin) {
     pairs_.clear();
     bound(colliders, bodies, margin);
-    fill_grid();
     pair_with_planes(colliders, bodies);
-    for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) pair_with_neighbours(i, colliders);
+    if (bounds_.size() <= few) {
+        for (std::size_t i = 0; i < bounds_.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) pair_if_near(bounds_[i], bounds_[j], colliders);
+        }
+    } else {
+        fill_grid();
+        for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) pair_with_neighbours(i, colliders);
+    }
     std::sort(pairs_.begin(), pairs_.end());
     return pairs_;
 }

@@ -47,6 +47,8 @@ class BroadPhase {
     void pair_with_neighbours(int index, std::span<const Collider> colliders);
     void pair_with_cell(int index, const Cell& cell, std::span<const Collider> colliders);
 
+    void pair_if_near(const Bounds& box, const Bounds& other, std::span<const Collider> colliders);
+
     std::vector<Bounds> bounds_;  // of the finite shapes
     std::vector<int> planes_;
     std::vector<int> levels_;  // that occur, ascending
