@@ -2,6 +2,8 @@
 
 #include "engine/invalid_input.h"
 #include "engine/solvers/dense.h"
+#include "engine/solvers/jacobi.h"
+#include "engine/solvers/nncg.h"
 #include "engine/solvers/pgs.h"
 
 #include <array>
@@ -13,6 +15,8 @@ std::span<const SolverEntry> solver_table() {
     static constexpr std::array table{
         SolverEntry{"pgs", "projected Gauss-Seidel on the sparse rows", make_pgs},
         SolverEntry{"dense", "projected Gauss-Seidel on the dense A, as section 7.2 prints it", make_dense},
+        SolverEntry{"jacobi", "relaxed Jacobi: every row from the last iteration; for comparison", make_jacobi},
+        SolverEntry{"nncg", "nonsmooth nonlinear conjugate gradients, built from sweeps", make_nncg},
     };
     return table;
 }
