@@ -9,7 +9,7 @@
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/exact_answer.h"
-#include "engine/solvers/gauss_seidel.h"
+#include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 
@@ -40,7 +40,7 @@ class Auto : public Solver {
         if (keeps_guess(rows, termination, count)) return count;
         exact_.find_pairs(rows);
         if (!exact_.rows_couple()) {
-            sweep_until(rows, {1, termination.tolerance_high, termination.tolerance_low}, count);
+            work_down(rows, {1, termination.tolerance_high, termination.tolerance_low}, count, sweep<columns>);
         } else if (exact_.pairs() <= pairs_of_a_thread * exact_.movable_bodies()) {
             exact_.plan();
             exact_.solve(rows, termination.tolerance_low, termination.iterations, count);
@@ -53,7 +53,7 @@ class Auto : public Solver {
 
     template <int columns>
     void solve_heap(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
-        if (sweep_until(rows, termination, count)) return;
+        if (work_down(rows, termination, count, sweep<columns>)) return;
         count.multiply_adds += rows.look_work();
         if (rows.residual() <= far) return;
         exact_.plan();

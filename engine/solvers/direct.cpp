@@ -2,7 +2,7 @@
 #include "engine/solvers/direct.h"
 
 #include "engine/solvers/exact_answer.h"
-#include "engine/solvers/gauss_seidel.h"
+#include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 

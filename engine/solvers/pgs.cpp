@@ -2,28 +2,17 @@
 // (unit_rows.h). Both columns are swept together.
 #include "engine/solvers/pgs.h"
 
-#include "engine/solvers/gauss_seidel.h"
+#include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 
 namespace {
 
-template <int columns>
-SolveCount run(UnitRows<columns>& rows, const SystemEquation& system, const Termination& termination,
-               Columns& lambda) {
-    SolveCount count;
-    rows.load(system, lambda);
-    if (keeps_guess(rows, termination, count)) return count;
-    sweep_until(rows, termination, count);
-    rows.store(system, lambda);
-    return count;
-}
-
 class Pgs : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? run(two_columns_, system, termination, lambda)
-                                          : run(one_column_, system, termination, lambda);
+        return system.column_count() == 2 ? iterate(two_columns_, system, termination, lambda, sweep<2>)
+                                          : iterate(one_column_, system, termination, lambda, sweep<1>);
     }
 
   private:

@@ -4,6 +4,8 @@
 #include "engine/solvers/auto.h"
 #include "engine/solvers/dense.h"
 #include "engine/solvers/direct.h"
+#include "engine/solvers/jacobi.h"
+#include "engine/solvers/nncg.h"
 #include "engine/solvers/pgs.h"
 
 #include <array>
@@ -17,6 +19,8 @@ std::span<const SolverEntry> solver_table() {
         SolverEntry{"pgs", "projected Gauss-Seidel on the sparse rows", make_pgs},
         SolverEntry{"direct", "the exact answer, by Newton steps in the space of the bodies", make_direct},
         SolverEntry{"dense", "projected Gauss-Seidel on the dense A, as section 7.2 prints it", make_dense},
+        SolverEntry{"jacobi", "relaxed Jacobi: every row from the last iteration; for comparison", make_jacobi},
+        SolverEntry{"nncg", "nonsmooth nonlinear conjugate gradients, built from sweeps", make_nncg},
     };
     return table;
 }

@@ -11,14 +11,14 @@ using namespace pushfactor::tests;
 namespace {
 
 // One line on standard error that begins with the program's name, nothing on standard output.
-void check_refusal(const std::string& arguments, int status, const std::vector<std::string>& said) {
+void check_refusal(const std::string& arguments, int status, const std::vector<const char*>& said) {
     INFO("pushfactor " << arguments);
     const Ended ended = run_program(arguments);
     CHECK(ended.status == status);
     CHECK(ended.out.empty());
     CHECK(ended.err.starts_with("pushfactor: "));
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    for (const std::string& words : said) CHECK_THAT(ended.err, Catch::Contains(words));
+    for (const char* words : said) CHECK_THAT(ended.err, Catch::Contains(words));
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+// What the sweeping solvers share: the sweep of paper section 7 and the loop around one of theirs. An inner matter
+// of the solvers.
+#pragma once
+
+#include "engine/solvers/solver.h"
+#include "engine/solvers/unit_rows.h"
+
+namespace pushfactor::engine::solvers {
+
+// 7.1.1 row after row, each from the newest values of the others. Returns the largest change of a row's velocity
+// [m/s].
+template <int columns>
+double sweep(UnitRows<columns>& system) {
+    double largest = 0.0;
+    for (auto& row : system.rows) {
+        for (int c = 0; c < columns; ++c) {
+            const double y = row.y[system.at(c)] + system.error(row, c);
+            const double change = system.set(row, c, system.clamped(row, c, y));
+            largest = std::max(largest, row.scale * std::abs(change));
+        }
+    }
+    return largest;
+}
+
+// Whether the guess is good enough to be kept (6.2.3).
+template <int columns>
+bool keeps_guess(const UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
+    if (termination.tolerance_high <= 0.0) return false;
+    count.multiply_adds += rows.look_work();
+    return rows.residual() <= termination.tolerance_high;
+}
+
+// Repeats `pass`, which reads and writes every row once and returns the largest change of a row's velocity [m/s],
+// until the residual is at most the lower tolerance or the iterations are used up; all of them when tolerances are
+// zero. Returns whether the residual got there.
+template <int columns, typename Pass>
+bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCount& count, Pass pass) {
+    const bool checked = termination.tolerance_high > 0.0;
+    for (int k = 0; k < termination.iterations; ++k) {
+        ++count.iterations;
+        count.multiply_adds += rows.pass_work();
+        const double change = pass(rows);
+        // The change bounds nothing, but while it is large the residual need not be looked at.
+        if (!checked || change > termination.tolerance_low) continue;
+        count.multiply_adds += rows.look_work();
+        if (rows.residual() <= termination.tolerance_low) return true;
+    }
+    return false;
+}
+
+// A whole solve by such passes.
+template <int columns, typename Pass>
+SolveCount iterate(UnitRows<columns>& rows, const SystemEquation& system, const Termination& termination,
+                   Columns& lambda, Pass pass) {
+    SolveCount count;
+    rows.load(system, lambda);
+    if (keeps_guess(rows, termination, count)) return count;
+    work_down(rows, termination, count, pass);
+    rows.store(system, lambda);
+    return count;
+}
+
+}  // namespace pushfactor::engine::solvers
