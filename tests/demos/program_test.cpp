@@ -116,7 +116,7 @@ TEST_CASE("a summary holds the fields that design and README promise") {
 }
 
 TEST_CASE("README's table of scenes is what the program lists") {
-    const std::string readme = read_file(std::string(PUSHFACTOR_SOURCE_DIR) + "/README.md");
+    const std::string readme = read_file(PUSHFACTOR_SOURCE_DIR "/README.md");
     std::istringstream lines(run_program("list").out);
     int scenes = 0;
     for (std::string name; std::getline(lines, name);) {
@@ -125,9 +125,11 @@ TEST_CASE("README's table of scenes is what the program lists") {
         std::getline(lines, sentence);
         std::getline(lines, made_of);
         ++scenes;
-        const std::string row = "`" + name + "` | " + sentence.substr(4) + " | " + made_of.substr(13) + " |";
-        CHECK_THAT(readme, Catch::Contains(row));
-        CHECK(std::filesystem::exists(std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/pictures/" + name + ".png"));
+        std::ostringstream row;
+        row << "`" << name << "` | " << sentence.substr(4) << " | " << made_of.substr(13) << " |";
+        CHECK_THAT(readme, Catch::Contains(row.str()));
+        CHECK(std::filesystem::exists(std::filesystem::path(PUSHFACTOR_SOURCE_DIR "/assets/pictures") /
+                                      (name + ".png")));
     }
     CHECK(scenes == 7);
 }
