@@ -5,6 +5,7 @@
 #include "demos/scene_description.h"
 #include "demos/settings.h"
 #include "engine/contact_stage.h"
+#include "engine/rattle.h"
 #include "engine/world.h"
 
 #include <optional>
@@ -16,6 +17,7 @@ namespace pushfactor::demos {
 struct Scene {
     std::string name;
     engine::World world;
+    engine::StepMethod step = [](engine::World& w, double dt) { return w.step(dt); };  // the paper's
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
     const engine::ContactStage* contacts = nullptr;          // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
@@ -27,8 +29,8 @@ struct Scene {
 };
 
 // The world of a description under the settings. What either leaves out is not constructed. When distances hang on
-// "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, and for what
-// the engine refuses.
+// "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, for an
+// integrator that does not fit the scene, and for what the engine refuses.
 Scene build_scene(const SceneDescription& description, const Settings& settings);
 
 }  // namespace pushfactor::demos

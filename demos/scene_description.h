@@ -83,6 +83,10 @@ struct Standing {
     std::vector<double> rest_heights;  // m, of the centres, one a movable body
 };
 
+// Where in time the momenta of a run belong: half a step before the positions, as semi-implicit Euler leaves them,
+// or with them.
+enum class MomentaAt { half_steps, whole_steps };
+
 // What a scene is about, as numbers for the summary; only the scenes in C++ have one.
 class SceneMeasure {
   public:
@@ -104,7 +108,7 @@ struct SceneDescription {
     std::map<std::string, std::string> options;
 
     std::optional<Standing> standing;
-    std::function<std::unique_ptr<SceneMeasure>(const engine::World&)> measure;  // may be empty
+    std::function<std::unique_ptr<SceneMeasure>(const engine::World&, MomentaAt)> measure;  // may be empty
 };
 
 }  // namespace pushfactor::demos

@@ -16,6 +16,7 @@ enum class FrictionModel { paper, coulomb };
 enum class RestitutionModel { sum, larger };
 enum class StartKick { off, on, where_it_fits };
 enum class Rotation { paper, exponential, splitting };
+enum class Integrator { euler, rattle, rattle4, rattle6 };
 
 struct Settings {
     std::string preset;
@@ -43,9 +44,10 @@ struct Settings {
     RestitutionModel restitution_model = RestitutionModel::larger;
     std::optional<double> restitution;  // epsilon of all bodies; each scene has its own otherwise
 
-    // Half a kick back before the first step; it fits where a scene has no contacts and starts from rest.
+    // Half a kick back before the first step of euler; it fits where a scene has no contacts and starts from rest.
     StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
+    Integrator integrator = Integrator::euler;  // the others where nothing but bars holds the bodies
 };
 
 struct Preset {

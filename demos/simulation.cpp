@@ -20,7 +20,9 @@ double max_length_error(std::span<const engine::ConstraintRow> rows) {
     return largest;
 }
 
-bool wants_kick(const Scene& scene, StartKick choice) {
+bool wants_kick(const Scene& scene, const Settings& settings) {
+    const StartKick choice = settings.start_kick;
+    if (settings.integrator != Integrator::euler) return false;
     if (choice != StartKick::where_it_fits) return choice == StartKick::on;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
         return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
@@ -37,7 +39,7 @@ long whole_steps(const Settings& settings) {
 
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
     : scene_(std::move(scene)), settings_(settings), clock_(clock) {
-    if (wants_kick(scene_, settings.start_kick)) scene_.world.kick_back_half(engine_dt());
+    if (wants_kick(scene_, settings)) scene_.world.kick_back_half(engine_dt());
     measure_state();
 }
 
@@ -57,7 +59,7 @@ const Sample& Simulation::advance() {
 void Simulation::step_engine() {
     const double before = clock_ ? clock_() : 0.0;
     const engine::StepCount so_far = sample_.count;
-    sample_.count = scene_.world.step(engine_dt());
+    sample_.count = scene_.step(scene_.world, engine_dt());
     if (clock_) *sample_.cpu_us += clock_() - before;
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.multiply_adds += so_far.multiply_adds;

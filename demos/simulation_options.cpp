@@ -40,6 +40,10 @@ constexpr Names<StartKick, 3> kick_names{
     {{"on", StartKick::on}, {"off", StartKick::off}, {"auto", StartKick::where_it_fits}}};
 constexpr Names<Rotation, 3> rotation_names{
     {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}}};
+constexpr Names<Integrator, 4> integrator_names{{{"euler", Integrator::euler},
+                                                 {"rattle", Integrator::rattle},
+                                                 {"rattle4", Integrator::rattle4},
+                                                 {"rattle6", Integrator::rattle6}}};
 
 template <typename Value, std::size_t n>
 bool take_name(Value& field, const Names<Value, n>& names, std::string_view text) {
@@ -191,9 +195,19 @@ const std::array options{
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
+    SimulationOption{"integrator", "NAME",
+                     "euler (3.2); for scenes of bars without contacts rattle, rattle4, rattle6, of order 2, 4, 6, "
+                     "which correct whole length errors whatever --distance-push and --distance-beta",
+                     "one of euler, rattle, rattle4, rattle6",
+                     [](Settings& s, std::string_view t) { return take_name(s.integrator, integrator_names, t); },
+                     integrator_name},
 };
 
 }  // namespace
+
+std::string integrator_name(const Settings& settings) {
+    return name_of(settings.integrator, integrator_names);
+}
 
 std::span<const SimulationOption> simulation_options() {
     return options;

@@ -47,9 +47,11 @@ int symmetry_axis(const Vector3& inverse_inertia) {
 Quaternion rotate_symmetric(const Body& body, const Vector3& angular_momentum, int axis, double dt) {
     const double across = body.inverse_inertia[(axis + 1) % 3];
     const double along = body.inverse_inertia[axis];
+    const Quaternion precession = exponential(across * angular_momentum * dt);
+    if (along == across) return precession * body.orientation;
     Vector3 spin = Vector3::Zero();
     spin[axis] = (along - across) * to_body_frame(body.orientation, angular_momentum)[axis] * dt;
-    return exponential(across * angular_momentum * dt) * body.orientation * exponential(spin);
+    return precession * body.orientation * exponential(spin);
 }
 
 }  // namespace

@@ -58,6 +58,8 @@ class World {
     const Columns& lambda() const { return lambda_; }
 
   private:
+    friend class RattleStep;  // another step, made of the same stages (rattle.h)
+
     void add_forces();
     void append_rows(double dt);
     solvers::SolveCount solve();

@@ -97,7 +97,9 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
         scene.forces.push_back(
             {.body = "sphere 1", .force = Vector3(0, -poke, 0), .from = parameters.number("poke-at")});
     }
-    scene.measure = [first, count](const engine::World&) { return std::make_unique<OnTop>(first, count); };
+    scene.measure = [first, count](const engine::World&, MomentaAt) {
+        return std::make_unique<OnTop>(first, count);
+    };
     // From where the sphere that may be poked is not hidden by the others.
     scene.view = view_of({0, -0.6, 0}, 5.4);
     scene.view.eye =

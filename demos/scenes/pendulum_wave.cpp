@@ -29,8 +29,9 @@ constexpr double beam = 3.2;       // m, height of the points in space
 class WaveMeasure : public SceneMeasure {
   public:
     WaveMeasure(const engine::World& world, const Vector3& gravity, std::vector<BallOnBar> pendulums,
-                double amplitude)
+                double amplitude, MomentaAt momenta)
         : gravity_(gravity),
+          momenta_(momenta),
           pendulums_(std::move(pendulums)),
           reference_(pendulums_.size(), Swing{.a = amplitude, .b = amplitude}),
           initial_energy_(engine::potential_energy(world.bodies, gravity)) {
@@ -52,27 +53,29 @@ class WaveMeasure : public SceneMeasure {
         samples_ += static_cast<double>(pendulums_.size());
         time_ = world.time();
 
-        // The momenta may belong half a step before the positions, so the kinetic energy of two steps is averaged
+        // Where the momenta belong half a step before the positions, the kinetic energy of two steps is averaged
         // around the potential energy between them.
         const double kinetic = engine::kinetic_energy(world.bodies);
-        centred_energy_ = potential_ + 0.5 * (kinetic_ + kinetic);
+        const double potential = engine::potential_energy(world.bodies, gravity_);
+        energy_ =
+            momenta_ == MomentaAt::whole_steps ? potential + kinetic : potential_ + 0.5 * (kinetic_ + kinetic);
         kinetic_ = kinetic;
-        potential_ = engine::potential_energy(world.bodies, gravity_);
+        potential_ = potential;
     }
 
     std::vector<std::pair<std::string, double>> result() const override {
         const double rms = samples_ > 0.0 ? std::sqrt(squares_ / samples_) : 0.0;
-        return {
-            {"angle_error_rms_deg", rms * 180.0 / std::numbers::pi},
-            {"energy_loss_of_swing", samples_ > 0.0 ? (initial_energy_ - centred_energy_) / swing_energy_ : 0.0}};
+        return {{"angle_error_rms_deg", rms * 180.0 / std::numbers::pi},
+                {"energy_loss_of_swing", samples_ > 0.0 ? (initial_energy_ - energy_) / swing_energy_ : 0.0}};
     }
 
   private:
     Vector3 gravity_;
+    MomentaAt momenta_;
     std::vector<BallOnBar> pendulums_;
     std::vector<Swing> reference_;
     double time_ = 0.0, squares_ = 0.0, samples_ = 0.0;
-    double initial_energy_, swing_energy_ = 0.0, centred_energy_ = 0.0, kinetic_ = 0.0, potential_ = 0.0;
+    double initial_energy_, swing_energy_ = 0.0, energy_ = 0.0, kinetic_ = 0.0, potential_ = 0.0;
 };
 
 }  // namespace
@@ -107,8 +110,8 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
         scene.distances.push_back(
             {.a = {"world", hook}, .b = {ball.name, Vector3(0, radius, 0)}, .length = pendulum.length});
     }
-    scene.measure = [pendulums, amplitude, gravity = scene.gravity](const engine::World& world) {
-        return std::make_unique<WaveMeasure>(world, gravity, pendulums, amplitude);
+    scene.measure = [pendulums, amplitude, gravity = scene.gravity](const engine::World& world, MomentaAt momenta) {
+        return std::make_unique<WaveMeasure>(world, gravity, pendulums, amplitude, momenta);
     };
     scene.view = {.eye = Vector3(-9.2, 3.3, 6.2), .target = Vector3(-1.2, 1.75, 0), .floor = 0.0};
     return scene;

@@ -1,0 +1,180 @@
+#include "engine/rattle.h"
+
+#include "engine/invalid_input.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Positions that are off by less are not tried again; the lengths of a scene round to about that.
+constexpr double exact = 1e-13;  // m
+// Four are enough when the solver is exact; the others are for iterative solvers and coupled rows.
+constexpr int most_repetitions = 50;
+
+void require_bars(std::span<const ConstraintRow> rows) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        const Bounds& bounds = rows[j].bounds;
+        if (bounds.of_row < 0 && std::isinf(bounds.c_min) && std::isinf(bounds.c_max)) continue;
+        throw InvalidInput("bounds of row", std::to_string(j), "infinite: RATTLE is for bars alone");
+    }
+}
+
+double whole(const PushFactor& push) {
+    return push.correcting + push.lasting;
+}
+
+}  // namespace
+
+// One step in the making. Between two moves of a composition the velocity stage is left out, and the second half of
+// one kick and the first of the next are one: the next move takes out of the momenta what the stage would have.
+class RattleStep {
+  public:
+    explicit RattleStep(World& world) : world_(world), ahead_(world.bodies) {}
+
+    // Takes the rows and their guesses where the step begins.
+    void begin(double dt) {
+        world_.append_rows(dt);
+        require_bars(world_.rows_);
+        world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);
+        for (Eigen::Index j = 0; j < world_.lambda_.rows(); ++j) {
+            world_.lambda_(j, 0) = world_.rows_[static_cast<std::size_t>(j)].guess.last;
+        }
+    }
+
+    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole.
+    void move(double kick, double drift) {
+        prepare(kick);
+        double error = look_ahead(kick, drift);
+        // Where every row is right within the tolerance the solver would keep the guess, which is zero.
+        const double enough = std::max(exact, world_.termination.tolerance_high * std::abs(drift));
+        for (int i = 0; i < most_repetitions && error > enough; ++i) {
+            correct(kick);
+            const double before = error;
+            error = look_ahead(kick, drift);
+            if (error >= before) break;
+        }
+        std::copy(ahead_.begin(), ahead_.end(), world_.bodies.begin());
+        world_.rows_.swap(rows_ahead_);
+        world_.time_ += drift;
+    }
+
+    // The last kick, after which the bars have no velocity along themselves.
+    StepCount finish(double kick) {
+        for (ConstraintRow& row : world_.rows_) row.push = {};
+        prepare(kick);
+        if (!world_.rows_.empty()) add(world_.solver->solve(world_.system_, world_.termination, world_.lambda_));
+        world_.remember();
+        kick_ahead(kick);
+        for (std::size_t i = 0; i < ahead_.size(); ++i) {
+            world_.bodies[i].linear_momentum = ahead_[i].linear_momentum;
+            world_.bodies[i].angular_momentum = ahead_[i].angular_momentum;
+        }
+        return world_.count(solved_);
+    }
+
+  private:
+    void prepare(double kick) {
+        world_.add_forces();
+        build_system(world_.bodies, world_.rows_, kick, world_.system_);
+        world_.system_.dt = std::abs(kick);  // the solvers' measure of residuals; b has the sign
+    }
+
+    // The momenta after a kick by the external forces and by lambda.
+    void kick_ahead(double kick) {
+        constraint_forces(world_.system_, world_.lambda_, 0, world_.moving_);
+        for (std::size_t i = 0; i < ahead_.size(); ++i) {
+            const Body& body = world_.bodies[i];
+            if (body.is_static()) continue;
+            const Vector6& f_c = world_.moving_[i];
+            ahead_[i].linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), kick);
+            ahead_[i].angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), kick);
+        }
+    }
+
+    // Where lambda takes the bodies, and the rows there. Returns the largest length error [m].
+    double look_ahead(double kick, double drift) {
+        kick_ahead(kick);
+        for (std::size_t i = 0; i < ahead_.size(); ++i) {
+            const Body& body = world_.bodies[i];
+            if (body.is_static()) continue;
+            ahead_[i].position = advance_position(body, ahead_[i].linear_momentum, drift);
+            ahead_[i].orientation = world_.rotate(body, ahead_[i].angular_momentum, drift);
+        }
+        rows_ahead_.clear();
+        for (const auto& source : world_.constraints) source->append_rows(ahead_, drift, rows_ahead_);
+        if (rows_ahead_.size() != world_.rows_.size()) {
+            throw InvalidInput("rows", std::to_string(rows_ahead_.size()), "the same throughout a step of RATTLE");
+        }
+        double largest = 0.0;
+        for (const ConstraintRow& row : rows_ahead_) largest = std::max(largest, std::abs(whole(row.push) * drift));
+        return largest;
+    }
+
+    // Adds to lambda what the rows ahead miss: A change = v / kick, with the axes of the rows where the move
+    // begins.
+    void correct(double kick) {
+        const auto rows = static_cast<Eigen::Index>(rows_ahead_.size());
+        world_.system_.b.resize(rows, 1);
+        for (Eigen::Index j = 0; j < rows; ++j) {
+            world_.system_.b(j, 0) = whole(rows_ahead_[static_cast<std::size_t>(j)].push) / kick;
+        }
+        change_.setZero(rows, 1);
+        add(world_.solver->solve(world_.system_, world_.termination, change_));
+        world_.lambda_ += change_;
+    }
+
+    void add(const solvers::SolveCount& solved) {
+        solved_.iterations += solved.iterations;
+        solved_.multiply_adds += solved.multiply_adds;
+    }
+
+    World& world_;
+    std::vector<Body> ahead_;
+    std::vector<ConstraintRow> rows_ahead_;
+    Columns change_;  // of lambda, N
+    solvers::SolveCount solved_;
+};
+
+namespace {
+
+// One step of moves for the shares of dt in `shares`, which sum up to 1 and are the same read backwards.
+template <std::size_t moves>
+StepCount composed(World& world, double dt, const std::array<double, moves>& shares) {
+    RattleStep step(world);
+    step.begin(dt);
+    double before = 0.0;
+    for (const double share : shares) {
+        step.move(0.5 * (before + share) * dt, share * dt);
+        before = share;
+    }
+    return step.finish(0.5 * before * dt);
+}
+
+}  // namespace
+
+StepCount rattle(World& world, double dt) {
+    return composed(world, dt, std::array{1.0});
+}
+
+// M. Suzuki, Fractal decomposition of exponential operators, Physics Letters A 146 (1990): s, s, 1 - 4 s, s, s
+// with s = 1 / (4 - 4^(1/3)). The middle one goes back in time, by less than that of three steps would.
+StepCount rattle4(World& world, double dt) {
+    constexpr double s = 0.41449077179437573714;
+    return composed(world, dt, std::array{s, s, 1.0 - 4.0 * s, s, s});
+}
+
+// H. Yoshida, Construction of higher order symplectic integrators, Physics Letters A 150 (1990): table 1,
+// solution A; digits as in Hairer, Lubich, Wanner, Geometric Numerical Integration, V (3.11).
+StepCount rattle6(World& world, double dt) {
+    constexpr double outer = 0.78451361047755726382;
+    constexpr double second = 0.23557321335935813368;
+    constexpr double third = -1.17767998417887100695;
+    constexpr double middle = 1.0 - 2.0 * (outer + second + third);
+    return composed(world, dt, std::array{outer, second, third, middle, third, second, outer});
+}
+
+}  // namespace pushfactor::engine
