@@ -76,7 +76,7 @@ std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick) 
             for (const int most : iterations) {
                 engine::Columns lambda = warm ? problem.guess() : problem.zero();
                 const auto solver = entry.make();
-                // Tolerances that no answer meets, but for the solvers that would go on for ever without.
+                // Tolerances of zero: always all iterations.
                 const engine::solvers::SolveCount count = solver->solve(
                     problem.system(), {.iterations = most, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
                 points.push_back({.problem = problem.name(),
