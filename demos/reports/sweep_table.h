@@ -24,12 +24,12 @@ struct Method {
 
 struct Sweep {
     std::string scene;  // of the catalogue or of assets/scenes
-    std::string title;
+    std::string title{};
     Options common;  // preset and what all methods share
     MakeTrueError error;
-    std::string error_axis;
-    std::string caption;
-    std::vector<Method> methods;
+    std::string error_axis{};
+    std::string caption{};
+    std::vector<Method> methods{};
     double contraction = 0.0;  // of the error by a sweep of cold pgs, 0 where nothing is known
 };
 
