@@ -89,6 +89,18 @@ void add_frames(CLI::App& app, Request& request) {
         ->group("Frames");
 }
 
+void add_report(CLI::App& app, Request& request) {
+    app.add_option("REPORT", request.reports, "error: error against work and run time, of every method and scene")
+        ->type_name("NAME");
+    app.add_option("--out", request.out, "folder for the page, its plots and tables [out/report-error]")
+        ->type_name("DIR");
+    app.add_flag("--quick", request.quick, "few values and short runs: under a minute instead of half an hour");
+    app.add_option("--only", request.parts, "parts of the report: scenes, frozen, consistency [all]")
+        ->type_name("PART")
+        ->delimiter(',');
+    app.add_flag("--problems", request.problems, "also write the frozen problems as JSON, for other solvers");
+}
+
 // CLI11 would list everything that it did not expect; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
@@ -160,7 +172,10 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
         ->type_name("N")
         ->check(CLI::Range(1, 256));
 
-    for (CLI::App* command : {&list, &scene, &run, &render, &figures}) {
+    CLI::App& report = *app.add_subcommand("report", "measurements of many runs, as CSV files and a page of plots");
+    add_report(report, request);
+
+    for (CLI::App* command : {&list, &scene, &run, &render, &figures, &report}) {
         command->allow_extras();
         command->footer(exit_statuses);
     }
@@ -181,13 +196,14 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
                       : &chosen == &run     ? Request::Command::run
                       : &chosen == &render  ? Request::Command::render
                       : &chosen == &figures ? Request::Command::figures
+                      : &chosen == &report  ? Request::Command::report
                                             : Request::Command::list;
     if (config) add_config(*config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);
     }
-    const bool of_a_scene =
-        request.command != Request::Command::list && request.command != Request::Command::figures;
+    const bool of_a_scene = request.command == Request::Command::scene ||
+                            request.command == Request::Command::run || request.command == Request::Command::render;
     if (of_a_scene && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }

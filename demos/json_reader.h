@@ -37,9 +37,10 @@ class JsonReader {
     engine::Vector3 vector() const;       // [x, y, z]
     engine::Quaternion rotation() const;  // [w, x, y, z], of length 1 to within 1e-6
 
-  private:
+    // An array of `count` finite numbers; `allowed` says so in the complaint.
     std::vector<double> numbers(std::size_t count, const std::string& allowed) const;
 
+  private:
     const Json& value_;
     std::string file_, path_;
 };

@@ -35,6 +35,9 @@ int carry_out(const Request& request) {
         case Request::Command::figures:
             commands::figures(request);
             break;
+        case Request::Command::report:
+            commands::report(request);
+            break;
     }
     return done;
 }

@@ -10,13 +10,13 @@
 namespace pushfactor::demos {
 
 struct Request {
-    enum class Command { list, scene, run, render, figures };
+    enum class Command { list, scene, run, render, figures, report };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
     GivenOptions given;                                         // simulation, scene parameters and frames
     std::optional<std::string> csv, trajectory, rows, summary;  // paths, "-" is standard output
-    std::optional<std::string> out;                             // folder for frames or figures
+    std::optional<std::string> out;                             // folder for frames, figures or reports
     std::optional<std::string> video;                           // path
     bool png = true;                                            // frames as files
     bool timing = false;
@@ -25,6 +25,11 @@ struct Request {
     std::vector<std::string> figures;  // names; all when empty
     int figure_width = 1600;           // pixels
     int figure_samples = 8;
+
+    std::vector<std::string> reports;  // names; one
+    std::vector<std::string> parts;    // of the report; all when empty
+    bool quick = false;
+    bool problems = false;  // the frozen problems of the report as files
 };
 
 }  // namespace pushfactor::demos

@@ -10,5 +10,6 @@ void scene(const Request& request);
 void run(const Request& request);
 void render(const Request& request);
 void figures(const Request& request);
+void report(const Request& request);
 
 }  // namespace pushfactor::demos::commands

@@ -1,7 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/errors.h"
 #include "demos/figures/figure.h"
-#include "demos/figures/page.h"
 #include "demos/figures/workshop.h"
 #include "demos/output_file.h"
 #include "demos/progress.h"
@@ -40,15 +39,19 @@ void figures(const Request& request) {
     const std::filesystem::path folder = request.out.value_or("out/figures");
     make_folder(folder);
     figures::Workshop workshop(folder, request.figure_width, request.figure_samples);
-    std::vector<std::pair<figures::Figure, figures::Plate>> plates;
+    std::vector<Section> sections;
     ProgressBar bar("figures", static_cast<long>(chosen.size()));
     for (const figures::Figure& figure : chosen) {
         stop_if_interrupted(
-            fmt::format("{} of {} figures are in {}", plates.size(), chosen.size(), folder.string()));
-        plates.emplace_back(figure, figure.make(workshop, figure));
-        bar.show(static_cast<long>(plates.size()));
+            fmt::format("{} of {} figures are in {}", sections.size(), chosen.size(), folder.string()));
+        sections.push_back({std::string(figure.name), std::string(figure.title), figure.make(workshop, figure)});
+        bar.show(static_cast<long>(sections.size()));
     }
-    write_file(folder / "index.html", figures::page_text(plates));
+    write_file(folder / "index.html",
+               page_text("Pushfactor: figures",
+                         "Figures 5 to 11 of Tamis & Maggiore, Constraint based physics solver (2015), and some of "
+                         "our own. All numbers were measured in the runs that are shown.",
+                         sections));
     fmt::print("{}\n", (folder / "index.html").string());
 }
 

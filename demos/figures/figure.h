@@ -1,6 +1,8 @@
 // A figure: what it is called, and what makes it.
 #pragma once
 
+#include "demos/page.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,14 +11,6 @@
 namespace pushfactor::demos::figures {
 
 class Workshop;
-
-// What the page shows of a figure. Files lie in the workshop's folder.
-struct Plate {
-    std::vector<std::string> pictures;  // PNG
-    std::vector<std::string> files;     // what else there is of it: SVG, CSV
-    std::string caption;                // settings and measured numbers
-    std::vector<std::string> commands;  // that show the same with the program
-};
 
 struct Figure {
     std::string_view name;  // also of its files

@@ -1,27 +1,15 @@
 // What figures are made with: a folder, a width, a studio, and gnuplot for plots.
 #pragma once
 
-#include "demos/choices.h"
 #include "demos/figures/table.h"
+#include "demos/named_run.h"
+#include "demos/page.h"
 #include "demos/pictures/studio.h"
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
-#include <utility>
 
 namespace pushfactor::demos::figures {
-
-struct Plate;
-
-// Names without dashes, and texts, as on the command line.
-using Options = std::vector<std::pair<std::string, std::string>>;
-
-// A run of a scene of the catalogue, or of a file in assets/scenes.
-Choices run_of(const std::string& scene, const Options& options);
-
-// "pushfactor render stack --preset paper"
-std::string command_text(const std::string& command, const std::string& scene, const Options& options);
 
 class Workshop {
   public:

@@ -1,18 +1,12 @@
-#include "demos/figures/page.h"
+#include "demos/page.h"
 
 #include <fmt/format.h>
 
-namespace pushfactor::demos::figures {
+namespace pushfactor::demos {
 
 namespace {
 
-const char* const head = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>Pushfactor: figures</title>
-<style>
+const char* const style = R"(<style>
 body { font: 17px/1.5 "DejaVu Sans", Verdana, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
 figure { margin: 2.5rem 0; }
 img { width: 100%; height: auto; border: 1px solid #ddd; box-sizing: border-box; }
@@ -21,11 +15,6 @@ h2 { font-size: 1.15rem; margin-bottom: 0.6rem; }
 code { font: 0.85em/1.4 "DejaVu Sans Mono", monospace; background: #f3f3f3; padding: 0.15em 0.3em; }
 p.more { font-size: 0.85em; margin: 0.4rem 0; }
 </style>
-</head>
-<body>
-<h1>Pushfactor: figures</h1>
-<p>Figures 5 to 11 of Tamis &amp; Maggiore, <i>Constraint based physics solver</i> (2015), and some of our own. All numbers
-were measured in the runs that are shown.</p>
 )";
 
 std::string escaped(const std::string& text) {
@@ -50,13 +39,16 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string page_text(const std::vector<std::pair<Figure, Plate>>& plates) {
-    std::string text = head;
-    for (const auto& [figure, plate] : plates) {
-        text += fmt::format("<figure id=\"{}\">\n<h2>{}</h2>\n", figure.name, escaped(std::string(figure.title)));
+std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n{1}</head>\n<body>\n"
+        "<h1>{0}</h1>\n<p>{2}</p>\n",
+        escaped(title), style, escaped(opening));
+    for (const auto& [name, heading, plate] : sections) {
+        text += fmt::format("<figure id=\"{}\">\n<h2>{}</h2>\n", name, escaped(heading));
         for (const std::string& picture : plate.pictures) {
-            text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", picture,
-                                escaped(std::string(figure.title)));
+            text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", picture, escaped(heading));
         }
         text += fmt::format("<figcaption>{}\n", escaped(plate.caption));
         for (const std::string& command : plate.commands) {
@@ -70,4 +62,4 @@ std::string page_text(const std::vector<std::pair<Figure, Plate>>& plates) {
     return text + "</body>\n</html>\n";
 }
 
-}  // namespace pushfactor::demos::figures
+}  // namespace pushfactor::demos

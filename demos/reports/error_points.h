@@ -1,0 +1,38 @@
+// One point of a sweep: a scene by a method at one value of its knob, run once for its errors and its work and some
+// times more for the clock, which measuring would disturb.
+#pragma once
+
+#include "demos/reports/sweep_table.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::reports {
+
+// CPU seconds of the engine steps a simulated second.
+struct CpuShare {
+    double min = 0.0, median = 0.0, p95 = 0.0;
+};
+
+struct ErrorPoint {
+    std::string scene, method, differences, knob, value;
+    std::vector<NamedError> errors{};  // of all steps before it became non-finite
+    double multiply_adds = 0.0;        // of the solver, a simulated second: the same on every machine
+    std::optional<CpuShare> cpu{};     // not for a run that became non-finite
+    std::string outcome{};             // as in a summary, or non-finite
+    bool failed = false;               // it blew up or fell where an exact answer would not
+};
+
+// `check` is called often; what it throws ends the run.
+ErrorPoint run_point(const Sweep& sweep, const Method& method, const std::string& value, int repeats,
+                     const std::function<void()>& check);
+
+// The smallest value that at least 95 % of all do not exceed; `values` is not empty.
+double percentile_95(std::vector<double> values);
+
+// error.csv: one line a point and error.
+std::string csv_text(const std::vector<ErrorPoint>& points);
+
+}  // namespace pushfactor::demos::reports

@@ -1,0 +1,118 @@
+// The error report as a whole: one command, all files, the same work twice, and what is refused.
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <set>
+
+using namespace pushfactor::tests;
+
+namespace {
+
+// A line of a CSV file in its fields; commas inside quotes belong to their field.
+std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> found(1);
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ',' && !quoted) {
+            found.emplace_back();
+        } else {
+            found.back() += c;
+        }
+    }
+    return found;
+}
+
+// All of error.csv but the CPU times.
+std::vector<std::vector<std::string>> without_times(const std::string& csv) {
+    std::vector<std::vector<std::string>> lines;
+    std::istringstream stream(csv);
+    for (std::string line; std::getline(stream, line);) {
+        std::vector<std::string> row = fields(line);
+        REQUIRE(row.size() == 12);
+        row.erase(row.begin() + 8, row.begin() + 11);
+        lines.push_back(row);
+    }
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("one command makes tables, plots and a page, and a second one the same errors and work") {
+    const Folder folder;
+    for (const char* out : {"a", "b"}) {
+        const Ended ended =
+            shell(folder, std::string("pushfactor report error --quick --only sphere_column,intersecting-stack "
+                                      "--out ") +
+                              out);
+        INFO(ended.err);
+        REQUIRE(ended.status == 0);
+        CHECK(ended.out == std::string(out) + "/index.html\n");
+    }
+    const auto lines = without_times(folder.read("a/error.csv"));
+    CHECK(lines == without_times(folder.read("b/error.csv")));
+    CHECK(lines.front() == std::vector<std::string>{"scene", "method", "differs_from_preset", "knob", "value",
+                                                    "error_measure", "error", "work_multiply_adds_per_simulated_s",
+                                                    "outcome"});
+    std::set<std::string> scenes;
+    for (std::size_t i = 1; i < lines.size(); ++i) scenes.insert(lines[i][0]);
+    CHECK(scenes == std::set<std::string>{"intersecting-stack", "sphere_column"});
+
+    const std::string page = folder.read("a/index.html");
+    for (const char* plot : {"error_sphere_column", "error_cpu_sphere_column", "error_intersecting_stack"}) {
+        CHECK(page.find(std::string("<img src=\"") + plot + ".png\"") != std::string::npos);
+        for (const char* ending : {".png", ".svg", ".dat"}) {
+            CHECK(std::filesystem::file_size(folder / ("a/" + std::string(plot) + ending)) > 300);
+        }
+    }
+    CHECK(folder.read("a/about.json").find("\"compiler\"") != std::string::npos);
+}
+
+TEST_CASE("the quick report makes everything", "[long]") {
+    const Folder folder;
+    const Ended ended = shell(folder, "pushfactor report error --quick --problems --out .");
+    INFO(ended.err);
+    REQUIRE(ended.status == 0);
+    for (const char* file :
+         {"error.csv", "frozen.csv", "consistency.csv", "about.json", "index.html", "consistency.png",
+          "frozen_stack_of_5_landing.png", "problems/frozen_stack_of_5_landing.json", "error_pendulum_wave.svg"}) {
+        INFO(file);
+        CHECK(std::filesystem::exists(folder / file));
+    }
+}
+
+TEST_CASE("without gnuplot the report has its tables, and the page says what to install") {
+    const Folder folder;
+    const Ended ended = shell(folder, "PATH=/nowhere pushfactor report error --quick --only sphere_column --out .");
+    INFO(ended.err);
+    CHECK(ended.status == 0);
+    CHECK(folder.files() == std::vector<std::string>{"about.json", "error.csv", "error_cpu_sphere_column.dat",
+                                                     "error_sphere_column.dat", "index.html"});
+    CHECK(folder.read("index.html").find("apt install gnuplot-nox") != std::string::npos);
+}
+
+TEST_CASE("an interrupted report ends with status 1 and leaves whole files only") {
+    const Folder folder;
+    const Ended ended =
+        shell(folder, "'" PUSHFACTOR_PROGRAM "' report error --out . & sleep 0.5; kill -INT $!; wait $!");
+    CHECK(ended.status == 1);
+    CHECK(ended.err.find("interrupted: ") != std::string::npos);
+    for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);
+}
+
+TEST_CASE("reports refuse what they do not know in one line") {
+    const auto refused = [](const std::string& arguments, const std::string& words) {
+        const Ended ended = run_program(arguments);
+        INFO(ended.err);
+        CHECK(ended.status == 2);
+        CHECK(ended.err.find(words) != std::string::npos);
+        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    };
+    refused("report", "must be one of error");
+    refused("report eror", "did you mean error?");
+    refused("report error cost", "must be one of error");
+    refused("report error --only stak", "did you mean stack?");
+    refused("report error --fast", "unknown option");
+    CHECK(run_program("report error --quick --out /dev/null/x").status == 4);
+}

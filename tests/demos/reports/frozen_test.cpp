@@ -1,0 +1,92 @@
+// Frozen problems: what is written reads back as the same problem.
+#include "demos/errors.h"
+#include "demos/reports/frozen_moments.h"
+#include "engine/solvers/solver.h"
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using namespace pushfactor::demos::reports;
+
+namespace {
+
+double residual_after(const FrozenProblem& problem, const engine::Columns& start, int iterations) {
+    engine::Columns lambda = start;
+    engine::solvers::make_solver("pgs")->solve(
+        problem.system(), {.iterations = iterations, .tolerance_high = 0, .tolerance_low = 0}, lambda);
+    return natural_residual(problem.system(), lambda);
+}
+
+std::string complaint(const tests::Folder& folder, const std::string& text) {
+    folder.write("problem.json", text);
+    try {
+        FrozenProblem problem(folder / "problem.json");
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("a frozen problem reads back with the same residuals, bit for bit") {
+    const tests::Folder folder;
+    const std::vector<Moment> moments{
+        {"parting", "intersecting-stack", {{"seconds", "0.1"}}},
+        {"coulomb", "stack", {{"friction-model", "coulomb"}, {"seconds", "0.6"}}},
+        {"chain", "chain", {{"seconds", "0.1"}}},
+    };
+    for (const Moment& moment : moments) {
+        INFO(moment.name);
+        const FrozenProblem problem = freeze(moment, [] {});
+        REQUIRE(problem.system().row_count() > 0);
+        folder.write("problem.json", problem.text());
+        const FrozenProblem again(folder / "problem.json");
+        CHECK(again.name() == moment.name);
+        CHECK(again.text() == problem.text());
+        for (const int iterations : {1, 5, 25}) {
+            CHECK(residual_after(again, again.zero(), iterations) ==
+                  residual_after(problem, problem.zero(), iterations));
+            CHECK(residual_after(again, again.guess(), iterations) ==
+                  residual_after(problem, problem.guess(), iterations));
+        }
+        CHECK(residual_after(problem, problem.zero(), 25) > 0.0);
+    }
+}
+
+TEST_CASE("frozen points: more sweeps leave less, warm starts are nearer, and the plot leaves dense out") {
+    const FrozenProblem problem = freeze({"settled", "funnel", {{"seconds", "4"}}}, [] {});
+    const std::vector<FrozenPoint> points = solve_frozen(problem, true);
+    const auto residual = [&](const std::string& method, int iterations) {
+        for (const FrozenPoint& point : points) {
+            if (point.method == method && point.iterations == iterations) return point.residual;
+        }
+        FAIL("no such point");
+        return 0.0;
+    };
+    CHECK(residual("pgs, cold", 100) < 0.1 * residual("pgs, cold", 1));
+    CHECK(residual("pgs, warm", 1) < residual("pgs, cold", 1));
+    CHECK(csv_text(points).starts_with(
+        "problem,method,iterations,residual_m_per_s,work_multiply_adds\n\"settled\","));
+    for (const WorkLine& line : lines_of(points)) CHECK(!line.name.starts_with("dense"));
+}
+
+TEST_CASE("a frozen problem that is wrong is refused with the file, the place and what is allowed") {
+    const tests::Folder folder;
+    const std::string good = freeze({"chain", "chain", {{"links", "2"}, {"seconds", "0.1"}}}, [] {}).text();
+    CHECK(complaint(folder, good).empty());
+    const auto changed = [&good](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const auto at = text.find(from);
+        REQUIRE(at != std::string::npos);
+        return text.replace(at, from.size(), to);
+    };
+    CHECK(complaint(folder, "{").find("is no JSON") != std::string::npos);
+    CHECK(complaint(folder, changed("\"version\": 1", "\"version\": 2")).find("version 2: must be 1") !=
+          std::string::npos);
+    CHECK(complaint(folder, changed("\"dt_s\": 0.0", "\"dt_s\": -0.0")).find("dt_s") != std::string::npos);
+    CHECK(complaint(folder, changed("\"body_b\": ", "\"body_b\": 9")).find("rows[0].body_b") != std::string::npos);
+    CHECK(complaint(folder, changed("\"j_a\"", "\"j\"")).find("rows[0].j_a: is missing") != std::string::npos);
+    CHECK_THROWS_AS(FrozenProblem(folder / "nothing.json"), UsageError);
+}

@@ -1,0 +1,169 @@
+// The errors of the reports: zero for what is exact, known for what is wrong by a known amount.
+#include "demos/reports/true_errors.h"
+
+#include "demos/reports/converged_forces.h"
+#include "demos/reports/error_points.h"
+#include "demos/reports/sweep_table.h"
+#include "tests/catch.h"
+#include "tests/engine/rows.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using namespace pushfactor::demos::reports;
+
+namespace {
+
+// The errors of a run, by name.
+std::map<std::string, double> errors_of(const std::string& scene, const Options& options, MakeTrueError make) {
+    const Choices choices = run_of(scene, options);
+    Simulation run(choices.build(), choices.settings);
+    const auto error = make(run);
+    while (run.sample().step < whole_steps(choices.settings)) {
+        run.advance();
+        error->observe(run);
+    }
+    std::map<std::string, double> errors;
+    for (const NamedError& each : error->result()) errors[each.name] = each.value;
+    return errors;
+}
+
+const Options solved_exactly{{"slop", "0"}, {"iterations", "20000"}, {"tolerance", "1e-11/1e-11"}};
+
+Options exactly(Options options) {
+    options.insert(options.end(), solved_exactly.begin(), solved_exactly.end());
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("the force error is zero for the converged forces and known for perturbed ones") {
+    const tests::Column column(3);
+    engine::SystemEquation system;
+    build_system(column.bodies, column.rows, 1.0 / 60.0, system);
+    engine::Columns exact(3, 1);
+    exact << 30, 20, 10;
+    CHECK(natural_residual(system, exact) < 1e-12);
+    CHECK(force_error(system, exact, exact) == 0.0);
+    // A scales both sides alike.
+    CHECK(*force_error(system, 1.01 * exact, exact) == Approx(0.01).epsilon(1e-12));
+    // One row wrong by 1 N: A_11 = 1/kg, and lambda*^T A lambda* = b^T lambda* = 10 * 30.
+    engine::Columns perturbed = exact;
+    perturbed(0, 0) += 1.0;
+    CHECK(*force_error(system, perturbed, exact) == Approx(std::sqrt(1.0 / 300.0)).epsilon(1e-12));
+    CHECK(!force_error(system, exact, engine::Columns::Zero(3, 1)));
+}
+
+TEST_CASE("the converged solver finds the weights of a column, and of scenes all forces to 1e-10 m/s") {
+    const tests::Column column(10);
+    engine::SystemEquation system;
+    build_system(column.bodies, column.rows, 1.0 / 60.0, system);
+    const auto forces = ConvergedSolver().solve(system, engine::Columns::Zero(10, 1));
+    REQUIRE(forces);
+    for (int i = 0; i < 10; ++i) CHECK((*forces)(i, 0) == Approx(weight_above(i, 10, 1.0, 10.0)).epsilon(1e-9));
+
+    // Bars that hold each other through contacts, and balls that slide: sweeps alone stall at 1e-9 and 1e-5 m/s.
+    const Options cold{{"tolerance", "0"}, {"warm-start", "off"}};
+    const Options warm{{"tolerance", "0"}, {"iterations", "100"}};
+    for (const auto& [scene, options, first, last] :
+         {std::tuple{"intersecting-stack", cold, 1, 6}, std::tuple{"pendulum-grid", cold, 12, 18},
+          std::tuple{"funnel", warm, 114, 120}}) {
+        INFO(scene);
+        const Choices choices = run_of(scene, options);
+        Simulation run(choices.build(), choices.settings);
+        for (int step = 1; step <= last; ++step) {
+            run.advance();
+            if (step < first) continue;
+            const engine::World& world = run.scene().world;
+            const auto converged = ConvergedSolver().solve(world.system(), world.lambda());
+            REQUIRE(converged);
+            CHECK(natural_residual(world.system(), *converged) <= 1e-10);
+        }
+    }
+}
+
+TEST_CASE("a sweep contracts the error of a column of balls by cos^2(pi / 2n)") {
+    for (const auto& [iterations, more] : {std::pair{"150", "151"}, std::pair{"200", "201"}}) {
+        const auto after = [](const char* sweeps) {
+            return errors_of("sphere_column",
+                             {{"push", "none"},
+                              {"warm-start", "off"},
+                              {"tolerance", "0"},
+                              {"iterations", sweeps},
+                              {"seconds", "0.02"}},
+                             column_error)["force_error_first_step"];
+        };
+        // Measured to 6 digits.
+        CHECK(after(more) / after(iterations) == Approx(column_contraction(10)).epsilon(0.01));
+        CHECK(after(more) / after(iterations) == Approx(column_contraction(10)).epsilon(1e-4));
+    }
+    CHECK(column_contraction(5) == Approx(0.9045).margin(1e-4));
+}
+
+TEST_CASE("the parting stack has no error when it is solved exactly, under each push") {
+    for (const std::string push : {"single-frame", "persistent"}) {
+        INFO(push);
+        const auto errors =
+            errors_of("intersecting-stack", exactly({{"seconds", "0.5"}, {"push", push}}), parting_error);
+        CHECK(errors.at("position_rms_m") < 1e-6);
+        CHECK(errors.at("max_upward_speed_m_per_s") < 1e-6);
+    }
+    CHECK(errors_of("intersecting-stack", {{"seconds", "0.5"}}, parting_error).at("position_rms_m") > 1e-3);
+}
+
+TEST_CASE("the closed form of parting cubes is that of the paper's facts") {
+    const engine::Correction persistent{engine::PushKind::persistent, 0.2};
+    const PartingCube fifth{.start = 8.0, .rest = 10.8, .push = persistent, .dt = 1.0 / 60.0};
+    CHECK(fifth.height(30) == Approx(23.592).margin(1e-3));
+    CHECK(fifth.upward_speed(30) == Approx(28.767).margin(1e-3));
+    PartingCube gently = fifth;
+    gently.push.kind = engine::PushKind::single_frame;
+    CHECK(gently.height(30) == Approx(10.797).margin(1e-3));
+    CHECK(gently.upward_speed(30) == 0.0);
+}
+
+TEST_CASE("a stack that is solved exactly rests where it must and carries its weight") {
+    const auto errors = errors_of("stack", exactly({{"seconds", "4"}, {"gap", "0.05"}}), rest_error);
+    CHECK(errors.at("rest_position_rms_m") < 1e-6);
+    CHECK(errors.at("max_sideways_m") < 1e-6);
+    CHECK(errors.at("bottom_force_rms") < 1e-6);
+    const auto coarse = errors_of("stack", {{"seconds", "4"}, {"iterations", "2"}}, rest_error);
+    CHECK(coarse.at("rest_position_rms_m") > 1e-3);
+}
+
+TEST_CASE("only methods that this build has are compared") {
+    CHECK(available({.name = "a", .differs = {{"solver", "pgs"}}, .knob = "iterations", .colour = "blue"}));
+    CHECK(!available({.name = "b", .differs = {{"solver", "magic"}}, .knob = "iterations", .colour = "blue"}));
+    CHECK(!available({.name = "c", .differs = {{"no-option", "1"}}, .knob = "iterations", .colour = "blue"}));
+    for (const Sweep& sweep : error_sweeps(false)) {
+        INFO(sweep.scene);
+        std::set<std::string> names;
+        for (const Method& method : sweep.methods) {
+            CHECK(names.insert(method.name).second);
+            CHECK(!method.values.empty());
+            for (const std::string& value : method.values) CHECK_NOTHROW(run_at(sweep, method, value));
+        }
+        CHECK(!names.empty());
+    }
+}
+
+TEST_CASE("a run that breaks is named and has no time") {
+    Sweep sweep{.scene = "chain",
+                .common = {{"preset", "paper"}, {"end-mass", "1000000"}, {"distance-beta", "1"}, {"seconds", "20"}},
+                .error = converged_error};
+    const Method method{.name = "pgs", .differs = {}, .knob = "iterations", .colour = "blue"};
+    const ErrorPoint point = run_point(sweep, method, "25", 1, [] {});
+    CHECK(point.failed);
+    CHECK(csv_text({point}).find("," + point.outcome + "\n") != std::string::npos);
+}
+
+TEST_CASE("the 95th percentile of few values is the largest, of a hundred the 95th") {
+    CHECK(percentile_95({3, 1, 2, 5, 4}) == 5.0);
+    std::vector<double> values;
+    for (int i = 100; i > 0; --i) values.push_back(i);
+    CHECK(percentile_95(values) == 95.0);
+}
