@@ -19,7 +19,8 @@
 // Sources must push by their whole error (DistanceConstraints with beta 1; persistent or single-frame is the same
 // here). How exactly the bars are kept is up to the world's termination: to tolerance_high * dt [m]. With
 // coupled rows an iterative solver needs tolerances of about 1e-12 m/s, or many iterations at tolerance 0, for the
-// orders to show at small steps. A force that begins or ends between two steps lowers the order to one.
+// orders to show at small steps. A force that begins or ends lowers the order to one, also
+// at the end of a step: the moves of a composition look back and ahead beyond it.
 // A step so large that repeating does not bring the lengths nearer leaves them as they are, for all to see.
 #pragma once
 

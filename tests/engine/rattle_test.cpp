@@ -198,13 +198,14 @@ TEST_CASE("lambda is the force of the bar at the end of the step") {
     CHECK(world.system().row_count() == 1);
 }
 
-TEST_CASE("a free body flies the parabola to rounding and tumbles to the order of the method: RK4 adds nothing") {
+TEST_CASE("RK4 adds nothing: a free body flies the parabola to rounding and tumbles to the order of the method") {
     const auto thrown = [] {
         Body box = box_body(1.5, {1.0, 0.4, 0.2}, {1, 2, 3});
         box.linear_momentum = {3, 4, 5};
         box.angular_momentum = world_inverse_inertia(box).inverse() * Vector3(0.3, 5.0, 0.2);
         World world = held({box}, {});
-        world.forces.push_back(std::make_unique<PokeForce>(Poke{.body = 1, .force = {1, 0, 2}}));
+        // From before the start: the first step of a composition looks back beyond it.
+        world.forces.push_back(std::make_unique<PokeForce>(Poke{.body = 1, .force = {1, 0, 2}, .from = -1.0}));
         return world;
     };
     World exact = thrown();
@@ -215,7 +216,7 @@ TEST_CASE("a free body flies the parabola to rounding and tumbles to the order o
         const Vector3 acceleration = gravity + Vector3(1, 0, 2) / 1.5;
         const Vector3 place = Vector3(1, 2, 3) + Vector3(3, 4, 5) / 1.5 + 0.5 * acceleration;
         CHECK((world.bodies[1].position - place).norm() < 1e-12);
-        CHECK(observed_order(thrown, step, 1.0, 100, exact) == Approx(order).epsilon(0.05));
+        CHECK(observed_order(thrown, step, 1.0, 50, exact) == Approx(order).epsilon(0.05));
     }
 }
 
