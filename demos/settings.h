@@ -28,7 +28,7 @@ struct Settings {
     std::string solver = "auto";   // name in the solver table
     int iterations = 25;           // at most, a solve
     double tolerance_high = 1e-8;  // m/s: below it the cached answer is kept
-    double tolerance_low = 1e-11;  // m/s: above it a solve goes on
+    double tolerance_low = 1e-10;  // m/s: above it a solve goes on
 
     engine::Correction contacts{engine::PushKind::single_frame, 0.2};
     engine::Correction distances{engine::PushKind::persistent, 1.0};

@@ -55,13 +55,13 @@ solvers::SolveCount World::solve() {
         lambda_(j, last) = guess.last;
     }
     if (rows_.empty()) return {};
-    // An answer that has just stopped a motion holds the force that stopped it, and kept for the next step it would
-    // start the motion again, the other way round. So the upper tolerance counts only from the step on in which the
-    // guess was as good as an answer.
+    // An exact answer that has just stopped a motion holds the force that stopped it, and kept for the next step it
+    // would start the motion again, the other way round. So after one the guess must be as good as an answer, and
+    // better: what is left grows while nothing is solved.
     solvers::Termination now = termination;
-    if (!calm_) now.tolerance_high = now.tolerance_low;
+    if (was_exact_) now.tolerance_high = now.tolerance_low = 0.1 * termination.tolerance_low;
     const solvers::SolveCount count = solver->solve(system_, now, lambda_);
-    calm_ = count.iterations == 0;
+    was_exact_ = count.exact;
     return count;
 }
 

@@ -68,7 +68,7 @@ class World {
     StepCount count(const solvers::SolveCount& solved) const;
 
     double time_ = 0.0;
-    bool calm_ = false;  // whether the guess was kept in the last step
+    bool was_exact_ = false;  // whether the last step was solved, and to rounding
     std::vector<ConstraintRow> rows_;
     std::vector<std::size_t> row_ends_;  // one a constraint source
     SystemEquation system_;

@@ -33,10 +33,10 @@ std::vector<Method> solvers(bool push_matters) {
             {name + ", cold", with(own, {{"warm-start", "off"}}), "iterations", colour, dashed, filled_square});
     }
     if (push_matters) {
-        methods.push_back({"pgs, warm, persistent", with(all, {{"push", "persistent"}}), "iterations", "vermilion",
-                           solid, filled_circle});
-        methods.push_back({"pgs, cold, persistent", with(all, {{"push", "persistent"}, {"warm-start", "off"}}),
-                           "iterations", "vermilion", dashed, filled_square});
+        const Options persistent = with(all, {{"solver", "pgs"}, {"push", "persistent"}});
+        methods.push_back({"pgs, warm, persistent", persistent, "iterations", "vermilion", solid, filled_circle});
+        methods.push_back({"pgs, cold, persistent", with(persistent, {{"warm-start", "off"}}), "iterations",
+                           "vermilion", dashed, filled_square});
     }
     methods.push_back({"direct", {{"solver", "direct"}}, "tolerance", "violet", solid, diamond});
     methods.push_back({"auto", {{"solver", "auto"}}, "tolerance", "violet", dotted, filled_triangle});
@@ -44,7 +44,11 @@ std::vector<Method> solvers(bool push_matters) {
 }
 
 Method substeps_of_few() {
-    return {"pgs, warm, 4 a substep", {{"iterations", "4"}, {"tolerance", "0"}}, "substeps", "violet", dashed,
+    return {"pgs, warm, 4 a substep",
+            {{"solver", "pgs"}, {"iterations", "4"}, {"tolerance", "0"}},
+            "substeps",
+            "blue",
+            dotted,
             filled_triangle};
 }
 
@@ -138,7 +142,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
          "Ten equal spheres one on the other: the constraint forces of the first step against the weights above "
          "each "
          "contact. Grey: the known contraction of Gauss-Seidel, cos^2(pi/2n) a sweep.",
-         {{"pgs", {{"tolerance", "0"}}, "iterations", "blue", solid, filled_circle},
+         {{"pgs", {{"tolerance", "0"}, {"solver", "pgs"}}, "iterations", "blue", solid, filled_circle},
           {"nncg", {{"tolerance", "0"}, {"solver", "nncg"}}, "iterations", "green", solid, filled_circle},
           {"jacobi", {{"tolerance", "0"}, {"solver", "jacobi"}}, "iterations", "orange", solid, filled_circle},
           {"direct", {{"solver", "direct"}}, "tolerance", "violet", solid, diamond},

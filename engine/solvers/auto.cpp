@@ -17,7 +17,9 @@ namespace {
 
 // Pairs a movable body, static partners included: 1 for a thread that hangs or stands, 1.5 for the pendulum grid,
 // for which the exact answer costs no more than 25 sweeps, and about 3 for a heap.
-constexpr double pairs_of_a_thread = 1.6;
+constexpr double pairs_of_a_thread = 1.5;
+// From here on not even the order of elimination is worth finding out.
+constexpr double pairs_of_a_heap = 2.2;
 // What is left after the sweeps of a heap that calls for exact steps [m/s].
 constexpr double far = 3e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
@@ -44,6 +46,7 @@ class Auto : public Solver {
         } else if (exact_.pairs() <= pairs_of_a_thread * exact_.movable_bodies()) {
             exact_.plan();
             exact_.solve(rows, termination.tolerance_low, termination.iterations, count);
+            count.exact = true;
         } else {
             solve_heap(rows, termination, count);
         }
@@ -54,6 +57,7 @@ class Auto : public Solver {
     template <int columns>
     void solve_heap(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
         if (work_down(rows, termination, count, sweep<columns>)) return;
+        if (exact_.pairs() > pairs_of_a_heap * exact_.movable_bodies()) return;
         count.multiply_adds += rows.look_work();
         if (rows.residual() <= far) return;
         exact_.plan();

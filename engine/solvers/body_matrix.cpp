@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
+#include <set>
 
 namespace pushfactor::engine::solvers {
 
@@ -32,28 +34,27 @@ void BodyMatrix::connect(std::size_t bodies, std::span<const std::pair<int, int>
 // Least degree first; the neighbours of an eliminated body become neighbours of each other. Among equals the one
 // with the lowest index, so that the order depends on nothing else.
 void BodyMatrix::order_nodes(std::vector<std::vector<int>> neighbours) {
-    std::vector<int> left;
+    std::set<std::pair<std::size_t, int>> left;  // degree and body
     for (std::size_t body = 0; body < bodies_; ++body) {
         auto& own = neighbours[body];
         std::sort(own.begin(), own.end());
         own.erase(std::unique(own.begin(), own.end()), own.end());
-        if (node_of_[body] >= 0) left.push_back(static_cast<int>(body));
+        if (node_of_[body] >= 0) left.insert({own.size(), static_cast<int>(body)});
     }
     nodes_.clear();
     std::vector<std::vector<int>> below;  // as bodies
     while (!left.empty()) {
-        const auto degree = [&](int body) { return neighbours[static_cast<std::size_t>(body)].size(); };
-        const auto next =
-            std::min_element(left.begin(), left.end(), [&](int a, int b) { return degree(a) < degree(b); });
-        const int body = *next;
-        left.erase(next);
+        const int body = left.begin()->second;
+        left.erase(left.begin());
         const std::vector<int> around = std::move(neighbours[static_cast<std::size_t>(body)]);
         for (const int other : around) {
             std::vector<int> merged;
-            const auto& own = neighbours[static_cast<std::size_t>(other)];
+            auto& own = neighbours[static_cast<std::size_t>(other)];
+            left.erase({own.size(), other});
             std::set_union(own.begin(), own.end(), around.begin(), around.end(), std::back_inserter(merged));
             std::erase_if(merged, [&](int b) { return b == body || b == other; });
-            neighbours[static_cast<std::size_t>(other)] = std::move(merged);
+            own = std::move(merged);
+            left.insert({own.size(), other});
         }
         node_of_[static_cast<std::size_t>(body)] = static_cast<int>(nodes_.size());
         nodes_.push_back({.body = body, .below = {}, .blocks = {}, .updates = {}});

@@ -25,6 +25,7 @@ class Direct : public Solver {
         exact_.find_pairs(rows);
         exact_.plan();
         exact_.solve(rows, termination.tolerance_low, termination.iterations, count);
+        count.exact = true;
         rows.store(system, lambda);
         return count;
     }

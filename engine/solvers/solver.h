@@ -25,6 +25,7 @@ struct Termination {
 struct SolveCount {
     int iterations = 0;          // of the solver's own kind; 0 when the guess was kept
     double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
+    bool exact = false;          // whether it was solved by a method that goes to rounding
 };
 
 class Solver {

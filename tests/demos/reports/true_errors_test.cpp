@@ -90,7 +90,8 @@ TEST_CASE("a sweep contracts the error of a column of balls by cos^2(pi / 2n)") 
     for (const auto& [iterations, more] : {std::pair{"150", "151"}, std::pair{"200", "201"}}) {
         const auto after = [](const char* sweeps) {
             return errors_of("sphere_column",
-                             {{"push", "none"},
+                             {{"solver", "pgs"},
+                              {"push", "none"},
                               {"warm-start", "off"},
                               {"tolerance", "0"},
                               {"iterations", sweeps},
