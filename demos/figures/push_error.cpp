@@ -16,7 +16,7 @@ Plate push_error(Workshop& workshop, const Figure& figure) {
     strip.cell_aspect = 1.25;
     strip.overlay = OverlayItem{OverlayKind::velocities, 12.0};
     const Rational dt = strip.runs.front().settings.dt;
-    for (const std::size_t row : {0, 1}) {
+    for (const std::size_t row : {0u, 1u}) {
         for (const int frame : {0, 1, 2, 3}) {
             strip.cells.push_back(
                 {.row = row, .time = dt * Rational{frame, 1}, .label = fmt::format("frame {}", frame + 1)});

@@ -30,7 +30,7 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     Strip strip{.runs = {run_of("stack", paper), run_of("stack", ours)}, .columns = 6};
     strip.titles = {"paper", "default"};
     strip.cell_aspect = 0.62;
-    for (const std::size_t row : {0, 1}) {
+    for (const std::size_t row : {0u, 1u}) {
         for (const int time : {0, 1, 20, 50, 66, 71}) {
             strip.cells.push_back({.row = row, .time = {time, 1}, .label = fmt::format("{} s", time)});
         }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -129,7 +128,7 @@ void Video::remove_temporary() {
 }
 
 void Video::add(const renderer::Image& image) {
-    assert(image.width == width_ && image.height == height_);
+    if (image.width != width_ || image.height != height_) fail("the frames of a video must be of one size");
     try {
         ffmpeg_->feed(image.rgb);
     } catch (const ToolError& error) {
