@@ -8,6 +8,7 @@
 // top. The rules look at the structure and the residual, never at the clock.
 #include "engine/solvers/auto.h"
 
+#include "engine/solvers/by_columns.h"
 #include "engine/solvers/exact_answer.h"
 #include "engine/solvers/sweep.h"
 
@@ -26,54 +27,46 @@ constexpr double far = 3e-2;
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
 
-class Auto : public Solver {
+template <int columns>
+class Auto {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? run(two_columns_, system, termination, lambda)
-                                          : run(one_column_, system, termination, lambda);
-    }
-
-  private:
-    template <int columns>
-    SolveCount run(UnitRows<columns>& rows, const SystemEquation& system, const Termination& termination,
-                   Columns& lambda) {
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
         SolveCount count;
-        rows.load(system, lambda);
-        if (keeps_guess(rows, termination, count)) return count;
-        exact_.find_pairs(rows);
+        rows_.load(system, lambda);
+        if (keeps_guess(rows_, termination, count)) return count;
+        exact_.find_pairs(rows_);
         if (!exact_.rows_couple()) {
-            work_down(rows, {1, termination.tolerance_high, termination.tolerance_low}, count, sweep<columns>);
+            work_down(rows_, {1, termination.tolerance_high, termination.tolerance_low}, count, sweep<columns>);
         } else if (exact_.pairs() <= pairs_of_a_thread * exact_.movable_bodies()) {
             exact_.plan();
-            exact_.solve(rows, termination.tolerance_low, termination.iterations, count);
+            exact_.solve(rows_, termination.tolerance_low, termination.iterations, count);
             count.exact = true;
         } else {
-            solve_heap(rows, termination, count);
+            solve_heap(termination, count);
         }
-        rows.store(system, lambda);
+        rows_.store(system, lambda);
         return count;
     }
 
-    template <int columns>
-    void solve_heap(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
-        if (work_down(rows, termination, count, sweep<columns>)) return;
+  private:
+    void solve_heap(const Termination& termination, SolveCount& count) {
+        if (work_down(rows_, termination, count, sweep<columns>)) return;
         if (exact_.pairs() > pairs_of_a_heap * exact_.movable_bodies()) return;
-        count.multiply_adds += rows.look_work();
-        if (rows.residual() <= far) return;
+        count.multiply_adds += rows_.look_work();
+        if (rows_.residual() <= far) return;
         exact_.plan();
-        if (exact_.factor_work() > sweeps_an_exact_step * rows.pass_work()) return;
-        exact_.solve(rows, termination.tolerance_low, exact_steps, count);
+        if (exact_.factor_work() > sweeps_an_exact_step * rows_.pass_work()) return;
+        exact_.solve(rows_, termination.tolerance_low, exact_steps, count);
     }
 
-    UnitRows<1> one_column_;
-    UnitRows<2> two_columns_;
+    UnitRows<columns> rows_;
     ExactAnswer exact_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_auto() {
-    return std::make_unique<Auto>();
+    return std::make_unique<ByColumns<Auto>>();
 }
 
 }  // namespace pushfactor::engine::solvers

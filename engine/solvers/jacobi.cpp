@@ -13,6 +13,7 @@
 // the last iteration.
 #include "engine/solvers/jacobi.h"
 
+#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
@@ -53,22 +54,10 @@ class SimultaneousRows {
     std::vector<std::array<double, columns>> next_;
 };
 
-class Jacobi : public Solver {
-  public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? two_columns_.solve(system, termination, lambda)
-                                          : one_column_.solve(system, termination, lambda);
-    }
-
-  private:
-    SimultaneousRows<1> one_column_;
-    SimultaneousRows<2> two_columns_;
-};
-
 }  // namespace
 
 std::unique_ptr<Solver> make_jacobi() {
-    return std::make_unique<Jacobi>();
+    return std::make_unique<ByColumns<SimultaneousRows>>();
 }
 
 }  // namespace pushfactor::engine::solvers

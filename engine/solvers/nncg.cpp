@@ -16,6 +16,7 @@
 // cheaper; but then rounding grows with the square of the iterations (5e-11 m/s after 1000, not 2e-15).
 #include "engine/solvers/nncg.h"
 
+#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
 #include <limits>
@@ -148,22 +149,10 @@ class ConjugateSweeps {
     double best_residual_ = 0.0;  // m/s
 };
 
-class Nncg : public Solver {
-  public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? two_columns_.solve(system, termination, lambda)
-                                          : one_column_.solve(system, termination, lambda);
-    }
-
-  private:
-    ConjugateSweeps<1> one_column_;
-    ConjugateSweeps<2> two_columns_;
-};
-
 }  // namespace
 
 std::unique_ptr<Solver> make_nncg() {
-    return std::make_unique<Nncg>();
+    return std::make_unique<ByColumns<ConjugateSweeps>>();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -2,28 +2,28 @@
 // (unit_rows.h). Both columns are swept together.
 #include "engine/solvers/pgs.h"
 
+#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 
 namespace {
 
-class Pgs : public Solver {
+template <int columns>
+class Sweeps {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? iterate(two_columns_, system, termination, lambda, sweep<2>)
-                                          : iterate(one_column_, system, termination, lambda, sweep<1>);
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
+        return iterate(rows_, system, termination, lambda, sweep<columns>);
     }
 
   private:
-    UnitRows<1> one_column_;
-    UnitRows<2> two_columns_;
+    UnitRows<columns> rows_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_pgs() {
-    return std::make_unique<Pgs>();
+    return std::make_unique<ByColumns<Sweeps>>();
 }
 
 }  // namespace pushfactor::engine::solvers

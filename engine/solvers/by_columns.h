@@ -1,0 +1,23 @@
+// A solver out of a method that is written for a number of columns known to the compiler.
+#pragma once
+
+#include "engine/solvers/solver.h"
+
+namespace pushfactor::engine::solvers {
+
+// `Method<columns>` has a member solve() like that of Solver, for systems of that many columns: one, or two when
+// some row corrects for a single frame (8.1).
+template <template <int columns> typename Method>
+class ByColumns : public Solver {
+  public:
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
+        return system.column_count() == 2 ? two_.solve(system, termination, lambda)
+                                          : one_.solve(system, termination, lambda);
+    }
+
+  private:
+    Method<1> one_;
+    Method<2> two_;
+};
+
+}  // namespace pushfactor::engine::solvers
