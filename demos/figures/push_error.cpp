@@ -28,8 +28,7 @@ Plate push_error(Workshop& workshop, const Figure& figure) {
         if (cell.time == dt) depths.push_back(0.5 - box.position.y());
         if (cell.time == dt * Rational{3, 1}) speeds.push_back(velocity(box).y());
     };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In "
         "frame "

@@ -27,8 +27,7 @@ Plate push_against_beta(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{1, 2}) tops.push_back(run.scene().world.bodies.back().position.y());
     };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "The intersecting stack after so many steps of 1/60 s. A persistent push throws the cubes apart; a "
         "single-frame "

@@ -37,8 +37,7 @@ Plate funnel(Workshop& workshop, const Figure& figure) {
     add_instants(strip, 0, {{2, 1}, {30, 1}});
     double energy = 0.0;
     strip.look = [&](const Cell&, const Simulation& run) { energy = run.sample().kinetic_energy; };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "Twenty balls of 1 m and 1 kg in a pyramid of four infinite planes, inclined by 45 degrees (the paper "
         "gives no "
@@ -54,8 +53,7 @@ Plate pendulum_grid(Workshop& workshop, const Figure& figure) {
     add_instants(strip, 0, {{2, 1}, {14, 5}, {31, 10}});
     std::vector<int> held;
     strip.look = [&](const Cell&, const Simulation& run) { held.push_back(above_middle(run)); };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "Five by five pendulums, each attached to one point in space by a bar and to nothing else, hold {} "
         "objects. From "
@@ -73,8 +71,7 @@ Plate pendulum_wave(Workshop& workshop, const Figure& figure) {
     Strip strip{.runs = {run_of("pendulum-wave", options)}, .columns = 3};
     strip.cell_aspect = 1.5;
     add_instants(strip, 0, {{0, 1}, {12, 1}, {30, 1}, {40, 1}, {60, 1}, {120, 1}});
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption =
         "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two "
         "minutes. "

@@ -39,8 +39,7 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{71, 1}) heights.push_back(top(run));
     };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
         "steps a "
@@ -67,8 +66,7 @@ Plate intersecting_stack(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{1, 2}) speeds.push_back(upward_speeds(run));
     };
-    Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    Plate plate = draw_plate(workshop, figure, strip);
     plate.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
         "from "

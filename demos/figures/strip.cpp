@@ -97,4 +97,10 @@ renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
     return with_margin;
 }
 
+Plate draw_plate(Workshop& workshop, const Figure& figure, const Strip& strip) {
+    Plate plate;
+    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    return plate;
+}
+
 }  // namespace pushfactor::demos::figures

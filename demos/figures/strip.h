@@ -1,6 +1,7 @@
 // Runs as rows and moments as columns of one picture.
 #pragma once
 
+#include "demos/figures/figure.h"
 #include "demos/figures/workshop.h"
 #include "demos/overlay_choice.h"
 #include "demos/simulation.h"
@@ -32,5 +33,8 @@ struct Strip {
 };
 
 renderer::Image draw_strip(Workshop& workshop, const Strip& strip);
+
+// The same as a figure's picture.
+Plate draw_plate(Workshop& workshop, const Figure& figure, const Strip& strip);
 
 }  // namespace pushfactor::demos::figures

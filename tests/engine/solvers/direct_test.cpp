@@ -8,7 +8,6 @@
 
 using namespace pushfactor;
 using namespace pushfactor::engine;
-using pushfactor::tests::Column;
 using pushfactor::tests::Frozen;
 using solvers::make_solver;
 
