@@ -1,7 +1,5 @@
 #include "engine/contact_constraint.h"
 
-#include "engine/point_jacobian.h"
-
 namespace pushfactor::engine {
 
 namespace {
@@ -16,19 +14,12 @@ PushFactor contact_push(double gap, const Correction& correction, double slop, d
 
 }  // namespace
 
-Jacobian point_jacobian(const BodyPair& bodies, const Vector3& point, const Vector3& direction) {
-    return {.a = point_axis(bodies.body_a, point, -direction), .b = point_axis(bodies.body_b, point, direction)};
-}
-
-ConstraintRow contact_row(const BodyPair& bodies, const Vector3& normal, const collision::ContactPoint& point,
-                          const Correction& correction, double slop, double dt) {
-    ConstraintRow row;
-    row.body_a = bodies.a;
-    row.body_b = bodies.b;
-    row.jacobian = point_jacobian(bodies, point.position, normal);
-    row.push = contact_push(point.gap, correction, slop, dt);
+ConstraintRow contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
+                          double slop, double dt) {
+    ConstraintRow row = point.row(normal);
+    row.push = contact_push(gap, correction, slop, dt);
     row.bounds.c_min = 0.0;
-    row.label = {.kind = RowKind::contact, .point = 0, .gap = point.gap};
+    row.label = {.kind = RowKind::contact, .point = 0, .gap = gap};
     return row;
 }
 

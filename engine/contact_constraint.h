@@ -12,28 +12,13 @@
 // is used for a static body a as well.
 #pragma once
 
-#include "engine/collision/manifold.h"
 #include "engine/constraint_row.h"
-#include "engine/sources.h"
-
-#include <span>
+#include "engine/point_jacobian.h"
 
 namespace pushfactor::engine {
 
-// The bodies of a row with their indices.
-struct BodyPair {
-    int a = 0;
-    int b = 0;
-    const Body& body_a;
-    const Body& body_b;
-};
-
-// j_c of 5.3 for any unit `direction` at `point` [m]; the block of a static body is zero.
-// Friction uses the same formula with another direction (5.4).
-Jacobian point_jacobian(const BodyPair& bodies, const Vector3& point, const Vector3& direction);
-
-// `slop` in metres.
-ConstraintRow contact_row(const BodyPair& bodies, const Vector3& normal, const collision::ContactPoint& point,
-                          const Correction& correction, double slop, double dt);
+// `gap` and `slop` in metres.
+ConstraintRow contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
+                          double slop, double dt);
 
 }  // namespace pushfactor::engine

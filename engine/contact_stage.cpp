@@ -12,12 +12,6 @@ BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) 
             bodies[static_cast<std::size_t>(touch.body_b)]};
 }
 
-Vector6 stacked(const Vector3& linear, const Vector3& angular) {
-    Vector6 both;
-    both << linear, angular;
-    return both;
-}
-
 // What 8.2 needs to know of a contact row before the step.
 Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitution, double dt) {
     const auto along = [&row](const Vector6& a, const Vector6& b) {
@@ -37,12 +31,11 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitut
 }  // namespace
 
 // Each surface velocity is across the normal as far as friction is concerned.
-Vector3 ContactStage::belt_of(const collision::Touch& touch, std::span<const Body> bodies) const {
-    const auto run = [&](int collider, int body) -> Vector3 {
-        return bodies[static_cast<std::size_t>(body)].orientation *
-               colliders_[static_cast<std::size_t>(collider)].surface_velocity;
+Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair) const {
+    const auto run = [this](int collider, const Body& body) -> Vector3 {
+        return body.orientation * colliders_[static_cast<std::size_t>(collider)].surface_velocity;
     };
-    return run(touch.pair.a, touch.body_a) - run(touch.pair.b, touch.body_b);
+    return run(touch.pair.a, pair.body_a) - run(touch.pair.b, pair.body_b);
 }
 
 const collision::Touch& ContactStage::touch_of(std::size_t index) const {
@@ -53,49 +46,62 @@ const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
     return touch_of(index).manifold.points()[static_cast<std::size_t>(order_[index].point)];
 }
 
-void ContactStage::append_normal(std::size_t index, std::span<const Body> bodies, double dt,
+// What the contact points of one touch have in common as far as friction is concerned.
+struct ContactStage::TouchFriction {
+    Vector3 belt;           // m/s
+    RelativeMotion motion;  // at the start of the step
+    double least_sliding;   // m/s
+    Vector3 resting;        // the tangent of points that slide less
+};
+
+ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
+                                                      double dt) const {
+    const Vector3 belt = belt_of(touch, pair);
+    return {.belt = belt,
+            .motion = RelativeMotion(pair, belt),
+            .least_sliding = sliding_share * touch.size / dt,
+            .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), touch.manifold.normal)};
+}
+
+void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
                                  std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
-    const BodyPair pair = bodies_of(touch, bodies);
-    ConstraintRow row = contact_row(pair, touch.manifold.normal, point_of(index), choices_.correction,
-                                    choices_.slop * touch.size, dt);
+    contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
+    ConstraintRow& row = rows.emplace_back(contact_row(at, touch.manifold.normal, point_of(index).gap,
+                                                       choices_.correction, choices_.slop * touch.size, dt));
     if (restitution_ && touch.restitution > 0.0) {
         row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
     }
     row.label.point = order_[index].point;
     row.guess = forces_[contacts_[index].force].normal;
-    contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
-    rows.push_back(row);
 }
 
-void ContactStage::append_friction(std::size_t index, std::span<const Body> bodies, double dt,
-                                   std::vector<ConstraintRow>& rows) {
+void ContactStage::append_friction(std::size_t index, const BodyPair& pair, const PairPoint& at,
+                                   const TouchFriction& shared, std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
     const collision::ContactPoint& point = point_of(index);
-    const BodyPair pair = bodies_of(touch, bodies);
+    const Vector3& normal = touch.manifold.normal;
     Contact& contact = contacts_[index];
 
     const Bounds bounds = friction_->bounds({.bodies = pair,
-                                             .normal = touch.manifold.normal,
+                                             .normal = normal,
                                              .friction = touch.friction,
                                              .points = touch.manifold.count,
                                              .normal_row = static_cast<int>(first_row_) + contact.normal_row});
-    const Vector3 belt = belt_of(touch, bodies);
-    const Vector3 sliding = sliding_velocity(pair, point.position, touch.manifold.normal, belt);
-    contact.tangents =
-        friction_tangents(pair.body_a, touch.manifold.normal, sliding, sliding_share * touch.size / dt);
+    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), shared.least_sliding,
+                                         shared.resting);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
     for (const Vector3& tangent : contact.tangents) {
-        ConstraintRow row = friction_row(pair, point.position, tangent, bounds, tangent.dot(belt));
+        ConstraintRow& row = rows.emplace_back(friction_row(at, tangent, bounds, tangent.dot(shared.belt)));
         const ContactForce& force = forces_[contact.force];
         row.label.point = order_[index].point;
         row.label.gap = point.gap;
         row.guess = {tangent.dot(force.friction_first), tangent.dot(force.friction_last)};
-        rows.push_back(row);
     }
 }
 
-void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+// Detects, orders, and recalls what the cache knows.
+void ContactStage::find_contacts(std::span<const Body> bodies) {
     touches_ = detector_.detect(colliders_, bodies, choices_.detection);
     order_contacts(choices_.order, touches_, bodies, order_);
 
@@ -108,21 +114,35 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     forces_.assign(points, {});
     if (cache_) cache_->recall(touches_, forces_);
 
-    first_row_ = rows.size();
     contacts_.resize(order_.size());
+    runs_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i) {
         contacts_[i] = {};
         contacts_[i].force =
             first_force_[static_cast<std::size_t>(order_[i].touch)] + static_cast<std::size_t>(order_[i].point);
+        if (i == 0 || order_[i].touch != order_[i - 1].touch) runs_.push_back({i, i});
+        runs_.back().end = i + 1;
     }
+}
+
+void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    find_contacts(bodies);
+    first_row_ = rows.size();
     const bool interleaved = choices_.order != RowOrder::normals_first;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        append_normal(i, bodies, dt, rows);
-        if (friction_ && interleaved) append_friction(i, bodies, dt, rows);
-    }
-    for (std::size_t i = 0; friction_ && !interleaved && i < order_.size(); ++i) {
-        append_friction(i, bodies, dt, rows);
-    }
+    const auto append = [&](const Run& run, bool normals, bool tangents) {
+        const collision::Touch& touch = touch_of(run.begin);
+        const BodyPair pair = bodies_of(touch, bodies);
+        std::optional<TouchFriction> shared;
+        if (tangents) shared = friction_of(touch, pair, dt);
+        for (std::size_t i = run.begin; i < run.end; ++i) {
+            const PairPoint at(pair, point_of(i).position);
+            if (normals) append_normal(i, pair, at, dt, rows);
+            if (tangents) append_friction(i, pair, at, *shared, rows);
+        }
+    };
+    for (const Run& run : runs_) append(run, true, friction_ && interleaved);
+    if (!friction_ || interleaved) return;
+    for (const Run& run : runs_) append(run, false, true);
 }
 
 std::vector<ContactSite> ContactStage::sites() const {

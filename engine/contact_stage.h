@@ -4,6 +4,7 @@
 
 #include "engine/collision/detector.h"
 #include "engine/contact_cache.h"
+#include "engine/contact_constraint.h"
 #include "engine/friction_constraint.h"
 #include "engine/restitution.h"
 #include "engine/row_order.h"
@@ -61,11 +62,20 @@ class ContactStage : public ConstraintSource {
         std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
     };
 
-    void append_normal(std::size_t index, std::span<const Body> bodies, double dt,
+    // Contacts of one touch that stand together in order_: from `begin` up to `end`.
+    struct Run {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+    struct TouchFriction;
+
+    void find_contacts(std::span<const Body> bodies);
+    void append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
                        std::vector<ConstraintRow>& rows);
-    void append_friction(std::size_t index, std::span<const Body> bodies, double dt,
+    void append_friction(std::size_t index, const BodyPair& pair, const PairPoint& at, const TouchFriction& shared,
                          std::vector<ConstraintRow>& rows);
-    Vector3 belt_of(const collision::Touch& touch, std::span<const Body> bodies) const;
+    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
+    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
     const collision::Touch& touch_of(std::size_t index) const;
     const collision::ContactPoint& point_of(std::size_t index) const;
 
@@ -79,6 +89,7 @@ class ContactStage : public ConstraintSource {
     collision::Detector detector_;
     std::span<const collision::Touch> touches_;
     std::vector<ContactIndex> order_;
+    std::vector<Run> runs_;                 // of order_
     std::vector<Contact> contacts_;         // in the order of order_
     std::vector<ContactForce> forces_;      // in the order of the touches and their points
     std::vector<std::size_t> first_force_;  // of each touch, into forces_

@@ -17,26 +17,26 @@ Bounds CoulombFriction::bounds(const FrictionSite& site) const {
     return {.c_min = -site.friction, .c_max = site.friction, .of_row = site.normal_row};
 }
 
-Vector3 sliding_velocity(const BodyPair& bodies, const Vector3& point, const Vector3& normal, const Vector3& belt) {
-    const Vector3 relative = velocity_at(bodies.body_b, point) - velocity_at(bodies.body_a, point) - belt;
+RelativeMotion::RelativeMotion(const BodyPair& bodies, const Vector3& belt)
+    : origin_(bodies.body_a.is_static() ? bodies.body_b.position : bodies.body_a.position),
+      velocity_(velocity_at(bodies.body_b, origin_) - velocity_at(bodies.body_a, origin_) - belt),
+      spin_(angular_velocity(bodies.body_b) - angular_velocity(bodies.body_a)) {}
+
+Vector3 RelativeMotion::sliding(const Vector3& point, const Vector3& normal) const {
+    const Vector3 relative = velocity_ + spin_.cross(point - origin_);
     return relative - normal * normal.dot(relative);
 }
 
-std::array<Vector3, 2> friction_tangents(const Body& body_a, const Vector3& normal, const Vector3& sliding,
-                                         double least_sliding) {
-    const double speed = sliding.norm();
-    const Vector3 first = speed > least_sliding
-                              ? Vector3(sliding / speed)
-                              : collision::tangent_fixed_in(body_a.orientation.toRotationMatrix(), normal);
+std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& sliding, double least_sliding,
+                                         const Vector3& resting) {
+    const double square = sliding.squaredNorm();
+    if (square <= least_sliding * least_sliding) return {resting, normal.cross(resting)};
+    const Vector3 first = sliding / std::sqrt(square);
     return {first, normal.cross(first)};
 }
 
-ConstraintRow friction_row(const BodyPair& bodies, const Vector3& point, const Vector3& tangent,
-                           const Bounds& bounds, double speed) {
-    ConstraintRow row;
-    row.body_a = bodies.a;
-    row.body_b = bodies.b;
-    row.jacobian = point_jacobian(bodies, point, tangent);
+ConstraintRow friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed) {
+    ConstraintRow row = point.row(tangent);
     row.push.lasting = speed;
     row.bounds = bounds;
     row.label.kind = RowKind::friction;

@@ -11,7 +11,8 @@
 // itself; Coulomb's law (mu times the normal force of the same point) stands beside it.
 #pragma once
 
-#include "engine/contact_constraint.h"
+#include "engine/constraint_row.h"
+#include "engine/point_jacobian.h"
 
 #include <array>
 
@@ -49,19 +50,29 @@ class CoulombFriction : public FrictionRule {
     Bounds bounds(const FrictionSite& site) const override;
 };
 
-// How the surface of body b slides over that of body a at `point` [m], across `normal` [m/s]. `belt` is how much
-// faster the surface of a runs than that of b by itself; zero but for conveyors.
-Vector3 sliding_velocity(const BodyPair& bodies, const Vector3& point, const Vector3& normal, const Vector3& belt);
+// How the surface of body b runs over that of body a, for all points at which they touch. World frame.
+class RelativeMotion {
+  public:
+    // `belt` [m/s] is how much faster the surface of a runs than that of b by itself; zero but for conveyors.
+    RelativeMotion(const BodyPair& bodies, const Vector3& belt);
+
+    // Across `normal` (unit length) at `point` [m]; m/s.
+    Vector3 sliding(const Vector3& point, const Vector3& normal) const;
+
+  private:
+    Vector3 origin_;    // m, a body that moves: far from it roundings would grow
+    Vector3 velocity_;  // m/s, at the origin
+    Vector3 spin_;      // rad/s
+};
 
 // Two unit vectors across `normal` and each other. The first lies along `sliding` when that exceeds `least_sliding`
-// [m/s], otherwise along a direction fixed in body a, so that results turn with the
-// scene.
-std::array<Vector3, 2> friction_tangents(const Body& body_a, const Vector3& normal, const Vector3& sliding,
-                                         double least_sliding);
+// [m/s], otherwise along `resting` (of unit length across `normal`, fixed in one of the bodies, so that results
+// turn with the scene).
+std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& sliding, double least_sliding,
+                                         const Vector3& resting);
 
 // Aims at `speed` [m/s] of b over a along the tangent: zero, or what a belt runs (8.1: "constant speed motors", a
 // push that lasts).
-ConstraintRow friction_row(const BodyPair& bodies, const Vector3& point, const Vector3& tangent,
-                           const Bounds& bounds, double speed);
+ConstraintRow friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed);
 
 }  // namespace pushfactor::engine

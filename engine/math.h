@@ -1,4 +1,4 @@
-// The vector types that the engine computes with. Aliases and nothing more.
+// The vector types that the engine computes with.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,5 +16,12 @@ using Quaternion = Eigen::Quaterniond;
 // One line a constraint row, one or two columns (design: the single-frame push factor is one more column).
 // The first column moves positions, the last one sets momenta; with one column they are the same.
 using Columns = Eigen::MatrixXd;
+
+inline Vector6 stacked(const Vector3& linear, const Vector3& angular) {
+    Vector6 both;
+    both.head<3>() = linear;
+    both.tail<3>() = angular;
+    return both;
+}
 
 }  // namespace pushfactor::engine

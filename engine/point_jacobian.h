@@ -1,16 +1,58 @@
-// The half of j_c that belongs to one body, for every row that acts at a point (paper 5.2.1, 5.3, 5.4).
+// j_c of rows that act at a point (paper 5.2.1, 5.3, 5.4).
 #pragma once
 
 #include "engine/body.h"
+#include "engine/constraint_row.h"
 
 namespace pushfactor::engine {
 
 // [d, r x d] for `direction` d [1] at `point` [m], world frame, r the offset from the centre of mass. Zero for a
 // static body: the simplification at the end of 5.3.
 inline Vector6 point_axis(const Body& body, const Vector3& point, const Vector3& direction) {
-    Vector6 axis = Vector6::Zero();
-    if (!body.is_static()) axis << direction, (point - body.position).cross(direction);
-    return axis;
+    if (body.is_static()) return Vector6::Zero();
+    return stacked(direction, (point - body.position).cross(direction));
 }
+
+// The bodies of a row with their indices.
+struct BodyPair {
+    int a = 0;
+    int b = 0;
+    const Body& body_a;
+    const Body& body_b;
+};
+
+// A point at which the bodies of a pair act on each other. The rows of a contact share it.
+class PairPoint {
+  public:
+    // `position` in metres, world frame.
+    PairPoint(const BodyPair& bodies, const Vector3& position)
+        : bodies_(bodies),
+          r_a_(position - bodies.body_a.position),
+          r_b_(position - bodies.body_b.position),
+          a_moves_(!bodies.body_a.is_static()),
+          b_moves_(!bodies.body_b.is_static()) {}
+
+    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero.
+    Jacobian along(const Vector3& direction) const {
+        Jacobian j;
+        if (a_moves_) j.a = stacked(-direction, direction.cross(r_a_));
+        if (b_moves_) j.b = stacked(direction, r_b_.cross(direction));
+        return j;
+    }
+
+    // A row along `direction`, with everything else still to be filled in.
+    ConstraintRow row(const Vector3& direction) const {
+        ConstraintRow row;
+        row.body_a = bodies_.a;
+        row.body_b = bodies_.b;
+        row.jacobian = along(direction);
+        return row;
+    }
+
+  private:
+    const BodyPair& bodies_;
+    Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
+    bool a_moves_, b_moves_;
+};
 
 }  // namespace pushfactor::engine

@@ -25,19 +25,19 @@ bool rests_on_static(const collision::Touch& touch, std::span<const Body> bodies
 
 void order_contacts(RowOrder order, std::span<const collision::Touch> touches, std::span<const Body> bodies,
                     std::vector<ContactIndex>& contacts) {
-    contacts.clear();
+    const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
+    std::vector<std::tuple<double, bool, int>> keys;
     for (int t = 0; t < static_cast<int>(touches.size()); ++t) {
+        const collision::Touch& touch = touches[static_cast<std::size_t>(t)];
+        keys.emplace_back(by_height ? height_of(touch, bodies) : 0.0, by_height && !rests_on_static(touch, bodies), t);
+    }
+    if (by_height) std::sort(keys.begin(), keys.end());
+
+    contacts.clear();
+    for (const auto& [height, on_movable, t] : keys) {
         for (int p = 0; p < touches[static_cast<std::size_t>(t)].manifold.count; ++p) contacts.push_back({t, p});
     }
     if (order == RowOrder::reverse) std::reverse(contacts.begin(), contacts.end());
-    if (order == RowOrder::reverse || order == RowOrder::creation) return;
-
-    const auto key = [&](const ContactIndex& contact) {
-        const collision::Touch& touch = touches[static_cast<std::size_t>(contact.touch)];
-        return std::tuple(height_of(touch, bodies), !rests_on_static(touch, bodies), contact.touch, contact.point);
-    };
-    std::sort(contacts.begin(), contacts.end(),
-              [&](const ContactIndex& p, const ContactIndex& q) { return key(p) < key(q); });
 }
 
 }  // namespace pushfactor::engine

@@ -11,16 +11,11 @@ InverseMass inverse_mass_of(const Body& body) {
     InverseMass result;
     if (body.is_static()) return result;
     result.linear = body.inverse_mass;
+    result.linear_root = std::sqrt(body.inverse_mass);
     const Matrix3 rotation = body.orientation.toRotationMatrix();
     result.angular = rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
     result.angular_root = rotation * body.inverse_inertia.cwiseSqrt().asDiagonal();
     return result;
-}
-
-Vector6 stacked(const Vector3& linear, const Vector3& angular) {
-    Vector6 both;
-    both << linear, angular;
-    return both;
 }
 
 // v1/dt + M^-1 f_ext of one body.
@@ -30,11 +25,9 @@ Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, dou
     return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
 }
 
-double diagonal_entry(const ConstraintRow& row, std::span<const InverseMass> inverse_mass) {
-    const auto a = static_cast<std::size_t>(row.body_a);
-    const auto b = static_cast<std::size_t>(row.body_b);
-    return row.jacobian.a.dot(accelerate(inverse_mass[a], row.jacobian.a)) +
-           row.jacobian.b.dot(accelerate(inverse_mass[b], row.jacobian.b));
+// M^(-1/2)^T j for one body.
+Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
+    return stacked(inverse_mass.linear_root * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>());
 }
 
 bool corrects(std::span<const ConstraintRow> rows) {
@@ -46,6 +39,18 @@ bool corrects(std::span<const ConstraintRow> rows) {
 
 Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
     return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
+}
+
+void weigh_rows(SystemEquation& system) {
+    system.weighted.resize(system.rows.size());
+    system.diagonal.resize(static_cast<Eigen::Index>(system.rows.size()));
+    for (std::size_t j = 0; j < system.rows.size(); ++j) {
+        const ConstraintRow& row = system.rows[j];
+        Jacobian& axes = system.weighted[j];
+        axes.a = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
+        axes.b = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
+        system.diagonal[static_cast<Eigen::Index>(j)] = axes.a.squaredNorm() + axes.b.squaredNorm();
+    }
 }
 
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
@@ -60,12 +65,11 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
         free[i] = free_acceleration(bodies[i], system.inverse_mass[i], dt);
     }
 
+    weigh_rows(system);
     const auto count = static_cast<Eigen::Index>(rows.size());
-    system.diagonal.resize(count);
     system.b.resize(count, corrects(rows) ? 2 : 1);
     for (Eigen::Index j = 0; j < count; ++j) {
         const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
-        system.diagonal[j] = diagonal_entry(row, system.inverse_mass);
         const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
                                      row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
         system.b(j, 0) = (row.push.correcting + row.push.lasting) / dt - unconstrained;

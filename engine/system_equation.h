@@ -20,9 +20,10 @@
 
 namespace pushfactor::engine {
 
-// The block of M^-1 of one body, and a square root of its angular part.
+// The block of M^-1 of one body, and a square root of it: M^-1 = M^(-1/2) M^(-1/2)^T.
 struct InverseMass {
     double linear = 0.0;                     // 1/kg
+    double linear_root = 0.0;                // its root
     Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
 };
@@ -32,6 +33,7 @@ struct SystemEquation {
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
+    std::vector<Jacobian> weighted;          // J M^(-1/2), angular parts in body axes; A is its square
     VectorX diagonal;                        // A_jj, 1/kg; 0 for a row that cannot move anything
     Columns b;                               // m/s^2, rows x columns
 
@@ -43,6 +45,9 @@ struct SystemEquation {
 // `rows` must outlive its use.
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
+
+// The part of build_system that depends on J and M^-1 alone: `weighted` and `diagonal`.
+void weigh_rows(SystemEquation& system);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);

@@ -65,12 +65,6 @@ Json read_json(const std::filesystem::path& file) {
     return json;
 }
 
-double diagonal_entry(const ConstraintRow& row, std::span<const engine::InverseMass> inverse_mass) {
-    const auto& a = inverse_mass[static_cast<std::size_t>(row.body_a)];
-    const auto& b = inverse_mass[static_cast<std::size_t>(row.body_b)];
-    return row.jacobian.a.dot(accelerate(a, row.jacobian.a)) + row.jacobian.b.dot(accelerate(b, row.jacobian.b));
-}
-
 ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::size_t index) {
     ConstraintRow row;
     row.body_a = read_index(json.at("body_a"), bodies);
@@ -105,8 +99,10 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     system_.dt = json.at("dt_s").positive();
     const std::vector<JsonReader> bodies = json.at("bodies").elements();
     for (const JsonReader& body : bodies) {
+        const double inverse_mass = body.at("inverse_mass_per_kg").number(0, std::numeric_limits<double>::max());
         system_.inverse_mass.push_back(
-            {.linear = body.at("inverse_mass_per_kg").number(0, std::numeric_limits<double>::max()),
+            {.linear = inverse_mass,
+             .linear_root = std::sqrt(inverse_mass),
              .angular = read_matrix(body.at("inverse_inertia_per_kg_m2")),
              .angular_root = read_matrix(body.at("inverse_inertia_root"))});
         system_.free_acceleration.push_back(read_six(body.at("free_acceleration")));
@@ -116,13 +112,11 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const std::size_t columns = rows.empty() ? 1 : rows.front().at("b_m_per_s2").elements().size();
     if (columns != 1 && columns != 2) rows.front().at("b_m_per_s2").refuse("one or two numbers");
     const std::string one_a_column = "one number a column";
-    system_.diagonal.resize(count);
     system_.b.resize(count, static_cast<Eigen::Index>(columns));
     guess_.resizeLike(system_.b);
     for (Eigen::Index j = 0; j < count; ++j) {
         const JsonReader& row = rows[static_cast<std::size_t>(j)];
         rows_.push_back(read_row(row, bodies.size(), static_cast<std::size_t>(j)));
-        system_.diagonal[j] = diagonal_entry(rows_.back(), system_.inverse_mass);
         const std::vector<double> b = row.at("b_m_per_s2").numbers(columns, one_a_column);
         const std::vector<double> guess = row.at("guess_n").numbers(columns, one_a_column);
         for (std::size_t c = 0; c < columns; ++c) {
@@ -132,6 +126,7 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
         rows_.back().guess = {guess.front(), guess.back()};
     }
     system_.rows = rows_;
+    weigh_rows(system_);
 }
 
 FrozenProblem::FrozenProblem(FrozenProblem&& other) noexcept

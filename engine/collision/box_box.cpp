@@ -33,28 +33,36 @@ struct Axes {
     double largest() const { return std::max({face_a.separation, face_b.separation, edges.separation}); }
 };
 
-// Separations along all 15 axes, worked out in a's frame; the best of each of the three groups.
-Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+// Separations along the three face axes of each box and along the nine that are across two edges, in a's frame; the
+// best of each of the three groups. An edge axis is only looked at closely where it could be better than those
+// before it.
+Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin) {
     const Matrix3 R = pose_a.rotation.transpose() * pose_b.rotation;  // b's axes in a's frame
     const Matrix3 absR = R.cwiseAbs();
     const Vector3 t = pose_a.rotation.transpose() * (pose_b.position - pose_a.position);
+    const Vector3 &A = a.half_size, &B = b.half_size;
 
     Axes best;
     for (int i = 0; i < 3; ++i) {
-        const double on_a = std::abs(t[i]) - a.half_size[i] - absR.row(i).dot(b.half_size);
+        const double on_a = std::abs(t[i]) - A[i] - (absR(i, 0) * B[0] + absR(i, 1) * B[1] + absR(i, 2) * B[2]);
         if (on_a > best.face_a.separation) best.face_a = {on_a, i, 0};
-        const double on_b = std::abs(t.dot(R.col(i))) - b.half_size[i] - absR.col(i).dot(a.half_size);
+        const double along = t[0] * R(0, i) + t[1] * R(1, i) + t[2] * R(2, i);
+        const double on_b = std::abs(along) - B[i] - (absR(0, i) * A[0] + absR(1, i) * A[1] + absR(2, i) * A[2]);
         if (on_b > best.face_b.separation) best.face_b = {on_b, 0, i};
     }
+    if (best.largest() >= margin) return best;
     for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         for (int j = 0; j < 3; ++j) {
-            const Vector3 axis = Vector3::Unit(i).cross(R.col(j));
-            const double length = axis.norm();
-            if (length < 1e-3) continue;  // parallel edges; the faces beside them cover this direction
+            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            // Of the axis e_i x R e_j, which is shorter than 1; so a negative separation is no better than this.
             const double reach =
-                axis.cwiseAbs().dot(a.half_size) + (R.transpose() * axis).cwiseAbs().dot(b.half_size);
-            const double separation = (std::abs(t.dot(axis)) - reach) / length;
-            if (separation > best.edges.separation) best.edges = {separation, i, j};
+                A[i1] * absR(i2, j) + A[i2] * absR(i1, j) + B[j1] * absR(i, j2) + B[j2] * absR(i, j1);
+            const double separation = std::abs(t[i2] * R(i1, j) - t[i1] * R(i2, j)) - reach;
+            if (separation <= std::min(0.0, best.largest())) continue;
+            const double length = std::sqrt(R(i1, j) * R(i1, j) + R(i2, j) * R(i2, j));
+            if (length < 1e-3) continue;  // parallel edges; the faces beside them cover this direction
+            if (separation / length > best.edges.separation) best.edges = {separation / length, i, j};
         }
     }
     return best;
@@ -72,7 +80,7 @@ struct Polygon {
     int count = 0;
 
     void add(const Corner& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
-    const Corner& at(int i) const { return corners[static_cast<std::size_t>(i % count)]; }
+    const Corner& at(int i) const { return corners[static_cast<std::size_t>(i < count ? i : i - count)]; }  // i < 2 count
 };
 
 Corner between(const Corner& from, const Corner& to, double share) {
@@ -81,24 +89,29 @@ Corner between(const Corner& from, const Corner& to, double share) {
 }
 
 // Sutherland-Hodgman against one side of the reference face: keeps what is at most `limit` along +-u or +-v.
-Polygon clip(const Polygon& polygon, unsigned side, double limit) {
-    const auto beyond = [&](const Corner& corner) {
+void clip(Polygon& polygon, unsigned side, double limit) {
+    std::array<double, 8> beyond{};
+    bool cuts = false;
+    for (int i = 0; i < polygon.count; ++i) {
+        const Corner& corner = polygon.at(i);
         const double coordinate = side < 2 ? corner.u : corner.v;
-        return ((side & 1u) ? -coordinate : coordinate) - limit;
-    };
+        beyond[static_cast<std::size_t>(i)] = ((side & 1u) ? -coordinate : coordinate) - limit;
+        cuts = cuts || beyond[static_cast<std::size_t>(i)] > 0.0;
+    }
+    if (!cuts) return;
     Polygon result;
     for (int i = 0; i < polygon.count; ++i) {
         const Corner& from = polygon.at(i);
         const Corner& to = polygon.at(i + 1);
-        const double out_from = beyond(from);
-        const double out_to = beyond(to);
+        const double out_from = beyond[static_cast<std::size_t>(i)];
+        const double out_to = beyond[static_cast<std::size_t>(i + 1 < polygon.count ? i + 1 : 0)];
         if (out_from <= 0.0) result.add(from);
         if ((out_from <= 0.0) == (out_to <= 0.0)) continue;
         Corner cut = between(from, to, out_from / (out_from - out_to));
         if (out_from <= 0.0) cut.edge = 4 + side;  // leaves here, so the next edge runs along this side
         result.add(cut);
     }
-    return result;
+    polygon = result;
 }
 
 // A face of a box: its axis, and the sign of its outward normal along that axis.
@@ -142,7 +155,7 @@ void clip_faces(const Box& reference, const Pose& reference_pose, Face face, con
         polygon.add({u.dot(from_face), v.dot(from_face), normal.dot(from_face), edge++});
     }
     for (unsigned side = 0; side < 4 && polygon.count > 0; ++side) {
-        polygon = clip(polygon, side, reference.half_size[side < 2 ? u_axis : v_axis] + tolerance);
+        clip(polygon, side, reference.half_size[side < 2 ? u_axis : v_axis] + tolerance);
     }
 
     manifold.normal = flipped ? Vector3(-normal) : normal;
@@ -198,7 +211,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
 
 void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                      Manifold& manifold) {
-    const Axes axes = separate(a, pose_a, b, pose_b);
+    const Axes axes = separate(a, pose_a, b, pose_b, margin);
     if (axes.largest() >= margin) return;
 
     const double size = 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());

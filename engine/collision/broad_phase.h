@@ -21,8 +21,9 @@ class BroadPhase {
   public:
     // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, in
     // ascending order. Never two colliders of one body, never two static bodies: such a row could move nothing.
+    // `poses` are those of the bodies.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     double margin);
+                                     std::span<const Pose> poses, double margin);
 
   private:
     struct Cell {
@@ -30,24 +31,24 @@ class BroadPhase {
         std::int64_t x = 0, y = 0, z = 0;
         friend bool operator==(const Cell&, const Cell&) = default;
     };
-    // The bounding box of one finite shape, in the cell of its centre. No edge of the box is longer than the
-    // cell's.
+    // The bounding box of one finite shape.
     struct Bounds {
         Vector3 low, high;  // m
         int collider = 0;
+        int body = 0;
         bool fixed = false;  // of a static body
-        Cell cell;
+        Cell cell;           // of its centre, with edges no shorter than the box's; set by fill_grid
     };
 
     static Cell cell_of(const Vector3& centre, int level);
     std::size_t bucket_of(const Cell& cell) const;
-    void bound(std::span<const Collider> colliders, std::span<const Body> bodies, double margin);
+    void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
+               double margin);
     void fill_grid();
-    void pair_with_planes(std::span<const Collider> colliders, std::span<const Body> bodies);
-    void pair_with_neighbours(int index, std::span<const Collider> colliders);
-    void pair_with_cell(int index, const Cell& cell, std::span<const Collider> colliders);
-
-    void pair_if_near(const Bounds& box, const Bounds& other, std::span<const Collider> colliders);
+    void pair_with_planes(std::span<const Collider> colliders, std::span<const Pose> poses);
+    void pair_with_neighbours(int index);
+    void pair_with_cell(int index, const Cell& cell);
+    void pair_if_near(const Bounds& box, const Bounds& other);
 
     std::vector<Bounds> bounds_;  // of the finite shapes
     std::vector<int> planes_;

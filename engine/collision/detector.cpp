@@ -23,7 +23,7 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
     for (const Body& body : bodies) poses_.push_back(pose_of(body));
 
     touches_.clear();
-    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, detection.margin)) {
+    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin)) {
         const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
         const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
         const auto body_a = static_cast<std::size_t>(a.body);

@@ -21,12 +21,16 @@ void reduce_to_four(Manifold& manifold, const Matrix3& reference) {
     const Vector3 across = manifold.normal.cross(direction);
 
     std::array<bool, Manifold::max_points> kept{};
-    for (const Vector3& outward : {direction, across, Vector3(-direction), Vector3(-across)}) {
-        const auto points = manifold.points();
-        const auto reach = [&](const ContactPoint& p) { return outward.dot(p.position) - p.gap; };
-        const auto outermost = std::max_element(points.begin(), points.end(),
-                                                [&](const auto& p, const auto& q) { return reach(p) < reach(q); });
-        kept[static_cast<std::size_t>(outermost - points.begin())] = true;
+    for (const Vector3& axis : {direction, across}) {
+        std::size_t first = 0, last = 0;
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        for (std::size_t i = 0; i < manifold.points().size(); ++i) {
+            const ContactPoint& point = manifold.storage[i];
+            const double along = axis.dot(point.position - manifold.storage[0].position);
+            if (along - point.gap > highest) highest = along - point.gap, last = i;
+            if (along + point.gap < lowest) lowest = along + point.gap, first = i;
+        }
+        kept[first] = kept[last] = true;
     }
 
     int count = 0;

@@ -116,8 +116,8 @@ class UnitRows {
         const double scale = std::sqrt(system.diagonal[j]);
         if (!(scale > 0.0)) return;
         row.scale = scale;
-        row.axis_a = weighted(system.inverse_mass[row.a], source.jacobian.a) / row.scale;
-        row.axis_b = weighted(system.inverse_mass[row.b], source.jacobian.b) / row.scale;
+        row.axis_a = system.weighted[static_cast<std::size_t>(j)].a * (1.0 / scale);
+        row.axis_b = system.weighted[static_cast<std::size_t>(j)].b * (1.0 / scale);
 
         row.of_row = source.bounds.of_row;
         const double bound_scale = row.of_row < 0 ? system.dt * row.scale : row.scale / scale_of(row.of_row);
@@ -128,13 +128,6 @@ class UnitRows {
             row.t[at(c)] = system.b(j, c) * (system.dt / row.scale);
             set(row, c, guess(j, c) * (system.dt * row.scale));
         }
-    }
-
-    // M^(-1/2)^T j, angular part in body axes.
-    static Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
-        Vector6 result;
-        result << std::sqrt(inverse_mass.linear) * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>();
-        return result;
     }
 
     // The other row's s; 1 where it is 0, because its y is 0 then.
