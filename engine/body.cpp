@@ -51,6 +51,7 @@ Vector3 velocity(const Body& body) {
 }
 
 Vector3 angular_velocity(const Body& body) {
+    if (body.is_static()) return Vector3::Zero();
     const Vector3 in_body = body.orientation.conjugate() * body.angular_momentum;
     return body.orientation * body.inverse_inertia.cwiseProduct(in_body).eval();
 }

@@ -33,7 +33,8 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitut
 // Each surface velocity is across the normal as far as friction is concerned.
 Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair) const {
     const auto run = [this](int collider, const Body& body) -> Vector3 {
-        return body.orientation * colliders_[static_cast<std::size_t>(collider)].surface_velocity;
+        const Vector3& velocity = colliders_[static_cast<std::size_t>(collider)].surface_velocity;
+        return velocity.isZero(0.0) ? Vector3::Zero() : body.orientation * velocity;
     };
     return run(touch.pair.a, pair.body_a) - run(touch.pair.b, pair.body_b);
 }
@@ -57,10 +58,11 @@ struct ContactStage::TouchFriction {
 ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
                                                       double dt) const {
     const Vector3 belt = belt_of(touch, pair);
-    return {.belt = belt,
-            .motion = RelativeMotion(pair, belt),
-            .least_sliding = sliding_share * touch.size / dt,
-            .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), touch.manifold.normal)};
+    return {
+        .belt = belt,
+        .motion = RelativeMotion(pair, belt),
+        .least_sliding = sliding_share * touch.size / dt,
+        .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), touch.manifold.normal)};
 }
 
 void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
@@ -88,8 +90,8 @@ void ContactStage::append_friction(std::size_t index, const BodyPair& pair, cons
                                              .friction = touch.friction,
                                              .points = touch.manifold.count,
                                              .normal_row = static_cast<int>(first_row_) + contact.normal_row});
-    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), shared.least_sliding,
-                                         shared.resting);
+    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal),
+                                         shared.least_sliding, shared.resting);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
     for (const Vector3& tangent : contact.tangents) {
         ConstraintRow& row = rows.emplace_back(friction_row(at, tangent, bounds, tangent.dot(shared.belt)));

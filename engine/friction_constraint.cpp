@@ -18,9 +18,14 @@ Bounds CoulombFriction::bounds(const FrictionSite& site) const {
 }
 
 RelativeMotion::RelativeMotion(const BodyPair& bodies, const Vector3& belt)
-    : origin_(bodies.body_a.is_static() ? bodies.body_b.position : bodies.body_a.position),
-      velocity_(velocity_at(bodies.body_b, origin_) - velocity_at(bodies.body_a, origin_) - belt),
-      spin_(angular_velocity(bodies.body_b) - angular_velocity(bodies.body_a)) {}
+    : origin_(bodies.body_a.is_static() ? bodies.body_b.position : bodies.body_a.position) {
+    const Vector3 spin_a = angular_velocity(bodies.body_a);
+    const Vector3 spin_b = angular_velocity(bodies.body_b);
+    const Vector3 velocity_a = velocity(bodies.body_a) + spin_a.cross(origin_ - bodies.body_a.position);
+    const Vector3 velocity_b = velocity(bodies.body_b) + spin_b.cross(origin_ - bodies.body_b.position);
+    velocity_ = velocity_b - velocity_a - belt;
+    spin_ = spin_b - spin_a;
+}
 
 Vector3 RelativeMotion::sliding(const Vector3& point, const Vector3& normal) const {
     const Vector3 relative = velocity_ + spin_.cross(point - origin_);

@@ -26,7 +26,8 @@ class PairPoint {
   public:
     // `position` in metres, world frame.
     PairPoint(const BodyPair& bodies, const Vector3& position)
-        : bodies_(bodies),
+        : a_(bodies.a),
+          b_(bodies.b),
           r_a_(position - bodies.body_a.position),
           r_b_(position - bodies.body_b.position),
           a_moves_(!bodies.body_a.is_static()),
@@ -43,14 +44,14 @@ class PairPoint {
     // A row along `direction`, with everything else still to be filled in.
     ConstraintRow row(const Vector3& direction) const {
         ConstraintRow row;
-        row.body_a = bodies_.a;
-        row.body_b = bodies_.b;
+        row.body_a = a_;
+        row.body_b = b_;
         row.jacobian = along(direction);
         return row;
     }
 
   private:
-    const BodyPair& bodies_;
+    int a_, b_;          // indices of the bodies
     Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
     bool a_moves_, b_moves_;
 };

@@ -29,7 +29,8 @@ void order_contacts(RowOrder order, std::span<const collision::Touch> touches, s
     std::vector<std::tuple<double, bool, int>> keys;
     for (int t = 0; t < static_cast<int>(touches.size()); ++t) {
         const collision::Touch& touch = touches[static_cast<std::size_t>(t)];
-        keys.emplace_back(by_height ? height_of(touch, bodies) : 0.0, by_height && !rests_on_static(touch, bodies), t);
+        keys.emplace_back(by_height ? height_of(touch, bodies) : 0.0, by_height && !rests_on_static(touch, bodies),
+                          t);
     }
     if (by_height) std::sort(keys.begin(), keys.end());
 

@@ -26,7 +26,7 @@ Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, dou
 }
 
 // M^(-1/2)^T j for one body.
-Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
+inline Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
     return stacked(inverse_mass.linear_root * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>());
 }
 
@@ -42,14 +42,21 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 }
 
 void weigh_rows(SystemEquation& system) {
-    system.weighted.resize(system.rows.size());
-    system.diagonal.resize(static_cast<Eigen::Index>(system.rows.size()));
+    const auto count = static_cast<Eigen::Index>(system.rows.size());
+    system.diagonal.resize(count);
+    system.scale.resize(count);
+    system.unit_axes.resize(system.rows.size());
     for (std::size_t j = 0; j < system.rows.size(); ++j) {
         const ConstraintRow& row = system.rows[j];
-        Jacobian& axes = system.weighted[j];
-        axes.a = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
-        axes.b = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
-        system.diagonal[static_cast<Eigen::Index>(j)] = axes.a.squaredNorm() + axes.b.squaredNorm();
+        const Vector6 a = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
+        const Vector6 b = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
+        const double diagonal = a.squaredNorm() + b.squaredNorm();
+        const double scale = std::sqrt(diagonal);
+        const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
+        system.diagonal[static_cast<Eigen::Index>(j)] = diagonal;
+        system.scale[static_cast<Eigen::Index>(j)] = scale;
+        system.unit_axes[j].a = a * to_unit;
+        system.unit_axes[j].b = b * to_unit;
     }
 }
 

@@ -33,8 +33,9 @@ struct SystemEquation {
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    std::vector<Jacobian> weighted;          // J M^(-1/2), angular parts in body axes; A is its square
     VectorX diagonal;                        // A_jj, 1/kg; 0 for a row that cannot move anything
+    VectorX scale;                           // s_j, its root
+    std::vector<Jacobian> unit_axes;         // J M^(-1/2) / s, of unit length; angular parts in body axes
     Columns b;                               // m/s^2, rows x columns
 
     Eigen::Index row_count() const { return b.rows(); }
@@ -46,7 +47,7 @@ struct SystemEquation {
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 
-// The part of build_system that depends on J and M^-1 alone: `weighted` and `diagonal`.
+// The part of build_system that depends on J and M^-1 alone: `diagonal`, `scale`, `unit_axes`.
 void weigh_rows(SystemEquation& system);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).

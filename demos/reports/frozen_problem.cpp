@@ -100,11 +100,10 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const std::vector<JsonReader> bodies = json.at("bodies").elements();
     for (const JsonReader& body : bodies) {
         const double inverse_mass = body.at("inverse_mass_per_kg").number(0, std::numeric_limits<double>::max());
-        system_.inverse_mass.push_back(
-            {.linear = inverse_mass,
-             .linear_root = std::sqrt(inverse_mass),
-             .angular = read_matrix(body.at("inverse_inertia_per_kg_m2")),
-             .angular_root = read_matrix(body.at("inverse_inertia_root"))});
+        system_.inverse_mass.push_back({.linear = inverse_mass,
+                                        .linear_root = std::sqrt(inverse_mass),
+                                        .angular = read_matrix(body.at("inverse_inertia_per_kg_m2")),
+                                        .angular_root = read_matrix(body.at("inverse_inertia_root"))});
         system_.free_acceleration.push_back(read_six(body.at("free_acceleration")));
     }
     const std::vector<JsonReader> rows = json.at("rows").elements();

@@ -80,7 +80,9 @@ struct Polygon {
     int count = 0;
 
     void add(const Corner& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
-    const Corner& at(int i) const { return corners[static_cast<std::size_t>(i < count ? i : i - count)]; }  // i < 2 count
+    const Corner& at(int i) const {
+        return corners[static_cast<std::size_t>(i < count ? i : i - count)];
+    }  // i < 2 count
 };
 
 Corner between(const Corner& from, const Corner& to, double share) {
@@ -142,17 +144,22 @@ void clip_faces(const Box& reference, const Pose& reference_pose, Face face, con
     const Vector3 v = reference_pose.rotation.col(v_axis);
     const Vector3 centre = reference_pose.position + normal * reference.half_size[face.axis];
 
+    // The incident face in the frame of the reference face: its middle, and half of each edge.
+    const auto seen = [&](const Vector3& vector) {
+        return Vector3(u.dot(vector), v.dot(vector), normal.dot(vector));
+    };
+    const auto half_edge = [&](int axis) {
+        return Vector3(seen(other_pose.rotation.col(axis)) * other.half_size[axis]);
+    };
     const Face incident = most_antiparallel(other_pose, normal);
-    const Vector3 incident_centre = other_pose.position + (incident.sign * other.half_size[incident.axis]) *
-                                                              other_pose.rotation.col(incident.axis);
-    const Vector3 p = other_pose.rotation.col((incident.axis + 1) % 3) * other.half_size[(incident.axis + 1) % 3];
-    const Vector3 q = other_pose.rotation.col((incident.axis + 2) % 3) * other.half_size[(incident.axis + 2) % 3];
+    const Vector3 middle = seen(other_pose.position - centre) + incident.sign * half_edge(incident.axis);
+    const Vector3 p = half_edge((incident.axis + 1) % 3);
+    const Vector3 q = half_edge((incident.axis + 2) % 3);
 
     Polygon polygon;
     unsigned edge = 0;
     for (const Vector3& corner : {Vector3(p + q), Vector3(p - q), Vector3(-p - q), Vector3(q - p)}) {
-        const Vector3 from_face = incident_centre + corner - centre;
-        polygon.add({u.dot(from_face), v.dot(from_face), normal.dot(from_face), edge++});
+        polygon.add({middle[0] + corner[0], middle[1] + corner[1], middle[2] + corner[2], edge++});
     }
     for (unsigned side = 0; side < 4 && polygon.count > 0; ++side) {
         clip(polygon, side, reference.half_size[side < 2 ? u_axis : v_axis] + tolerance);

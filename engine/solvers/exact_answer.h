@@ -1,15 +1,19 @@
-// The exact answer to a system in unit rows, column by column (proximal_newton.h); the columns share the factor
-// while the same rows are clamped. Bounds that follow another row (Coulomb friction) are found by a fixed point:
-// solve with the bounds as they are, set them anew, until they stay.
+// The exact answer to a system in unit rows, column by column: changes of the active set, and where those do not
+// settle, the interior point method; the columns share the factor while the same rows are clamped. Bounds that
+// follow another row (Coulomb friction) are found by a fixed point: solve with the bounds as they are, set them
+// anew, until they stay.
 #pragma once
 
-#include "engine/solvers/proximal_newton.h"
+#include "engine/solvers/active_set.h"
+#include "engine/solvers/interior_point.h"
 #include "engine/solvers/unit_rows.h"
 
 namespace pushfactor::engine::solvers {
 
 // Rounds of the fixed point, at most: a settled stack takes 2, a landing up to 20.
 inline constexpr int most_bound_rounds = 20;
+// A residual [m/s] above which the active set has not settled, and the interior point method takes over.
+inline constexpr double unsettled = 1e-6;
 
 class ExactAnswer {
   public:
@@ -32,11 +36,13 @@ class ExactAnswer {
   private:
     template <int columns>
     void take(const UnitRows<columns>& rows, int column);
+    void settle(double tolerance, int factorisations, SolveCount& count);
     template <int columns>
     double follow_bounds(const UnitRows<columns>& rows);
 
     BodyMatrix matrix_;
-    ProximalNewton newton_{matrix_};
+    ActiveSet active_set_{matrix_};
+    InteriorPoint interior_{matrix_};
     UnitProblem problem_;
     std::vector<double> y_;
     std::vector<std::pair<int, int>> pairs_;
@@ -53,8 +59,8 @@ void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
     couple_ = false;
     std::vector<char> moves(rows.velocity.size(), 0);
     for (const auto& row : rows.rows) {
-        const bool a_moves = !row.axis_a.isZero(0.0);
-        const bool b_moves = !row.axis_b.isZero(0.0);
+        const bool a_moves = !row.unit->a.isZero(0.0);
+        const bool b_moves = !row.unit->b.isZero(0.0);
         const std::pair pair{static_cast<int>(std::min(row.a, row.b)), static_cast<int>(std::max(row.a, row.b))};
         for (const auto& [body, has_axis] : {std::pair{row.a, a_moves}, std::pair{row.b, b_moves}}) {
             if (!has_axis) continue;
@@ -86,8 +92,7 @@ void ExactAnswer::take(const UnitRows<columns>& rows, int column) {
         const auto& row = rows.rows[j];
         problem_.rows[j] = {.a = static_cast<int>(row.a),
                             .b = static_cast<int>(row.b),
-                            .axis_a = row.axis_a,
-                            .axis_b = row.axis_b,
+                            .unit = row.unit,
                             .t = row.t[c],
                             .low = row.low,
                             .high = row.high,
@@ -114,15 +119,28 @@ double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
     return largest;
 }
 
+// The column of problem_, as it is.
+inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount& count) {
+    const double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
+    const int left = active_set_.left();
+    if (reached <= std::max(tolerance, unsettled) || left <= 0) return;
+    // The interior point stays a little inside the bounds and does not get to rounding. But it finds out which rows
+    // are clamped, and from there the active set gets to the end.
+    const int before = count.iterations;
+    interior_.solve(problem_, tolerance, left, y_, count);
+    active_set_.start();
+    active_set_.solve(problem_, tolerance, left - (count.iterations - before), y_, count);
+}
+
 template <int columns>
 void ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count) {
-    newton_.start();
+    active_set_.start();
     const bool follows =
         std::any_of(rows.rows.begin(), rows.rows.end(), [](const auto& row) { return row.of_row >= 0; });
     for (int c = 0; c < columns; ++c) {
         take(rows, c);
         for (int round = 0; round < (follows ? most_bound_rounds : 1); ++round) {
-            newton_.solve(problem_, tolerance, factorisations, y_, count);
+            settle(tolerance, factorisations, count);
             if (!follows || follow_bounds(rows) <= tolerance) break;
         }
         for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];

@@ -27,8 +27,8 @@ class UnitRows {
     using BodyVelocity = Eigen::Matrix<double, 6, columns>;
 
     struct Row {
-        Vector6 axis_a = Vector6::Zero(), axis_b = Vector6::Zero();  // u_j
-        std::size_t a = 0, b = 0;                                    // bodies
+        const Jacobian* unit = nullptr;  // u_j, of the system that was loaded
+        std::size_t a = 0, b = 0;        // bodies
         std::array<double, columns> y{}, t{};
         double low = 0.0, high = 0.0;  // bounds of y, or factors of the other row's y
         int of_row = -1;
@@ -38,7 +38,7 @@ class UnitRows {
     // Takes the system and a guess [N]. A row with A_jj = 0 becomes one of zeros.
     void load(const SystemEquation& system, const Columns& guess) {
         velocity.assign(system.inverse_mass.size(), BodyVelocity::Zero());
-        rows.assign(static_cast<std::size_t>(system.row_count()), Row{});
+        rows.resize(static_cast<std::size_t>(system.row_count()));
         for (Eigen::Index j = 0; j < system.row_count(); ++j) load_row(system, guess, j);
     }
 
@@ -57,7 +57,7 @@ class UnitRows {
 
     // t_j - u_j . x
     double error(const Row& row, int c) const {
-        return row.t[at(c)] - row.axis_a.dot(velocity[row.a].col(c)) - row.axis_b.dot(velocity[row.b].col(c));
+        return row.t[at(c)] - row.unit->a.dot(velocity[row.a].col(c)) - row.unit->b.dot(velocity[row.b].col(c));
     }
 
     // `y` between the row's bounds as they are now.
@@ -70,8 +70,8 @@ class UnitRows {
     double set(Row& row, int c, double y) {
         const double change = y - row.y[at(c)];
         row.y[at(c)] = y;
-        velocity[row.a].col(c) += row.axis_a * change;
-        velocity[row.b].col(c) += row.axis_b * change;
+        velocity[row.a].col(c) += row.unit->a * change;
+        velocity[row.b].col(c) += row.unit->b * change;
         return change;
     }
 
@@ -80,8 +80,8 @@ class UnitRows {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
         for (const Row& row : rows) {
             for (int c = 0; c < columns; ++c) {
-                velocity[row.a].col(c) += row.axis_a * row.y[at(c)];
-                velocity[row.b].col(c) += row.axis_b * row.y[at(c)];
+                velocity[row.a].col(c) += row.unit->a * row.y[at(c)];
+                velocity[row.b].col(c) += row.unit->b * row.y[at(c)];
             }
         }
     }
@@ -111,22 +111,24 @@ class UnitRows {
     void load_row(const SystemEquation& system, const Columns& guess, Eigen::Index j) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         Row& row = rows[static_cast<std::size_t>(j)];
+        row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
         row.a = static_cast<std::size_t>(source.body_a);
         row.b = static_cast<std::size_t>(source.body_b);
-        const double scale = std::sqrt(system.diagonal[j]);
-        if (!(scale > 0.0)) return;
-        row.scale = scale;
-        row.axis_a = system.weighted[static_cast<std::size_t>(j)].a * (1.0 / scale);
-        row.axis_b = system.weighted[static_cast<std::size_t>(j)].b * (1.0 / scale);
-
+        row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
-        const double bound_scale = row.of_row < 0 ? system.dt * row.scale : row.scale / scale_of(row.of_row);
+        if (!(row.scale > 0.0)) {
+            row.y = row.t = {};
+            row.low = row.high = 0.0;
+            return;
+        }
+        const double to_y = system.dt * row.scale;
+        const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
         row.low = source.bounds.c_min * bound_scale;
         row.high = source.bounds.c_max * bound_scale;
-
         for (int c = 0; c < columns; ++c) {
             row.t[at(c)] = system.b(j, c) * (system.dt / row.scale);
-            set(row, c, guess(j, c) * (system.dt * row.scale));
+            row.y[at(c)] = 0.0;
+            set(row, c, guess(j, c) * to_y);
         }
     }
 

@@ -25,7 +25,7 @@ Vector6 velocity_of(const Body& body) {
 }
 
 ConstraintRow contact(const BodyPair& pair, double gap, const Correction& correction, double slop = 0.0) {
-    return contact_row(pair, Vector3::UnitY(), {Vector3(0.3, 0, 0.1), gap, 0}, correction, slop, 0.1);
+    return contact_row(PairPoint(pair, {0.3, 0, 0.1}), Vector3::UnitY(), gap, correction, slop, 0.1);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ TEST_CASE("j_c v_ab is the speed at which the two material points part along the
         const Body b = moving_box(random);
         const Vector3 point = random.vector(-2, 2);
         const Vector3 n = random.rotation() * Vector3::UnitX();
-        const Jacobian j = point_jacobian({0, 1, a, b}, point, n);
+        const Jacobian j = PairPoint({0, 1, a, b}, point).along(n);
         const double parting = n.dot(velocity_at(b, point) - velocity_at(a, point));
         REQUIRE(j.a.dot(velocity_of(a)) + j.b.dot(velocity_of(b)) == Approx(parting).margin(1e-12));
     }
@@ -47,8 +47,8 @@ TEST_CASE("the block of a static body is zero, whichever side it is on") {
     Random random(9);
     const Body wall = static_body(Vector3::Zero());
     const Body box = moving_box(random);
-    CHECK(point_jacobian({0, 1, wall, box}, {1, 2, 3}, Vector3::UnitY()).a == Vector6::Zero());
-    CHECK(point_jacobian({1, 0, box, wall}, {1, 2, 3}, Vector3::UnitY()).b == Vector6::Zero());
+    CHECK(PairPoint({0, 1, wall, box}, {1, 2, 3}).along(Vector3::UnitY()).a == Vector6::Zero());
+    CHECK(PairPoint({1, 0, box, wall}, {1, 2, 3}).along(Vector3::UnitY()).b == Vector6::Zero());
 }
 
 TEST_CASE("5.3.1: penetration beyond the slop is pushed out by beta d / dt, in the part that the kind names") {
@@ -113,7 +113,8 @@ TEST_CASE("the first tangent lies along the sliding direction, or fixed in body 
     const BodyPair pair{0, 1, ground, box};
     const Vector3 up = Vector3::UnitY();
     const auto tangents = [&](const Vector3& belt) {
-        return friction_tangents(ground, up, sliding_velocity(pair, Vector3::Zero(), up, belt), 1e-3);
+        return friction_tangents(up, RelativeMotion(pair, belt).sliding(Vector3::Zero(), up), 1e-3,
+                                 Vector3::UnitX());
     };
     CHECK(tangents(Vector3::Zero())[0] == Vector3::UnitX());
     box.linear_momentum = {6, -14, 8};

@@ -2,8 +2,7 @@
 #include "engine/distance_constraint.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
-#include "tests/engine/rows.h"
-#include "tests/random.h"
+#include "tests/engine/random_rows.h"
 #include "tests/scene_fixture.h"
 
 using namespace pushfactor;
@@ -48,44 +47,12 @@ struct Chain {
     }
 };
 
-// Random rows with bounds between random bodies; the answer is checked against its definition alone.
-Frozen random_problem(std::uint64_t seed) {
-    tests::Random random(seed);
-    std::vector<Body> bodies{static_body(Vector3::Zero())};
-    const int count = 3 + static_cast<int>(random.in(0, 6));
-    for (int i = 0; i < count; ++i) {
-        bodies.push_back(box_body(std::pow(10.0, random.in(-2, 2)),
-                                  Vector3(random.in(0.2, 2), 1, random.in(0.2, 2)), random.vector(-3, 3),
-                                  random.rotation()));
-        bodies.back().force = random.vector(-20, 20);
-        bodies.back().torque = random.vector(-5, 5);
-    }
-    std::vector<ConstraintRow> rows;
-    const int row_count = 4 + static_cast<int>(random.in(0, 40));
-    for (int j = 0; j < row_count; ++j) {
-        ConstraintRow row;
-        row.body_a = static_cast<int>(random.in(0, count + 1));
-        row.body_b = static_cast<int>(random.in(0, count + 1));
-        if (row.body_a == row.body_b) continue;
-        row.jacobian.a << random.vector(-1, 1), random.vector(-1, 1);
-        row.jacobian.b << random.vector(-1, 1), random.vector(-1, 1);
-        row.push.lasting = random.in(-0.1, 0.1);
-        const double kind = random.in(0, 1);
-        row.bounds.c_min = kind < 0.5 ? 0.0 : kind < 0.7 ? -random.in(0, 20) : -1e4;
-        // All bounds are finite: rows that contradict each other then have an answer, too.
-        row.bounds.c_max = kind < 0.2 || kind > 0.9 ? random.in(0.1, 30) : 1e4;
-        if (random.in(0, 1) < 0.3) row.push.correcting = random.in(0, 0.5);
-        rows.push_back(row);
-        if (random.in(0, 1) < 0.3) rows.push_back(row);  // redundant
-    }
-    return {bodies, rows, dt};
-}
-
 }  // namespace
 
 TEST_CASE("direct solves random problems with redundant rows and both columns to rounding") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        const Frozen frozen = random_problem(seed);
+        const Frozen frozen =
+            tests::random_rows(seed, static_cast<int>(3 + seed % 6), static_cast<int>(seed % 45), 2.0);
         const Answer answer = solve("direct", frozen);
         INFO("seed " << seed << ", " << frozen.rows.size() << " rows");
         // Rounding in a row that moves at up to 1e3 m/s.

@@ -1,0 +1,78 @@
+#include "engine/solvers/active_set.h"
+
+namespace pushfactor::engine::solvers {
+
+namespace {
+
+using Row = UnitProblem::Row;
+
+constexpr double rho = 1e7;
+// Changes that improve nothing before the method gives up.
+constexpr int most_without_gain = 3;
+
+}  // namespace
+
+void ActiveSet::factor(const UnitProblem& problem, SolveCount& count) {
+    if (free_ == factored_) return;
+    matrix_.set_identity();
+    for (std::size_t j = 0; j < free_.size(); ++j) {
+        if (!free_[j]) continue;
+        const Row& row = problem.rows[j];
+        matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho);
+        count.multiply_adds += 108.0;
+    }
+    matrix_.factor();
+    count.multiply_adds += matrix_.factor_work();
+    ++count.iterations;
+    --left_;
+    factored_ = free_;
+}
+
+// One change. The free rows are judged by a Jacobi step: judged with rho, every small residual would look like a
+// change of the active set. Returns whether the free rows are those of the change before.
+bool ActiveSet::change(const UnitProblem& problem, std::vector<double>& y, SolveCount& count) {
+    free_.resize(y.size());
+    d_.assign(problem.bodies, Vector6::Zero());
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        const double moved = y[j] + r_[j];
+        free_[j] = row.scale > 0.0 && moved > row.low && moved < row.high;
+        push(row, free_[j] ? rho * r_[j] : clamped(row, moved) - y[j], d_);
+    }
+    const bool stayed = free_ == factored_;
+    factor(problem, count);
+    matrix_.solve(d_);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        y[j] = clamped(row, free_[j] ? y[j] + rho * (r_[j] - along(row, d_)) : y[j] + r_[j]);
+    }
+    count.multiply_adds += 2.0 * problem.look_work() + matrix_.solve_work();
+    return stayed;
+}
+
+double ActiveSet::solve(const UnitProblem& problem, double tolerance, int factorisations, std::vector<double>& y,
+                        SolveCount& count) {
+    left_ = factorisations;
+    follow(problem, y, x_, r_);
+    double reached = residual(problem, y, r_);
+    best_ = y;
+    int without_gain = 0;
+    while (reached > tolerance && left_ > 0 && without_gain < most_without_gain) {
+        const bool stayed = change(problem, y, count);
+        follow(problem, y, x_, r_);
+        const double now = residual(problem, y, r_);
+        count.multiply_adds += 2.0 * problem.look_work();
+        ++without_gain;
+        if (now < reached) {
+            reached = now;
+            best_ = y;
+            without_gain = 0;
+        } else if (stayed) {
+            break;
+        }
+    }
+    y = best_;
+    return reached;
+}
+
+}  // namespace pushfactor::engine::solvers

@@ -1,0 +1,67 @@
+// One column of the system in unit rows (unit_rows.h), as the exact methods take it: bounds are plain numbers. An
+// inner matter of the solvers.
+//
+// Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
+// what the rows still miss.
+#pragma once
+
+#include "engine/constraint_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pushfactor::engine::solvers {
+
+struct UnitProblem {
+    struct Row {
+        int a = 0, b = 0;                // bodies
+        const Jacobian* unit = nullptr;  // u_j
+        double t = 0.0, low = 0.0, high = 0.0;
+        double scale = 0.0;  // m/s of a row for one unit of y; 0 for a row that cannot move anything
+    };
+    std::vector<Row> rows;
+    std::size_t bodies = 0;
+
+    // Multiply-adds of a pass over the rows that only reads.
+    double look_work() const { return 12.0 * static_cast<double>(rows.size()); }
+};
+
+using BodyVelocities = std::vector<Vector6>;
+
+inline double clamped(const UnitProblem::Row& row, double y) {
+    return std::max(std::min(y, row.high), row.low);
+}
+
+// u_j . v
+inline double along(const UnitProblem::Row& row, const BodyVelocities& v) {
+    return row.unit->a.dot(v[static_cast<std::size_t>(row.a)]) +
+           row.unit->b.dot(v[static_cast<std::size_t>(row.b)]);
+}
+
+// v += u_j y
+inline void push(const UnitProblem::Row& row, double y, BodyVelocities& v) {
+    v[static_cast<std::size_t>(row.a)].noalias() += row.unit->a * y;
+    v[static_cast<std::size_t>(row.b)].noalias() += row.unit->b * y;
+}
+
+// Writes x and r.
+inline void follow(const UnitProblem& problem, const std::vector<double>& y, BodyVelocities& x,
+                   std::vector<double>& r) {
+    x.assign(problem.bodies, Vector6::Zero());
+    for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
+    r.resize(y.size());
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+}
+
+// Natural residual [m/s] of a y with this r.
+inline double residual(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const UnitProblem::Row& row = problem.rows[j];
+        largest = std::max(largest, row.scale * std::abs(clamped(row, y[j] + r[j]) - y[j]));
+    }
+    return largest;
+}
+
+}  // namespace pushfactor::engine::solvers
