@@ -18,7 +18,8 @@
 namespace pushfactor::engine {
 
 // `gap` and `slop` in metres.
-ConstraintRow contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
-                          double slop, double dt);
+ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal, double gap,
+                                  const Correction& correction, double slop, double dt,
+                                  std::vector<ConstraintRow>& rows);
 
 }  // namespace pushfactor::engine

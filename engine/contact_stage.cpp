@@ -69,8 +69,8 @@ void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const 
                                  std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
     contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
-    ConstraintRow& row = rows.emplace_back(contact_row(at, touch.manifold.normal, point_of(index).gap,
-                                                       choices_.correction, choices_.slop * touch.size, dt));
+    ConstraintRow& row = append_contact_row(at, touch.manifold.normal, point_of(index).gap, choices_.correction,
+                                            choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
         row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
     }
@@ -94,7 +94,7 @@ void ContactStage::append_friction(std::size_t index, const BodyPair& pair, cons
                                          shared.least_sliding, shared.resting);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
     for (const Vector3& tangent : contact.tangents) {
-        ConstraintRow& row = rows.emplace_back(friction_row(at, tangent, bounds, tangent.dot(shared.belt)));
+        ConstraintRow& row = append_friction_row(at, tangent, bounds, tangent.dot(shared.belt), rows);
         const ContactForce& force = forces_[contact.force];
         row.label.point = order_[index].point;
         row.label.gap = point.gap;
@@ -168,12 +168,12 @@ void ContactStage::remember(std::span<const Lambda> answers) {
     if (!cache_) return;
     for (const Contact& contact : contacts_) {
         ContactForce& force = forces_[contact.force];
-        force = {.normal = answers[static_cast<std::size_t>(contact.normal_row)]};
-        for (std::size_t t = 0; contact.friction_row >= 0 && t < 2; ++t) {
-            const Lambda& answer = answers[static_cast<std::size_t>(contact.friction_row) + t];
-            force.friction_first += contact.tangents[t] * answer.first;
-            force.friction_last += contact.tangents[t] * answer.last;
-        }
+        force.normal = answers[static_cast<std::size_t>(contact.normal_row)];
+        if (contact.friction_row < 0) continue;
+        const Lambda& along = answers[static_cast<std::size_t>(contact.friction_row)];
+        const Lambda& across = answers[static_cast<std::size_t>(contact.friction_row) + 1];
+        force.friction_first = contact.tangents[0] * along.first + contact.tangents[1] * across.first;
+        force.friction_last = contact.tangents[0] * along.last + contact.tangents[1] * across.last;
     }
     cache_->store(touches_, forces_);
 }

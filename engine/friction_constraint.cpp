@@ -40,8 +40,10 @@ std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& s
     return {first, normal.cross(first)};
 }
 
-ConstraintRow friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed) {
-    ConstraintRow row = point.row(tangent);
+ConstraintRow& append_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds,
+                                   double speed, std::vector<ConstraintRow>& rows) {
+    ConstraintRow& row = rows.emplace_back();
+    point.place(row, tangent);
     row.push.lasting = speed;
     row.bounds = bounds;
     row.label.kind = RowKind::friction;

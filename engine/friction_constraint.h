@@ -73,6 +73,7 @@ std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& s
 
 // Aims at `speed` [m/s] of b over a along the tangent: zero, or what a belt runs (8.1: "constant speed motors", a
 // push that lasts).
-ConstraintRow friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed);
+ConstraintRow& append_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds,
+                                   double speed, std::vector<ConstraintRow>& rows);
 
 }  // namespace pushfactor::engine

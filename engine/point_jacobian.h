@@ -35,19 +35,23 @@ class PairPoint {
 
     // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero.
     Jacobian along(const Vector3& direction) const {
-        Jacobian j;
-        if (a_moves_) j.a = stacked(-direction, direction.cross(r_a_));
-        if (b_moves_) j.b = stacked(direction, r_b_.cross(direction));
-        return j;
+        ConstraintRow row;
+        place(row, direction);
+        return row.jacobian;
     }
 
-    // A row along `direction`, with everything else still to be filled in.
-    ConstraintRow row(const Vector3& direction) const {
-        ConstraintRow row;
+    // Gives a new row its bodies and its axis along `direction`.
+    void place(ConstraintRow& row, const Vector3& direction) const {
         row.body_a = a_;
         row.body_b = b_;
-        row.jacobian = along(direction);
-        return row;
+        if (a_moves_) {
+            row.jacobian.a.head<3>() = -direction;
+            row.jacobian.a.tail<3>() = direction.cross(r_a_);
+        }
+        if (b_moves_) {
+            row.jacobian.b.head<3>() = direction;
+            row.jacobian.b.tail<3>() = r_b_.cross(direction);
+        }
     }
 
   private:

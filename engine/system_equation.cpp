@@ -25,9 +25,40 @@ Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, dou
     return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
 }
 
-// M^(-1/2)^T j for one body.
-inline Vector6 weighted(const InverseMass& inverse_mass, const Vector6& j) {
-    return stacked(inverse_mass.linear_root * j.head<3>(), inverse_mass.angular_root.transpose() * j.tail<3>());
+// M^(-1/2)^T j for one body. Its parts stay apart: written as scalars and read back as packets they would have to
+// wait for each other.
+struct WeightedAxis {
+    WeightedAxis(const InverseMass& inverse_mass, const Vector6& j)
+        : linear(inverse_mass.linear_root * j.head<3>()),
+          angular(inverse_mass.angular_root.transpose() * j.tail<3>()) {}
+
+    double squared() const { return linear.squaredNorm() + angular.squaredNorm(); }
+    void write(double factor, Vector6& axis) const {
+        axis.head<3>() = factor * linear;
+        axis.tail<3>() = factor * angular;
+    }
+
+    Vector3 linear, angular;
+};
+
+// A_jj, its root, and the unit axis of row j.
+inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& system) {
+    const WeightedAxis a(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
+    const WeightedAxis b(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
+    const double diagonal = a.squared() + b.squared();
+    const double scale = std::sqrt(diagonal);
+    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
+    system.diagonal[static_cast<Eigen::Index>(j)] = diagonal;
+    system.scale[static_cast<Eigen::Index>(j)] = scale;
+    a.write(to_unit, system.unit_axes[j].a);
+    b.write(to_unit, system.unit_axes[j].b);
+}
+
+void size_axes(SystemEquation& system) {
+    const auto count = static_cast<Eigen::Index>(system.rows.size());
+    system.diagonal.resize(count);
+    system.scale.resize(count);
+    system.unit_axes.resize(system.rows.size());
 }
 
 bool corrects(std::span<const ConstraintRow> rows) {
@@ -42,22 +73,8 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 }
 
 void weigh_rows(SystemEquation& system) {
-    const auto count = static_cast<Eigen::Index>(system.rows.size());
-    system.diagonal.resize(count);
-    system.scale.resize(count);
-    system.unit_axes.resize(system.rows.size());
-    for (std::size_t j = 0; j < system.rows.size(); ++j) {
-        const ConstraintRow& row = system.rows[j];
-        const Vector6 a = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
-        const Vector6 b = weighted(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
-        const double diagonal = a.squaredNorm() + b.squaredNorm();
-        const double scale = std::sqrt(diagonal);
-        const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
-        system.diagonal[static_cast<Eigen::Index>(j)] = diagonal;
-        system.scale[static_cast<Eigen::Index>(j)] = scale;
-        system.unit_axes[j].a = a * to_unit;
-        system.unit_axes[j].b = b * to_unit;
-    }
+    size_axes(system);
+    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(system.rows[j], j, system);
 }
 
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
@@ -72,15 +89,17 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
         free[i] = free_acceleration(bodies[i], system.inverse_mass[i], dt);
     }
 
-    weigh_rows(system);
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    system.b.resize(count, corrects(rows) ? 2 : 1);
-    for (Eigen::Index j = 0; j < count; ++j) {
-        const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
+    size_axes(system);
+    const bool two_columns = corrects(rows);
+    system.b.resize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        const ConstraintRow& row = rows[j];
+        weigh(row, j, system);
         const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
                                      row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
-        system.b(j, 0) = (row.push.correcting + row.push.lasting) / dt - unconstrained;
-        if (system.b.cols() == 2) system.b(j, 1) = row.push.lasting / dt - unconstrained;
+        const auto index = static_cast<Eigen::Index>(j);
+        system.b(index, 0) = (row.push.correcting + row.push.lasting) / dt - unconstrained;
+        if (two_columns) system.b(index, 1) = row.push.lasting / dt - unconstrained;
     }
 }
 

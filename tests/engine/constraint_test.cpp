@@ -25,7 +25,8 @@ Vector6 velocity_of(const Body& body) {
 }
 
 ConstraintRow contact(const BodyPair& pair, double gap, const Correction& correction, double slop = 0.0) {
-    return contact_row(PairPoint(pair, {0.3, 0, 0.1}), Vector3::UnitY(), gap, correction, slop, 0.1);
+    std::vector<ConstraintRow> rows;
+    return append_contact_row(PairPoint(pair, {0.3, 0, 0.1}), Vector3::UnitY(), gap, correction, slop, 0.1, rows);
 }
 
 }  // namespace
