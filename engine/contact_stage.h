@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/collision/detector.h"
+#include "engine/collision/sweep.h"
 #include "engine/contact_cache.h"
 #include "engine/friction_constraint.h"
 #include "engine/restitution.h"
@@ -42,6 +43,8 @@ class ContactStage : public ConstraintSource {
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
+    // Without a sweep a fast body is not noticed before it is in the margin, or past it.
+    void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
@@ -74,6 +77,7 @@ class ContactStage : public ConstraintSource {
     std::unique_ptr<const FrictionRule> friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
+    std::unique_ptr<collision::Sweep> sweep_;
 
     // Of the current step.
     collision::Detector detector_;
