@@ -168,7 +168,8 @@ const std::array options{
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
     SimulationOption{"margin", "F",
-                     "gap up to which a point already counts as contact, fraction of the body's size",
+                     "gap up to which a point already counts as contact, fraction of the body's size; bodies that "
+                     "move by more in a step are swept; 0: neither",
                      "a fraction of the body's size from 0 to 1",
                      [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
                      [](const Settings& s) { return to_text(s.margin); }},

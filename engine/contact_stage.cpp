@@ -108,7 +108,7 @@ void ContactStage::append_friction(std::size_t index, std::span<const Body> bodi
 
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
     touches_ = detector_.detect(colliders_, bodies, choices_.detection);
-    if (sweep_) touches_ = sweep_->refine(touches_, colliders_, bodies, dt, choices_.detection);
+    if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
     order_contacts(choices_.order, touches_, bodies, order_);
 
     first_force_.clear();

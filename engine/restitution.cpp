@@ -17,9 +17,10 @@ PushFactor larger(const PushFactor& push, double first, double last) {
 }  // namespace
 
 PushFactor restitution_sum(const PushFactor& push, const Impact& impact) {
-    if (impact.gap > 0.0) return push;
-    return {.correcting = push.correcting,
-            .lasting = push.lasting + std::max(0.0, -impact.restitution * impact.speed)};
+    const double rebound = std::max(0.0, -impact.restitution * impact.speed);
+    if (impact.gap <= 0.0) return {.correcting = push.correcting, .lasting = push.lasting + rebound};
+    const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
+    return meets && rebound > 0.0 ? PushFactor{.correcting = 0.0, .lasting = rebound} : push;
 }
 
 PushFactor restitution_larger(const PushFactor& push, const Impact& impact) {

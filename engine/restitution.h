@@ -30,7 +30,8 @@ struct Impact {
 // The push factor of the contact row once the collision is added to it.
 using RestitutionRule = PushFactor (*)(const PushFactor& push, const Impact& impact);
 
-// As 8.2 has it: v_r is added to both columns of a point that touches.
+// As 8.2 has it: v_r is added to both columns of a point that touches. One that is still apart and would meet within
+// the step has nothing to correct and aims at v_r alone.
 PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
 
 // Each column aims at the larger of its push and the rebound, if the point meets within the step. A rebound slower

@@ -32,6 +32,7 @@ Vector3 reach_of(const Shape& shape, const Body& body, bool fast, double margin)
 }  // namespace
 
 Motion free_motion(const Body& body, double dt) {
+    if (body.is_static()) return {};
     const Vector3 spin_up = world_inverse_inertia(body) * body.torque;
     return {velocity(body) + (dt * body.inverse_mass) * body.force, angular_velocity(body) + dt * spin_up};
 }
@@ -51,8 +52,7 @@ std::span<const Pair> FastPairs::find(std::span<const Collider> colliders, std::
         Body& swept = box_bodies_.emplace_back(body);
         boxes_.push_back({.body = static_cast<int>(i), .shape = colliders[i].shape});
         if (std::holds_alternative<Plane>(colliders[i].shape)) continue;
-        const Vector3 path =
-            body.is_static() ? Vector3(Vector3::Zero()) : Vector3(dt * free_motion(body, dt).velocity);
+        const Vector3 path = dt * free_motion(body, dt).velocity;
         swept.position += 0.5 * path;
         swept.orientation.setIdentity();
         boxes_.back().shape = Box{reach_of(colliders[i].shape, body, fast_[i], margin) + 0.5 * path.cwiseAbs()};

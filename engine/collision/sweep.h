@@ -20,19 +20,25 @@ namespace pushfactor::engine::collision {
 
 class Sweep {
   public:
+    struct Step {
+        std::span<const Collider> colliders;
+        std::span<const Body> bodies;  // with the external forces of the step
+        double dt = 0.0;               // s
+        const Detection& detection;
+    };
+
     // `touches` as the detector found them, where fast pairs are concerned put right: those that meet in the coming
-    // `dt` [s] added or with all the points that take part, and those that only pass each other left out. In
-    // ascending order of the pair; good until the next call.
-    std::span<const Touch> refine(std::span<const Touch> touches, std::span<const Collider> colliders,
-                                  std::span<const Body> bodies, double dt, const Detection& detection);
+    // step added or with all the points that take part, and those that only pass each other left out. In ascending
+    // order of the pair; good until the next call.
+    std::span<const Touch> refine(std::span<const Touch> touches, const Step& step);
 
   private:
-    void refine_pair(const Pair& pair, const Touch* touch, std::span<const Collider> colliders,
-                     std::span<const Body> bodies, double dt, const Detection& detection);
+    void refine_pair(const Pair& pair, const Touch* touch, const Step& step);
 
     FastPairs fast_pairs_;
+    std::vector<Moving> moving_;  // by collider
     std::vector<Touch> touches_;
-    std::deque<MeetingBodies> bodies_;  // that touches_ point to
+    std::deque<MeetingBodies> meetings_;  // that touches_ point to
 };
 
 }  // namespace pushfactor::engine::collision
