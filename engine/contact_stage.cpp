@@ -154,7 +154,12 @@ std::vector<ContactSite> ContactStage::sites() const {
     return sites;
 }
 
+bool ContactStage::foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) {
+    return !sweep_ || sweep_->foresaw(forces, {colliders_, bodies, dt, choices_.detection});
+}
+
 void ContactStage::remember(std::span<const Lambda> answers) {
+    if (sweep_) sweep_->forget();
     if (!cache_) return;
     for (const Contact& contact : contacts_) {
         ContactForce& force = forces_[contact.force];

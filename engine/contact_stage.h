@@ -48,6 +48,7 @@ class ContactStage : public ConstraintSource {
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
+    bool foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) override;
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }

@@ -3,30 +3,37 @@
 #pragma once
 
 #include "engine/collision/broad_phase.h"
-#include "engine/collision/swept.h"
+#include "engine/motion.h"
 
 #include <span>
 #include <vector>
 
 namespace pushfactor::engine::collision {
 
+// How far a point of `collider` comes at most in `dt` [s] with the body's `speed` [m/s] and `rate` of turning
+// [rad/s].
+double path_of(const Collider& collider, double speed, double rate, double dt);
+
+// How its bodies move in the coming step.
+struct Outlook {
+    std::span<const Collider> colliders;
+    std::span<const Body> bodies;
+    std::span<const Motion> motions;  // by body
+    double dt = 0.0;                  // s
+    double margin = 0.0;              // fraction of each shape's size
+};
+
 class FastPairs {
   public:
-    // In ascending order; `margin` is a fraction of each shape's size. When no body is fast, a look at each is all
-    // that is done. The result is good until the next call.
-    std::span<const Pair> find(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
-                               double margin);
+    // Those with at least one fast collider (`fast`, by collider), in ascending order; good until the next call.
+    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast);
 
   private:
-    std::vector<bool> fast_;  // by collider
     // What each collider sweeps, as a box on a body of its own, for the same search as with bodies that rest.
     std::vector<Collider> boxes_;
     std::vector<Body> box_bodies_;
     BroadPhase broad_phase_;
     std::vector<Pair> pairs_;
 };
-
-// How the body moves in the coming `dt` [s] when nothing stops it.
-Motion free_motion(const Body& body, double dt);
 
 }  // namespace pushfactor::engine::collision

@@ -8,16 +8,11 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
+#include "engine/motion.h"
 
 #include <optional>
 
 namespace pushfactor::engine::collision {
-
-// How a body moves within a step: uniformly, world frame.
-struct Motion {
-    Vector3 velocity = Vector3::Zero();          // m/s
-    Vector3 angular_velocity = Vector3::Zero();  // rad/s
-};
 
 struct Moving {
     const Shape& shape;
