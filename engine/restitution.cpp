@@ -7,6 +7,9 @@ namespace pushfactor::engine {
 
 namespace {
 
+// m/s, faster than anything: what a row of the last column that holds nothing aims at.
+constexpr double any_speed = 1e6;
+
 // Of the push and of what a bounce wants in the first and in the last column.
 PushFactor larger(const PushFactor& push, double first, double last) {
     first = std::max(first, push.correcting + push.lasting);
@@ -26,6 +29,10 @@ PushFactor restitution_sum(const PushFactor& push, const Impact& impact) {
 PushFactor restitution_larger(const PushFactor& push, const Impact& impact) {
     const double a = impact.acceleration;
     const double dt = impact.dt;
+    const double least = impact.weight * dt;
+    if (impact.speed > least) {
+        return {.correcting = push.correcting + push.lasting + any_speed, .lasting = -any_speed};
+    }
     const double gap = std::max(0.0, impact.gap);
     const double before = impact.speed + 0.5 * a * dt;  // at the start of the step
     const double squared = before * before - 2.0 * a * gap;
@@ -33,7 +40,6 @@ PushFactor restitution_larger(const PushFactor& push, const Impact& impact) {
     if (squared < 0.0 || at_contact - before <= 0.0) return push;
     const double tau = 2.0 * gap / (at_contact - before);
     const double rebound = impact.restitution * at_contact;
-    const double least = impact.weight * dt;
     if (tau >= dt || rebound <= least) return push;
 
     const double up_here = rebound * rebound + 2.0 * a * gap;  // squared, on the way up

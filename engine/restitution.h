@@ -30,8 +30,8 @@ struct Impact {
 // The push factor of the contact row once the collision is added to it.
 using RestitutionRule = PushFactor (*)(const PushFactor& push, const Impact& impact);
 
-// As 8.2 has it: v_r is added to both columns of a point that touches. One that is still apart and would meet within
-// the step has nothing to correct and aims at v_r alone.
+// As 8.2 has it: v_r is added to both columns of a point that touches. One that is still apart and would meet
+// within the step has nothing to correct and aims at v_r alone.
 PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
 
 // Each column aims at the larger of its push and the rebound, if the point meets within the step. A rebound slower
@@ -45,6 +45,9 @@ PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
 // Where the impulse turns a body with unequal moments, both columns have to turn it alike, or energy comes and goes
 // with the difference. There the point leaves from where it is at the beginning of the step, with the speed that it
 // would have at this height on its way up: the same apex, up to two steps early.
+//
+// Bodies that separate before the step do not resist in the last column: when another collision throws one of them
+// back, the two bounce in the next step. In one and the same step the rule of 8.2 would make energy of it.
 PushFactor restitution_larger(const PushFactor& push, const Impact& impact);
 
 }  // namespace pushfactor::engine

@@ -30,8 +30,8 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
 // How near two bodies have to come for having met, as a fraction of the size.
 constexpr double nearness = 1e-4;
 
-bool before(const Touch& p, const Touch& q) {
-    return p.pair < q.pair;
+bool before(const Touch& touch, const Pair& pair) {
+    return touch.pair < pair;
 }
 
 double smallest_gap(const Manifold& manifold) {
@@ -170,8 +170,8 @@ std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step&
         refined_.touches.assign(touches.begin(), touches.end());
     }
     for (const Touch& missing : unforeseen_.touches) {
-        refined_.touches.insert(std::lower_bound(refined_.touches.begin(), refined_.touches.end(), missing, before),
-                                missing);
+        auto& all = refined_.touches;
+        all.insert(std::lower_bound(all.begin(), all.end(), missing.pair, before), missing);
     }
     known_ = refined_.touches;
     return known_;
@@ -182,8 +182,8 @@ bool Sweep::foresaw(std::span<const Vector6> forces, const Step& step) {
     bool all = true;
     const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
-        const auto touch = std::lower_bound(known_.begin(), known_.end(), Touch{.pair = pair}, before);
-        if (touch != known_.end() && touch->pair == pair) continue;
+        const auto known = std::lower_bound(known_.begin(), known_.end(), pair, before);
+        if (known != known_.end() && known->pair == pair) continue;
         if (add_meeting(pair, step, unforeseen_)) all = false;
     }
     return all;

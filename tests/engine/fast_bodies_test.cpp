@@ -9,6 +9,7 @@
 using namespace pushfactor::engine;
 using pushfactor::tests::ContactScene;
 using pushfactor::tests::Random;
+using pushfactor::tests::Surface;
 
 TEST_CASE("a cube that hits the ground flat at 200 m/s stays on it, in every phase of the step") {
     for (const double height : {3.0, 4.1, 5.2}) {
@@ -125,6 +126,53 @@ TEST_CASE("balls, cubes and plates that fly at each other stop at each other and
         const auto& bodies = scene.world.bodies;
         CHECK(bodies[1].position.x() - bodies[0].position.x() == Approx(0.2).margin(1e-9));
         CHECK(velocity(bodies[1]).x() == Approx(0.15 * speed));
+    }
+}
+
+TEST_CASE("a ball between a fast one and a thin plate does not get through the plate") {
+    for (const double gap : {0.0, 1e-3, 0.01, 0.05, 0.3}) {
+        for (const double speed : {20.0, 100.0, 200.0}) {
+            for (const double restitution : {0.0, 1.0}) {
+                const Surface surface{.friction = 0.5, .restitution = restitution};
+                ContactScene scene;
+                scene.add_plate({10, 0.1, 10}, {0, -0.05, 0}, surface);
+                scene.add_ball(0.1, {0, 1.0 + gap, 0}, {0, -speed, 0}, surface);
+                scene.add_ball(0.1, {0, 0.1 + gap, 0}, Vector3::Zero(), surface);
+                scene.build(Vector3::Zero());
+                const auto seen = scene.watch(40);
+                CHECK(seen.lowest > 0.1 - 1e-6);
+                CHECK(seen.penetration < 1e-6);
+            }
+        }
+    }
+}
+
+TEST_CASE("bodies that fly about in a closed box stay in it") {
+    Random random(3);
+    ContactScene scene;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-3.1, 3.1}) {
+            Vector3 size = Vector3::Constant(6.4);
+            size[axis] = 0.2;
+            scene.add_plate(size, side * Vector3::Unit(axis));
+        }
+    }
+    for (int i = 0; i < 12; ++i) {
+        const Vector3 place(-2 + (i % 3) * 2, -2 + (i / 3 % 2) * 2, -2 + (i / 6) * 2);
+        const Vector3 size = random.vector(0.2, 1.0);
+        const Vector3 velocity = random.vector(-200, 200);
+        if (i % 3 == 0) {
+            scene.add_ball(0.5 * size.x(), place, velocity);
+        } else {
+            scene.add_box(size, place, velocity);
+        }
+    }
+    scene.build();
+    const double before = kinetic_energy(scene.world.bodies);
+    scene.watch(300);
+    CHECK(kinetic_energy(scene.world.bodies) < 0.01 * before);
+    for (const Body& body : scene.world.bodies) {
+        CHECK(body.position.cwiseAbs().maxCoeff() < 3.11);
     }
 }
 
