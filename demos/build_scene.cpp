@@ -139,6 +139,7 @@ void add_contacts(Scene& scene, const SceneDescription& description, const Setti
     if (any(&collision::Collider::restitution)) {
         contacts->set_restitution(restitution_rule(settings.restitution_model));
     }
+    if (settings.margin > 0.0) contacts->set_sweep(std::make_unique<collision::Sweep>());
     if (settings.warm_start) contacts->set_cache(std::make_unique<engine::ContactCache>());
     scene.contacts = contacts.get();
     scene.world.constraints.push_back(std::move(contacts));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace pushfactor::demos {
@@ -101,6 +102,13 @@ bool set_restitution(Settings& s, std::string_view text) {
     return true;
 }
 
+bool set_max_push_speed(Settings& s, std::string_view text) {
+    double value = 0.0;
+    if (!take(value, parse_number(text), 0.0, 1e9) || value == 0.0) return false;
+    s.contacts.max_speed = value;
+    return true;
+}
+
 std::string solver_names() {
     std::string names;
     for (const auto& entry : engine::solvers::solver_table()) {
@@ -139,6 +147,10 @@ const std::array options{
         "beta", "X", "share of the penetration that one step corrects", "a number from 0 to 1",
         [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
         [](const Settings& s) { return to_text(s.contacts.beta); }},
+    SimulationOption{
+        "max-push-speed", "V", "the fastest that contacts correct penetration, in m/s [no limit]",
+        "a speed above 0 and up to 1e9 m/s", set_max_push_speed,
+        [](const Settings& s) { return std::isfinite(s.contacts.max_speed) ? to_text(s.contacts.max_speed) : ""; }},
     SimulationOption{"distance-push", "KIND", "how distances correct their length: none, persistent, single-frame",
                      "one of none, persistent, single-frame",
                      [](Settings& s, std::string_view t) { return take_name(s.distances.kind, push_names, t); },
@@ -156,7 +168,8 @@ const std::array options{
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
     SimulationOption{"margin", "F",
-                     "gap up to which a point already counts as contact, fraction of the body's size",
+                     "gap up to which a point already counts as contact, fraction of the body's size; bodies that "
+                     "move by more in a step are swept; 0: neither",
                      "a fraction of the body's size from 0 to 1",
                      [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
                      [](const Settings& s) { return to_text(s.margin); }},

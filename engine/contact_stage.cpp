@@ -1,5 +1,7 @@
 #include "engine/contact_stage.h"
 
+#include <cmath>
+
 namespace pushfactor::engine {
 
 namespace {
@@ -8,24 +10,33 @@ namespace {
 constexpr double sliding_share = 1e-4;
 
 BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) {
+    if (touch.meeting) return {touch.body_a, touch.body_b, touch.meeting->a, touch.meeting->b};
     return {touch.body_a, touch.body_b, bodies[static_cast<std::size_t>(touch.body_a)],
             bodies[static_cast<std::size_t>(touch.body_b)]};
 }
 
+// Whether an impulse along `axis` (a body's half of j_c) turns a body with unequal moments of inertia.
+bool turns(const Body& body, const Vector6& axis, double size) {
+    const Vector3& moments = body.inverse_inertia;
+    return axis.tail<3>().norm() > 1e-9 * size && moments.maxCoeff() > (1.0 + 1e-9) * moments.minCoeff();
+}
+
 // What 8.2 needs to know of a contact row before the step.
-Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitution, double dt) {
-    const auto along = [&row](const Vector6& a, const Vector6& b) {
-        return row.jacobian.a.dot(a) + row.jacobian.b.dot(b);
-    };
-    const auto v = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
-    const auto acceleration = [](const Body& body) {
+Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision::Touch& touch, double dt) {
+    const auto velocity_of = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
+    const auto acceleration_of = [](const Body& body) {
         return stacked(body.inverse_mass * body.force, world_inverse_inertia(body) * body.torque);
     };
-    return {.speed = along(v(pair.body_a), v(pair.body_b)),
-            .acceleration = along(acceleration(pair.body_a), acceleration(pair.body_b)),
+    const Jacobian& j = row.jacobian;
+    const double acceleration_a = j.a.dot(acceleration_of(pair.body_a));
+    const double acceleration_b = j.b.dot(acceleration_of(pair.body_b));
+    return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)),
+            .acceleration = acceleration_a + acceleration_b,
+            .weight = std::max(std::abs(acceleration_a), std::abs(acceleration_b)),
             .gap = row.label.gap,
-            .restitution = restitution,
-            .dt = dt};
+            .restitution = touch.restitution,
+            .dt = dt,
+            .turns = turns(pair.body_a, j.a, touch.size) || turns(pair.body_b, j.b, touch.size)};
 }
 
 }  // namespace
@@ -72,7 +83,7 @@ void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const 
     ConstraintRow& row = append_contact_row(at, touch.manifold.normal, point_of(index).gap, choices_.correction,
                                             choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
-        row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
+        row.push = restitution_(row.push, impact_of(row, pair, touch, dt));
     }
     row.label.point = order_[index].point;
     row.guess = forces_[contacts_[index].force].normal;
@@ -103,8 +114,9 @@ void ContactStage::append_friction(std::size_t index, const BodyPair& pair, cons
 }
 
 // Detects, orders, and recalls what the cache knows.
-void ContactStage::find_contacts(std::span<const Body> bodies) {
+void ContactStage::find_contacts(std::span<const Body> bodies, double dt) {
     touches_ = detector_.detect(colliders_, bodies, choices_.detection);
+    if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
     order_contacts(choices_.order, touches_, bodies, order_);
 
     first_force_.clear();
@@ -128,7 +140,7 @@ void ContactStage::find_contacts(std::span<const Body> bodies) {
 }
 
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    find_contacts(bodies);
+    find_contacts(bodies, dt);
     first_row_ = rows.size();
     const bool interleaved = choices_.order != RowOrder::normals_first;
     const auto append = [&](const Run& run, bool normals, bool tangents) {
@@ -164,7 +176,12 @@ std::vector<ContactSite> ContactStage::sites() const {
     return sites;
 }
 
+bool ContactStage::foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) {
+    return !sweep_ || sweep_->foresaw(forces, {colliders_, bodies, dt, choices_.detection});
+}
+
 void ContactStage::remember(std::span<const Lambda> answers) {
+    if (sweep_) sweep_->forget();
     if (!cache_) return;
     for (const Contact& contact : contacts_) {
         ContactForce& force = forces_[contact.force];

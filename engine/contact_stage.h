@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/collision/detector.h"
+#include "engine/collision/sweep.h"
 #include "engine/contact_cache.h"
 #include "engine/contact_constraint.h"
 #include "engine/friction_constraint.h"
@@ -43,9 +44,12 @@ class ContactStage : public ConstraintSource {
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
+    // Without a sweep a fast body is not noticed before it is in the margin, or past it.
+    void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
+    bool foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) override;
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
@@ -69,7 +73,7 @@ class ContactStage : public ConstraintSource {
     };
     struct TouchFriction;
 
-    void find_contacts(std::span<const Body> bodies);
+    void find_contacts(std::span<const Body> bodies, double dt);
     void append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
                        std::vector<ConstraintRow>& rows);
     void append_friction(std::size_t index, const BodyPair& pair, const PairPoint& at, const TouchFriction& shared,
@@ -84,6 +88,7 @@ class ContactStage : public ConstraintSource {
     std::unique_ptr<const FrictionRule> friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
+    std::unique_ptr<collision::Sweep> sweep_;
 
     // Of the current step.
     collision::Detector detector_;

@@ -4,6 +4,9 @@
 // violation that one step corrects (called k in sections 8 and 10); dt time step [s].
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 namespace pushfactor::engine {
 
 // The two parts of v that a row carries. `lasting` stays in the momenta (restitution, motors, and the
@@ -23,11 +26,14 @@ enum class PushKind {
 struct Correction {
     PushKind kind = PushKind::single_frame;
     double beta = 0.2;  // 0..1
+    // m/s, above 0: no correction is faster, however deep the bodies are in each other.
+    double max_speed = std::numeric_limits<double>::infinity();
 };
 
 // 5.2.3, 5.3.1: `distance` [m] is how far the row has to move along its axis, in one step if beta is 1.
 inline PushFactor correct(const Correction& correction, double distance, double dt) {
-    const double speed = correction.beta * distance / dt;
+    const double wanted = correction.beta * distance / dt;
+    const double speed = std::clamp(wanted, -correction.max_speed, correction.max_speed);
     switch (correction.kind) {
         case PushKind::persistent:
             return {.correcting = 0.0, .lasting = speed};

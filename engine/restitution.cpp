@@ -5,19 +5,50 @@
 
 namespace pushfactor::engine {
 
+namespace {
+
+// m/s, faster than anything: what a row of the last column that holds nothing aims at.
+constexpr double any_speed = 1e6;
+
+// Of the push and of what a bounce wants in the first and in the last column.
+PushFactor larger(const PushFactor& push, double first, double last) {
+    first = std::max(first, push.correcting + push.lasting);
+    last = std::max(last, push.lasting);
+    return {.correcting = first - last, .lasting = last};
+}
+
+}  // namespace
+
 PushFactor restitution_sum(const PushFactor& push, const Impact& impact) {
-    if (impact.gap > 0.0) return push;
-    return {.correcting = push.correcting,
-            .lasting = push.lasting + std::max(0.0, -impact.restitution * impact.speed)};
+    const double rebound = std::max(0.0, -impact.restitution * impact.speed);
+    if (impact.gap <= 0.0) return {.correcting = push.correcting, .lasting = push.lasting + rebound};
+    const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
+    return meets && rebound > 0.0 ? PushFactor{.correcting = 0.0, .lasting = rebound} : push;
 }
 
 PushFactor restitution_larger(const PushFactor& push, const Impact& impact) {
-    const double rebound = -impact.restitution * impact.speed;
-    const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
-    if (!meets || rebound <= std::abs(impact.acceleration) * impact.dt) return push;
-    const double first = std::max(push.correcting + push.lasting, rebound);
-    const double last = std::max(push.lasting, rebound);
-    return {.correcting = first - last, .lasting = last};
+    const double a = impact.acceleration;
+    const double dt = impact.dt;
+    const double least = impact.weight * dt;
+    if (impact.speed > least) {
+        return {.correcting = push.correcting + push.lasting + any_speed, .lasting = -any_speed};
+    }
+    const double gap = std::max(0.0, impact.gap);
+    const double before = impact.speed + 0.5 * a * dt;  // at the start of the step
+    const double squared = before * before - 2.0 * a * gap;
+    const double at_contact = std::sqrt(std::max(0.0, squared));  // downwards
+    if (squared < 0.0 || at_contact - before <= 0.0) return push;
+    const double tau = 2.0 * gap / (at_contact - before);
+    const double rebound = impact.restitution * at_contact;
+    if (tau >= dt || rebound <= least) return push;
+
+    const double up_here = rebound * rebound + 2.0 * a * gap;  // squared, on the way up
+    if (impact.turns && up_here > least * least) {
+        const double speed = std::sqrt(up_here) + 0.5 * a * dt;
+        return larger(push, speed, speed);
+    }
+    const double rest = dt - tau;
+    return larger(push, ((rebound + 0.5 * a * rest) * rest - gap) / dt, rebound + a * (rest - 0.5 * dt));
 }
 
 }  // namespace pushfactor::engine

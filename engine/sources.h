@@ -25,6 +25,12 @@ class ConstraintSource {
     // Appends rows for the state of `bodies` and a step of `dt` [s]. Their order is kept: nobody sorts later.
     virtual void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) = 0;
 
+    // Whether the rows are all that is needed when the bodies move with `forces`, the constraint forces of the
+    // first column [N and N m, one a body]. If not, append_rows() for the same step is called again and knows more.
+    virtual bool foresaw(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/, double /*dt*/) {
+        return true;
+    }
+
     // The answers of the rows that the last append_rows appended, in that order.
     virtual void remember(std::span<const Lambda> answers) = 0;
 };

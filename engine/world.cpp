@@ -4,9 +4,18 @@
 // the lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
 #include "engine/world.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace pushfactor::engine {
+
+namespace {
+
+// How often a step is solved anew because bodies that it has thrown would meet others: one more body of a chain of
+// collisions each time.
+constexpr int most_looks = 8;
+
+}  // namespace
 
 StepCount World::step(double dt, StageObserver* observer) {
     assert(dt > 0.0);
@@ -19,7 +28,7 @@ StepCount World::step(double dt, StageObserver* observer) {
     ended(Stage::rows);
     build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
     ended(Stage::system);
-    const solvers::SolveCount solved = solve();  // 7
+    const solvers::SolveCount solved = solve_and_look(dt);  // 7
     ended(Stage::solve);
     remember();  // 6.2.3
     ended(Stage::remember);
@@ -65,6 +74,25 @@ solvers::SolveCount World::solve() {
     return count;
 }
 
+solvers::SolveCount World::solve_and_look(double dt) {
+    solvers::SolveCount solved = solve();
+    constraint_forces(system_, lambda_, 0, moving_);
+    for (int look = 0; look < most_looks && !foresaw(dt); ++look) {
+        append_rows(dt);
+        build_system(bodies, rows_, dt, system_);
+        const solvers::SolveCount again = solve();
+        constraint_forces(system_, lambda_, 0, moving_);
+        solved.iterations += again.iterations;
+        solved.multiply_adds += again.multiply_adds;
+    }
+    return solved;
+}
+
+bool World::foresaw(double dt) {
+    return std::all_of(constraints.begin(), constraints.end(),
+                       [&](const auto& source) { return source->foresaw(bodies, moving_, dt); });
+}
+
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
     answers_.resize(rows_.size());
@@ -96,7 +124,6 @@ void World::kick_back_half(double dt) {
 
 void World::integrate(double dt) {
     const Eigen::Index last = lambda_.cols() - 1;
-    constraint_forces(system_, lambda_, 0, moving_);
     if (last > 0) constraint_forces(system_, lambda_, last, lasting_);
     const std::vector<Vector6>& momentum_forces = last > 0 ? lasting_ : moving_;
 

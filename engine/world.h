@@ -63,6 +63,9 @@ class World {
     void add_forces();
     void append_rows(double dt);
     solvers::SolveCount solve();
+    // Solves, and again with more rows while the answer takes bodies where no source foresaw them. Writes moving_.
+    solvers::SolveCount solve_and_look(double dt);
+    bool foresaw(double dt);
     void remember();
     void integrate(double dt);
     StepCount count(const solvers::SolveCount& solved) const;

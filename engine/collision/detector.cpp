@@ -17,6 +17,20 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 
 }  // namespace
 
+Touch touch_of(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies) {
+    const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
+    const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
+    Touch touch;
+    touch.pair = pair;
+    touch.body_a = a.body;
+    touch.body_b = b.body;
+    touch.size =
+        size_of_pair(a, bodies[static_cast<std::size_t>(a.body)], b, bodies[static_cast<std::size_t>(b.body)]);
+    touch.friction = std::sqrt(a.friction * b.friction);
+    touch.restitution = std::max(a.restitution, b.restitution);
+    return touch;
+}
+
 std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                         const Detection& detection) {
     poses_.clear();
@@ -24,20 +38,13 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
 
     touches_.clear();
     for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin)) {
-        const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
-        const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
-        const auto body_a = static_cast<std::size_t>(a.body);
-        const auto body_b = static_cast<std::size_t>(b.body);
-
-        Touch& touch = touches_.emplace_back();
-        touch.pair = pair;
-        touch.body_a = a.body;
-        touch.body_b = b.body;
-        touch.size = size_of_pair(a, bodies[body_a], b, bodies[body_b]);
-        touch.friction = std::sqrt(a.friction * b.friction);
-        touch.restitution = std::max(a.restitution, b.restitution);
-        collide(a.shape, poses_[body_a], b.shape, poses_[body_b], detection.margin * touch.size, touch.manifold);
-        if (detection.reduce_to_four_points) reduce_to_four(touch.manifold, poses_[body_a].rotation);
+        Touch& touch = touches_.emplace_back(touch_of(pair, colliders, bodies));
+        const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
+        const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
+        collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
+                colliders[static_cast<std::size_t>(pair.b)].shape, pose_b, detection.margin * touch.size,
+                touch.manifold);
+        if (detection.reduce_to_four_points) reduce_to_four(touch.manifold, pose_a.rotation);
         if (touch.manifold.count == 0) touches_.pop_back();
     }
     return touches_;

@@ -9,6 +9,12 @@
 
 namespace pushfactor::engine::collision {
 
+// The bodies of a swept pair with their centres where they will be when they meet (sweep.h), everything else as it
+// is at the start of the step. The lever arms of the rows belong to that moment.
+struct MeetingBodies {
+    Body a, b;
+};
+
 // Two colliders that touch or nearly do.
 struct Touch {
     Pair pair;       // collider indices
@@ -18,7 +24,11 @@ struct Touch {
     double friction = 0.0;     // mu of the pair
     double restitution = 0.0;  // epsilon of the pair
     Manifold manifold;         // at least one point, normal from a to b
+    const MeetingBodies* meeting = nullptr;  // only of a pair that is to meet in the course of the step
 };
+
+// All but the manifold.
+Touch touch_of(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies);
 
 struct Detection {
     double margin = 0.0;                // fraction of the size; points with a smaller gap count

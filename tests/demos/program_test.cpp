@@ -62,6 +62,8 @@ TEST_CASE("values out of range are refused by option, value and what is allowed"
     check_refusal("run stack --count 2.5", 2, {"--count 2.5", "whole number"});
     check_refusal("run stack --beta 2", 2, {"--beta 2", "from 0 to 1"});
     check_refusal("run stack --beta", 2, {"--beta"});
+    check_refusal("run stack --restitution 1.0001", 2, {"--restitution 1.0001", "from 0 to 1"});
+    check_refusal("run stack --max-push-speed 0", 2, {"--max-push-speed 0", "above 0"});
     check_refusal("run stack --preset best", 2, {"--preset best", "default, exact, paper"});
     check_refusal("run stack --solver magic", 2, {"--solver magic", "auto, pgs, direct, dense"});
     check_refusal("run stack --tolerance 1e-10/1e-8", 2, {"--tolerance", "LOW <= HIGH"});

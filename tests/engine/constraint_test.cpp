@@ -69,6 +69,16 @@ TEST_CASE("5.3.1: penetration beyond the slop is pushed out by beta d / dt, in t
     CHECK(single.bounds.c_max == std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("the correcting push is limited to the speed that is given, either way") {
+    const Body ground = static_body(Vector3::Zero());
+    const Body box = box_body(1.0, Vector3::Ones(), {0, 0.5, 0});
+    const BodyPair pair{0, 1, ground, box};
+    const Correction limited{PushKind::single_frame, 0.2, 0.08};
+    CHECK(contact(pair, -0.05, limited).push.correcting == 0.08);                 // 0.1 m/s without a limit
+    CHECK(contact(pair, -0.02, limited).push.correcting == Approx(0.04));         // slower than that
+    CHECK(correct({PushKind::persistent, 1.0, 0.5}, -3.0, 1.0).lasting == -0.5);  // a distance that is too long
+}
+
 TEST_CASE("a point in the margin may close its gap within the step, in both columns, whatever the kind") {
     const Body ground = static_body(Vector3::Zero());
     const Body box = box_body(1.0, Vector3::Ones(), {0, 0.6, 0});

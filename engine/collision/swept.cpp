@@ -1,0 +1,163 @@
+#include "engine/collision/swept.h"
+
+#include "engine/collision/pair_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+constexpr int most_waits = 100;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// A pair in the course of its motion.
+struct Placed {
+    const Moving& a;
+    const Moving& b;
+    Pose pose_a, pose_b;
+};
+
+// A direction in which the shapes are apart by `gap` [m], below zero where they overlap along it.
+struct Separation {
+    Vector3 normal;  // unit length, from a to b
+    double gap = 0.0;
+};
+
+// The first two terms of how far a shape reaches along a direction as time goes by.
+struct Reach {
+    double speed = 0.0;         // m/s, of its fastest point
+    double acceleration = 0.0;  // m/s^2, the most by which turning can add to it
+};
+
+Reach operator+(const Reach& p, const Reach& q) {
+    return {p.speed + q.speed, p.acceleration + q.acceleration};
+}
+
+Reach reach_along(const Moving& moving, const Pose& pose, const Vector3& direction) {
+    Reach reach{.speed = moving.motion.velocity.dot(direction)};
+    const auto* box = std::get_if<Box>(&moving.shape);
+    if (!box) return reach;  // turning moves nothing of a sphere, and planes stand still
+    // direction . (w x r) = r . across, and its rate of change is (w x r) . -across.
+    const Vector3 across = direction.cross(moving.motion.angular_velocity);
+    reach.speed += (pose.rotation.transpose() * across).cwiseAbs().dot(box->half_size);
+    reach.acceleration = across.norm() * moving.motion.angular_velocity.norm() * box->half_size.norm();
+    return reach;
+}
+
+Reach closing(const Placed& pair, const Vector3& normal) {
+    return reach_along(pair.a, pair.pose_a, normal) + reach_along(pair.b, pair.pose_b, -normal);
+}
+
+// The root of gap = speed t + acceleration t^2 / 2.
+double time_to_close(double gap, const Reach& reach) {
+    if (gap <= 0.0) return 0.0;
+    if (reach.acceleration <= 0.0) return reach.speed > 0.0 ? gap / reach.speed : never;
+    const double root = std::sqrt(reach.speed * reach.speed + 2.0 * reach.acceleration * gap);
+    return reach.speed > 0.0 ? 2.0 * gap / (reach.speed + root) : (root - reach.speed) / reach.acceleration;
+}
+
+// The separating axes of two boxes, paper section 4.
+template <typename Visit>
+void visit_box_axes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, Visit visit) {
+    const Vector3 offset = pose_b.position - pose_a.position;
+    const auto consider = [&](const Vector3& axis) {
+        const double along = axis.dot(offset);
+        const double reach = (pose_a.rotation.transpose() * axis).cwiseAbs().dot(a.half_size) +
+                             (pose_b.rotation.transpose() * axis).cwiseAbs().dot(b.half_size);
+        visit(Separation{along < 0.0 ? Vector3(-axis) : axis, std::abs(along) - reach});
+    };
+    for (int k = 0; k < 3; ++k) {
+        consider(pose_a.rotation.col(k));
+        consider(pose_b.rotation.col(k));
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const Vector3 axis = pose_a.rotation.col(i).cross(pose_b.rotation.col(j));
+            const double length = axis.norm();
+            if (length > 1e-6) consider(axis / length);  // parallel edges are covered by the faces beside them
+        }
+    }
+}
+
+template <typename Visit>
+void visit_separations(const Placed& pair, Visit visit) {
+    const auto* box_a = std::get_if<Box>(&pair.a.shape);
+    const auto* box_b = std::get_if<Box>(&pair.b.shape);
+    if (box_a && box_b) {
+        visit_box_axes(*box_a, pair.pose_a, *box_b, pair.pose_b, visit);
+        return;
+    }
+    Manifold nearest;
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, never, nearest);
+    double gap = never;
+    for (const ContactPoint& point : nearest.points()) gap = std::min(gap, point.gap);
+    visit(Separation{nearest.normal, gap});
+}
+
+// Until the shapes can meet, and how far apart they are before.
+struct Wait {
+    double time = 0.0;     // s
+    double gap = -never;   // m, the largest
+    double fastest = 0.0;  // m/s, of all directions
+};
+
+Wait wait_of(const Placed& pair) {
+    Wait wait;
+    visit_separations(pair, [&](const Separation& separation) {
+        const Reach reach = closing(pair, separation.normal);
+        wait.time = std::max(wait.time, time_to_close(separation.gap, reach));
+        wait.gap = std::max(wait.gap, separation.gap);
+        wait.fastest = std::max(wait.fastest, reach.speed);
+    });
+    return wait;
+}
+
+double path(const Reach& reach, double time) {
+    return std::max(0.0, (reach.speed + 0.5 * reach.acceleration * time) * time);
+}
+
+// The points of a pair that has just met, also those that are to meet in the `rest` [s] of the step.
+Manifold manifold_of(const Placed& pair, double rest, double margin) {
+    Manifold manifold;
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, margin, manifold);
+    if (manifold.count == 0) return manifold;
+    const double reach = margin + path(closing(pair, manifold.normal), rest);
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, reach, manifold);
+    return manifold;
+}
+
+}  // namespace
+
+Pose pose_at(const Moving& moving, double time) {
+    Pose pose = moving.start;
+    pose.position += time * moving.motion.velocity;
+    const double rate = moving.motion.angular_velocity.norm();
+    if (rate * time > 0.0) {
+        pose.rotation = Eigen::AngleAxisd(rate * time, moving.motion.angular_velocity / rate) * pose.rotation;
+    }
+    return pose;
+}
+
+double approach(const Moving& a, const Moving& b, const Vector3& normal, double time) {
+    return path(closing({a, b, a.start, b.start}, normal), time);
+}
+
+std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt, double tolerance, double margin) {
+    double time = 0.0;
+    for (int i = 0; i < most_waits && time < dt; ++i) {
+        const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
+        Wait wait = wait_of(pair);
+        if (wait.gap <= tolerance) {
+            const Manifold manifold = manifold_of(pair, dt - time, margin);
+            if (manifold.count > 0) return Meeting{time, pair.pose_a, pair.pose_b, manifold};
+            // Close along every axis and yet beside each other, corner to corner: a little later they are past.
+            wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
+        }
+        time += wait.time;
+    }
+    return std::nullopt;
+}
+
+}  // namespace pushfactor::engine::collision
