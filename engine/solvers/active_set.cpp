@@ -55,6 +55,7 @@ double ActiveSet::solve(const UnitProblem& problem, double tolerance, int factor
     left_ = factorisations;
     follow(problem, y, x_, r_);
     double reached = residual(problem, y, r_);
+    const double allowed = std::max(0.0, objective(problem, y, x_));
     best_ = y;
     int without_gain = 0;
     while (reached > tolerance && left_ > 0 && without_gain < most_without_gain) {
@@ -63,7 +64,7 @@ double ActiveSet::solve(const UnitProblem& problem, double tolerance, int factor
         const double now = residual(problem, y, r_);
         count.multiply_adds += 2.0 * problem.look_work();
         ++without_gain;
-        if (now < reached) {
+        if (now < reached && objective(problem, y, x_) <= allowed) {
             reached = now;
             best_ = y;
             without_gain = 0;

@@ -33,8 +33,9 @@ class ActiveSet {
     void start() { factored_.clear(); }
 
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
-    // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen, and
-    // never worse than it was.
+    // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen
+    // among those that give the bodies no more energy than the guess or no force at all, and never worse than it
+    // was.
     double solve(const UnitProblem& problem, double tolerance, int factorisations, std::vector<double>& y,
                  SolveCount& count);
 

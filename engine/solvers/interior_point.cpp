@@ -131,6 +131,7 @@ double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int fa
                             std::vector<double>& y, SolveCount& count) {
     follow(problem, y, x_, r_);
     double reached = residual(problem, y, r_);
+    const double allowed = std::max(0.0, objective(problem, y, x_));
     start(problem, y);
     int without_gain = 0;
     for (int k = 0; k < std::min(factorisations, most_steps) && without_gain < most_without_gain; ++k) {
@@ -140,7 +141,7 @@ double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int fa
         const double now = residual(problem, y_, r_);
         count.multiply_adds += 2.0 * problem.look_work();
         ++without_gain;
-        if (now < reached) {
+        if (now < reached && objective(problem, y_, x_) <= allowed) {
             reached = now;
             y = y_;
             without_gain = 0;

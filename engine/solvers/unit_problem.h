@@ -64,4 +64,17 @@ inline double residual(const UnitProblem& problem, const std::vector<double>& y,
     return largest;
 }
 
+// q = 1/2 |x|^2 - t . y [J], which the answer minimises: the energy that the forces give the bodies beyond what
+// they are asked for, less what roundings make of it. On the way to an answer the residual may be small while the
+// forces do more work than none would.
+inline double objective(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x) {
+    double q = 0.0;
+    for (const Vector6& velocity : x) q += 0.5 * velocity.squaredNorm();
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const double work = problem.rows[j].t * y[j];
+        q -= work + 1e-13 * std::abs(work);
+    }
+    return q;
+}
+
 }  // namespace pushfactor::engine::solvers

@@ -1,0 +1,99 @@
+// Scenes that are alike: shifted, turned, mirrored, or with other units of length, time and mass. The physics of
+// such a scene is the physics of the first one, seen in the same way.
+#pragma once
+
+#include "demos/scene_description.h"
+#include "demos/settings.h"
+#include "engine/body.h"
+
+namespace pushfactor::tests {
+
+// Maps a scene to one that is alike: x -> turn mirror x * length + shift. Factors 1 and no movement map it to
+// itself. Gravity is an acceleration, so it stays what it is where length = time^2.
+struct Similarity {
+    engine::Quaternion turn = engine::Quaternion::Identity();
+    engine::Vector3 shift = engine::Vector3::Zero();  // m
+    bool mirrored = false;                            // in the plane x = 0, before anything else
+    double length = 1.0, mass = 1.0;                  // factors [1]
+    demos::Rational time{1, 1};
+
+    // Vectors: `unit` is the factor of their unit.
+    engine::Vector3 direction(const engine::Vector3& v, double unit) const { return turn * in_body(v, unit); }
+    engine::Vector3 position(const engine::Vector3& x) const { return direction(x, length) + shift; }
+    // In the frame of a body, which is mirrored but not turned.
+    engine::Vector3 in_body(const engine::Vector3& v, double unit) const {
+        return unit * (mirrored ? engine::Vector3(-v.x(), v.y(), v.z()) : v);
+    }
+    // Of rotation; a mirror turns it round but for the part across the mirror.
+    engine::Vector3 axial(const engine::Vector3& v, double unit) const {
+        return turn * engine::Vector3(unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v));
+    }
+    engine::Quaternion orientation(const engine::Quaternion& q) const {
+        return turn * (mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q);
+    }
+
+    double speed() const { return length / time.value(); }
+    double force() const { return mass * length / (time.value() * time.value()); }
+    double angular_momentum() const { return mass * length * speed(); }
+
+    engine::Body map(engine::Body body) const {
+        body.position = position(body.position);
+        body.orientation = orientation(body.orientation);
+        body.linear_momentum = direction(body.linear_momentum, mass * speed());
+        body.angular_momentum = axial(body.angular_momentum, angular_momentum());
+        return body;
+    }
+
+    demos::Settings map(demos::Settings settings) const {
+        settings.dt = settings.dt * time;
+        settings.seconds *= time.value();
+        settings.tolerance_high *= speed();
+        settings.tolerance_low *= speed();
+        return settings;
+    }
+
+    // Without view and measure, which the physics does not look at.
+    demos::SceneDescription map(const demos::SceneDescription& scene) const {
+        demos::SceneDescription other;
+        other.name = scene.name;
+        other.gravity = direction(scene.gravity, length / (time.value() * time.value()));
+        other.contacts = scene.contacts;
+        for (const auto& body : scene.bodies) other.bodies.push_back(map(body));
+        for (const auto& distance : scene.distances) other.distances.push_back(map(distance));
+        for (const auto& force : scene.forces) other.forces.push_back(map(force));
+        return other;
+    }
+
+  private:
+    demos::BodyDescription map(demos::BodyDescription body) const {
+        if (auto* box = std::get_if<demos::BoxShape>(&body.shape)) box->size *= length;
+        if (auto* sphere = std::get_if<demos::SphereShape>(&body.shape)) sphere->radius *= length;
+        if (body.mass) *body.mass *= mass;
+        body.position = position(body.position);
+        body.orientation = orientation(body.orientation);
+        body.velocity = direction(body.velocity, speed());
+        body.angular_velocity = axial(body.angular_velocity, 1.0 / time.value());
+        if (body.linear_momentum) body.linear_momentum = direction(*body.linear_momentum, mass * speed());
+        if (body.angular_momentum) body.angular_momentum = axial(*body.angular_momentum, angular_momentum());
+        body.surface_velocity = in_body(body.surface_velocity, speed());
+        return body;
+    }
+
+    demos::DistanceDescription map(demos::DistanceDescription distance) const {
+        for (demos::DistanceDescription::End* end : {&distance.a, &distance.b}) {
+            end->point = end->body == "world" ? position(end->point) : in_body(end->point, length);
+        }
+        if (distance.length) *distance.length *= length;
+        if (distance.max_force) *distance.max_force *= force();
+        return distance;
+    }
+
+    demos::ForceDescription map(demos::ForceDescription poke) const {
+        poke.force = direction(poke.force, force());
+        poke.from *= time.value();
+        if (poke.until) *poke.until *= time.value();
+        return poke;
+    }
+};
+
+}  // namespace pushfactor::tests
