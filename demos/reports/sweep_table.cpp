@@ -152,6 +152,22 @@ std::vector<Sweep> all_sweeps(bool quick) {
          "system "
          "solved to 1e-10 m/s, the median over thirty moments.",
          solvers(false)},
+        {"heavy-on-light",
+         "Heavy on light: where the cubes stand",
+         {{"preset", "default"}, {"mass-ratio", "1000"}, {"slop", "0"}, seconds("10", "3")},
+         rest_error,
+         "distance from the exact place at rest, RMS [m]",
+         "A cube of 1 t on one of 1 kg: the distance of their centres from where they must stand, in the last "
+         "second. Solved exactly it is zero.",
+         solvers(true)},
+        {"chain",
+         "Chain with a heavy end: constraint forces",
+         {{"preset", "default"}, {"end-mass", "1000"}, {"substeps", "32"}, seconds("2", "0.5")},
+         converged_error,
+         "relative error of the constraint forces, median",
+         "Twenty bars swing down with 1 t at their end: the constraint forces of a step against those of the same "
+         "system solved to 1e-10 m/s, the median over thirty moments.",
+         solvers(false)},
         {.scene = "pendulum-wave",
          .title = "Pendulum wave: against the exact motion",
          .common = {{"preset", "default"}, seconds("60", "5")},
