@@ -137,7 +137,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
          parting},
         {"funnel",
          "Funnel: constraint forces",
-         {{"preset", "default"}, {"count", "20"}, seconds("10", "3")},
+         {{"preset", "default"}, {"count", "20"}, seconds("4", "3")},
          converged_error,
          "relative error of the constraint forces, median",
          "Twenty balls fall into a funnel: the constraint forces of a step against those of the same system solved "
@@ -145,7 +145,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
          solvers(true)},
         {"pendulum-grid",
          "Pendulum grid: constraint forces",
-         {{"preset", "default"}, seconds("10", "2")},
+         {{"preset", "default"}, seconds("3", "2")},
          converged_error,
          "relative error of the constraint forces, median",
          "Spheres and boxes on a grid of pendulums: the constraint forces of a step against those of the same "
