@@ -83,7 +83,7 @@ std::vector<Method> free_motions() {
         {"splitting, no kick", {{"start-kick", "off"}}, "dt", "blue", dashed, filled_square, 1},
         {"splitting, half kick", {}, "dt", "blue", solid, filled_circle, 2},
         {"exponential, half kick", {{"rotation", "exponential"}}, "dt", "green", solid, filled_circle, 1},
-        {"paper, half kick", {{"rotation", "paper"}}, "dt", "vermilion", solid, filled_circle, 1},
+        {"paper, half kick", {{"rotation", "paper"}}, "dt", "vermilion", dotted, filled_circle, 1},
         {"paper, no kick",
          {{"rotation", "paper"}, {"start-kick", "off"}},
          "dt",
