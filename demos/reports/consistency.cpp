@@ -78,7 +78,8 @@ std::vector<Bodies> starts_of(const ConsistencyPlan& plan, const ConsistencyCase
 
 ConsistencyPlan consistency_plan(bool quick) {
     // Where nothing touches, half a kick back is right from any state and gives the second order. A chain needs the
-    // iterations: what sweeps leave of its forces is another error, which does not shrink with the step.
+    // iterations: what sweeps leave of its forces is another error, which does not shrink with the step. The
+    // heavy-on-light scene begins at rest and is left out: there is no motion to compare.
     ConsistencyPlan plan{
         .cases = {{"stack", {}, "vermilion"},
                   {"intersecting-stack", {}, "orange"},

@@ -116,9 +116,9 @@ ConvergedSolver::ConvergedSolver()
     : direct_(solver_if_any("direct")), sweeps_(engine::solvers::make_solver("pgs")) {}
 
 std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, const Columns& guess) {
+    // Without tolerances, because a guess that is good enough to be kept would be its own reference, without error.
     const auto attempt = [&](engine::solvers::Solver& solver, int iterations, Columns& lambda) {
-        solver.solve(system, {.iterations = iterations, .tolerance_high = residual, .tolerance_low = residual},
-                     lambda);
+        solver.solve(system, {.iterations = iterations, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
         return lambda.allFinite() && natural_residual(system, lambda) <= residual;
     };
     Columns answer = guess;

@@ -12,7 +12,7 @@ namespace pushfactor::demos::reports {
 
 namespace {
 
-using MakeWork = std::function<std::optional<double>(const ErrorPoint&)>;
+using MakeWork = std::function<double(const ErrorPoint&)>;
 
 double plotted_error(const ErrorPoint& point) {
     return point.errors.front().value;
@@ -34,7 +34,7 @@ std::vector<WorkLine> lines_of(const Sweep& sweep, const std::vector<ErrorPoint>
         WorkLine line{method.name, method.colour, method.dash, method.mark, {}};
         for (const ErrorPoint& point : points) {
             if (point.method != method.name) continue;
-            line.points.push_back({plotted_error(point), work(point).value_or(0.0), point.value, point.failed});
+            line.points.push_back({plotted_error(point), work(point), point.value, point.failed});
         }
         lines.push_back(std::move(line));
     }
@@ -108,18 +108,19 @@ std::string numbers_of(const std::vector<ErrorPoint>& points) {
 
 std::vector<Section> error_sections(const Sweep& sweep, const std::vector<ErrorPoint>& points,
                                     const std::string& machine, const std::filesystem::path& folder) {
-    const MakeWork multiply_adds = [](const ErrorPoint& point) { return point.multiply_adds; };
-    const MakeWork cpu = [](const ErrorPoint& point) {
-        return point.cpu ? std::optional(point.cpu->median) : std::nullopt;
+    const MakeWork work = [&sweep](const ErrorPoint& point) {
+        return sweep.solves ? point.multiply_adds : point.moves;
     };
+    const MakeWork cpu = [](const ErrorPoint& point) { return point.cpu.median; };
     std::vector<Section> sections;
     for (const bool seconds : {false, true}) {
         WorkPlot plot{.name = file_name(seconds ? "error_cpu_" : "error_", sweep.scene),
                       .error_axis = sweep.error_axis,
-                      .work_axis = seconds ? "CPU time [s] a simulated second"
-                                           : "work of the solver [multiply-adds] a simulated second",
+                      .work_axis = seconds        ? "CPU time [s] a simulated second"
+                                   : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
+                                                  : "moves of the bodies a simulated second",
                       .machine = machine,
-                      .lines = lines_of(sweep, points, seconds ? cpu : multiply_adds),
+                      .lines = lines_of(sweep, points, seconds ? cpu : work),
                       .theory = {}};
         // The CPU time has a part that no knob changes, so there is nothing to know of it beforehand.
         if (!seconds) plot.theory = theory_of(sweep, plot.lines);

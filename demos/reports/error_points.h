@@ -5,24 +5,26 @@
 #include "demos/reports/sweep_table.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports {
 
-// CPU seconds of the engine steps a simulated second.
+// CPU seconds of the engine steps a simulated second, of a run up to where it became non-finite. Scenes that come
+// to rest cost more before, so medians of the first two seconds and of the last one stand beside the whole.
 struct CpuShare {
     double min = 0.0, median = 0.0, p95 = 0.0;
+    double first_two_seconds = 0.0, last_second = 0.0;
 };
 
 struct ErrorPoint {
     std::string scene, method, differences, knob, value;
     std::vector<NamedError> errors{};  // of all steps before it became non-finite
     double multiply_adds = 0.0;        // of the solver, a simulated second: the same on every machine
-    std::optional<CpuShare> cpu{};     // not for a run that became non-finite
-    std::string outcome{};             // as in a summary, or non-finite
-    bool failed = false;               // it blew up or fell where an exact answer would not
+    double moves = 0.0;                // of all bodies, a simulated second
+    CpuShare cpu{};
+    std::string outcome{};  // as in a summary, or non-finite
+    bool failed = false;    // it blew up or fell where an exact answer would not
 };
 
 // `check` is called often; what it throws ends the run.

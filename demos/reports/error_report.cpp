@@ -68,6 +68,10 @@ class ErrorReport {
 
     void one_more() { bar_.show(++done_); }
 
+    void write_table(const char* name, const std::string& text) const {
+        write_file(request_.folder / name, fmt::format("# {}\n{}", line_of(about_), text));
+    }
+
     void add_sweep(const Sweep& sweep) {
         std::vector<ErrorPoint> points;
         for (const Method& method : sweep.methods) {
@@ -77,7 +81,7 @@ class ErrorReport {
             }
         }
         points_.insert(points_.end(), points.begin(), points.end());
-        write_file(request_.folder / "error.csv", csv_text(points_));
+        write_table("error.csv", csv_text(points_));
         for (Section& section : error_sections(sweep, points, line_of(about_), request_.folder)) {
             sections_.push_back(std::move(section));
         }
@@ -88,7 +92,7 @@ class ErrorReport {
         const FrozenProblem problem = freeze(moment, [this] { check(); });
         const std::vector<FrozenPoint> points = solve_frozen(problem, request_.quick);
         frozen_.insert(frozen_.end(), points.begin(), points.end());
-        write_file(request_.folder / "frozen.csv", csv_text(frozen_));
+        write_table("frozen.csv", csv_text(frozen_));
         Section section = frozen_section(moment, problem, points, line_of(about_), request_.folder);
         if (request_.problems) {
             const std::string file = "problems/" + section.name + ".json";
@@ -107,7 +111,7 @@ class ErrorReport {
             points.insert(points.end(), own.begin(), own.end());
             one_more();
         }
-        write_file(request_.folder / "consistency.csv", csv_text(points));
+        write_table("consistency.csv", csv_text(points));
         sections_.push_back(consistency_section(plan_, points, line_of(about_), request_.folder));
         write_page();
     }

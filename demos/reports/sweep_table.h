@@ -5,6 +5,7 @@
 #include "demos/named_run.h"
 #include "demos/reports/true_errors.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Method {
     int dash = 1;                       // gnuplot's dash type: 1 is solid
     int mark = 7;                       // gnuplot's point type
     double order = 0.0;                 // of the error in dt, 0 where nothing is known
+    int moves = 1;                      // of all bodies in an engine step: more where steps are composed
     bool flies = false;                 // the exact answer of the method flies up, so that is no failure
     std::vector<std::string> values{};  // of the knob
 };
@@ -31,6 +33,9 @@ struct Sweep {
     std::string caption{};
     std::vector<Method> methods{};
     double contraction = 0.0;  // of the error by a sweep of cold pgs, 0 where nothing is known
+    std::optional<double>
+        clock_seconds{};  // s, of the runs for the clock, where a shorter one costs the same a second
+    bool solves = true;   // else there are no rows, and the moves are the work
 };
 
 // Only methods that this build has. `quick` takes few values and short runs.

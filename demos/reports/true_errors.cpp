@@ -2,6 +2,7 @@
 
 #include "demos/measurements.h"
 #include "demos/reports/converged_forces.h"
+#include "demos/reports/rms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +21,6 @@ double engine_dt(const Settings& settings) {
 double sideways(const Vector3& from, const Vector3& to) {
     return std::hypot(to.x() - from.x(), to.z() - from.z());
 }
-
-// Root of the mean of squares.
-class Rms {
-  public:
-    void add(double square) {
-        sum_ += square;
-        ++count_;
-    }
-    double value() const { return count_ > 0 ? std::sqrt(sum_ / static_cast<double>(count_)) : 0.0; }
-
-  private:
-    double sum_ = 0.0;
-    long count_ = 0;
-};
 
 // The sum of the normal forces between the ground, body 0, and the lowest cube [N].
 double bottom_force(const engine::World& world) {

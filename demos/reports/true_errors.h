@@ -42,7 +42,9 @@ struct PartingCube {
 double weight_above(int lower, int count, double mass, double gravity);
 
 // Stack: distance from where the cubes must rest and error of the force below the lowest, over the last second; the
-// largest way sideways, which exactly solved stays zero, over the run.
+// largest way sideways, which exactly solved stays zero, over the run. True for a jittered stack too: while the
+// centre of all that lies on a face is above that face, pushes at its corners alone stop the fall without a turn,
+// and the velocities of an exact answer are unique. So each cube comes down on the place below its start.
 std::unique_ptr<TrueError> rest_error(const Simulation& start);
 
 // Intersecting stack: distance from the closed form above, over all steps and cubes.
@@ -53,6 +55,11 @@ std::unique_ptr<TrueError> scene_error(const Simulation& start);
 
 // A column of equal balls that touch: e_f of the first step, whose exact forces are the weights above.
 std::unique_ptr<TrueError> column_error(const Simulation& start);
+
+// Bodies that nothing touches: distance of the corners of boxes from the exact motion, over all steps; the parts of
+// it that are due to flight (of all bodies) and to rotation, and the largest relative change of the energy of
+// rotation. Throws engine::InvalidInput for a box whose motion scenes::FreeRotation leaves out.
+std::unique_ptr<TrueError> free_error(const Simulation& start);
 
 // Everything else: the median of e_f against converged forces of the same system, over thirty moments of the run.
 std::unique_ptr<TrueError> converged_error(const Simulation& start);

@@ -149,7 +149,12 @@ class Labels {
     }
 
   private:
+    // Of points that lie on each other one label is enough where they belong to one line or have the same value.
     void add(const Place& place, const std::string& text, int colour) {
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const bool same_point = std::hypot(points_[i].x - place.x, points_[i].y - place.y) < 1.0;
+            if (same_point && (colours_[i] == colour || texts_[i] == text)) return;
+        }
         points_.push_back(place);
         texts_.push_back(text);
         colours_.push_back(colour);
@@ -163,7 +168,7 @@ class Labels {
 };
 
 std::string data_text(const WorkPlot& plot, const Axes& axes) {
-    std::string text, failures;
+    std::string text = fmt::format("# {}\n", plot.machine), failures;
     for (const WorkLine& line : plot.lines) {
         std::string lines;
         for (const WorkPoint& point : line.points) {

@@ -28,10 +28,13 @@ std::vector<std::string> fields(const std::string& line) {
 std::vector<std::vector<std::string>> without_times(const std::string& csv) {
     std::vector<std::vector<std::string>> lines;
     std::istringstream stream(csv);
-    for (std::string line; std::getline(stream, line);) {
+    std::string line;
+    REQUIRE(std::getline(stream, line));
+    CHECK(line.starts_with("# pushfactor "));
+    while (std::getline(stream, line)) {
         std::vector<std::string> row = fields(line);
-        REQUIRE(row.size() == 12);
-        row.erase(row.begin() + 8, row.begin() + 11);
+        REQUIRE(row.size() == 14);
+        row.erase(row.begin() + 8, row.begin() + 13);
         lines.push_back(row);
     }
     return lines;

@@ -1,0 +1,92 @@
+// Every solver on every frozen problem of the report, against the direct one.
+#include "demos/reports/converged_forces.h"
+#include "demos/reports/frozen_moments.h"
+#include "engine/solvers/solver.h"
+#include "tests/catch.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace pushfactor;
+using namespace pushfactor::demos::reports;
+
+namespace {
+
+constexpr double converged = 1e-9;  // m/s
+
+// All solvers stop at about 1e-6 m/s here, cold and warm; the answer that the report compares with takes both
+// sweeps and a dense factorisation of the rows between their bounds.
+constexpr const char* unsolved = "funnel of 20";
+
+struct Answer {
+    engine::Columns lambda;
+    double residual = 0.0;
+    int iterations = 0;
+};
+
+// With tolerance 0.
+Answer answer(const FrozenProblem& problem, std::string_view solver, bool warm, int iterations) {
+    Answer found{warm ? problem.guess() : problem.zero()};
+    found.iterations =
+        engine::solvers::make_solver(solver)
+            ->solve(problem.system(), {.iterations = iterations, .tolerance_high = 0.0, .tolerance_low = 0.0},
+                    found.lambda)
+            .iterations;
+    found.residual = natural_residual(problem.system(), found.lambda);
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("the frozen problems are those that the report promises") {
+    std::set<std::string> names;
+    for (const Moment& moment : hard_moments(false)) CHECK(names.insert(moment.name).second);
+    for (const char* count : {"5", "20", "100"}) {
+        CHECK(names.count(std::string("stack of ") + count + ", landing") == 1);
+        CHECK(names.count(std::string("stack of ") + count + ", settled") == 1);
+    }
+    for (const char* name : {"funnel of 20", "funnel of 200", "pendulum grid", "chain of 5, end 1000 times heavier",
+                             "chain of 20, end 1000 times heavier", "column of 10 spheres"}) {
+        INFO(name);
+        CHECK(names.count(name) == 1);
+    }
+    for (const Moment& moment : hard_moments(true)) CHECK(names.count(moment.name) == 1);
+}
+
+TEST_CASE("each solver that converges on a frozen problem gives the accelerations of direct") {
+    int compared = 0;
+    for (const Moment& moment : hard_moments(false)) {
+        INFO(moment.name);
+        const FrozenProblem problem = freeze(moment, [] {});
+        const Answer warm = answer(problem, "direct", true, 100), cold = answer(problem, "direct", false, 100);
+        const Answer& direct = warm.residual < cold.residual ? warm : cold;
+        CHECK((direct.residual < converged) == (moment.name != unsolved));
+        // Forces of boxes are not unique; what they do to the bodies is, and the force error sees nothing else.
+        for (const engine::solvers::SolverEntry& entry : engine::solvers::solver_table()) {
+            if (entry.name == "dense" && problem.system().row_count() > 100) continue;
+            for (const bool from_guess : {false, true}) {
+                const Answer own = answer(problem, entry.name, from_guess, 500);
+                if (own.residual >= converged) continue;
+                CHECK(moment.name != unsolved);
+                INFO(entry.name << (from_guess ? ", warm: " : ", cold: ") << own.residual);
+                ++compared;
+                CHECK(force_error(problem.system(), own.lambda, direct.lambda).value_or(0.0) < 1e-6);
+            }
+        }
+    }
+    CHECK(compared > 50);
+}
+
+TEST_CASE("with tolerance 0 direct and auto end at rounding, from the last forces") {
+    for (const Moment& moment : hard_moments(false)) {
+        if (moment.name == unsolved) continue;
+        INFO(moment.name);
+        const FrozenProblem problem = freeze(moment, [] {});
+        for (const char* solver : {"direct", "auto"}) {
+            const Answer own = answer(problem, solver, true, 100);
+            INFO(solver);
+            CHECK(own.residual < 1e-11);
+            CHECK(own.iterations > 0);
+        }
+    }
+}

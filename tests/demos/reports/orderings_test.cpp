@@ -1,0 +1,151 @@
+// Which solver to choose, as the README says: orderings of errors by work, which is counted in multiply-adds and
+// the same on every machine. The measured numbers stand beside; times are in no test.
+#include "demos/reports/frozen_moments.h"
+#include "demos/reports/sweep_table.h"
+#include "engine/solvers/solver.h"
+#include "tests/catch.h"
+
+#include <algorithm>
+#include <string>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using namespace pushfactor::demos::reports;
+
+namespace {
+
+struct Cost {
+    double error = 0.0;
+    double work = 0.0;  // multiply-adds
+};
+
+// The first error of a run, and the work of all its steps.
+Cost cost_of(const std::string& scene, const Options& options, const MakeTrueError& make) {
+    const Choices choices = run_of(scene, options);
+    Simulation run(choices.build(), choices.settings);
+    const auto error = make(run);
+    Cost cost;
+    while (run.sample().step < whole_steps(choices.settings)) {
+        run.advance();
+        error->observe(run);
+        cost.work += run.sample().count.multiply_adds;
+    }
+    cost.error = error->result().front().value;
+    return cost;
+}
+
+Moment moment_of(const std::string& name) {
+    for (const Moment& moment : hard_moments(false)) {
+        if (moment.name == name) return moment;
+    }
+    FAIL("no moment " << name);
+    return {};
+}
+
+// The residual after that many iterations and no fewer.
+Cost solve(const FrozenProblem& problem, std::string_view solver, bool warm, int iterations) {
+    engine::Columns lambda = warm ? problem.guess() : problem.zero();
+    const auto count = engine::solvers::make_solver(solver)->solve(
+        problem.system(), {.iterations = iterations, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
+    return {natural_residual(problem.system(), lambda), count.multiply_adds};
+}
+
+}  // namespace
+
+TEST_CASE("a stack: direct and auto reach rounding for less work than sweeps leave centimetres with") {
+    const auto fall = [](Options options) {
+        options.insert(options.end(),
+                       {{"jitter", "0.01"}, {"seed", "1"}, {"slop", "0"}, {"gap", "0.05"}, {"seconds", "4"}});
+        return cost_of("stack", options, rest_error);
+    };
+    const Cost few = fall({{"solver", "pgs"}, {"tolerance", "0"}, {"iterations", "5"}});
+    const Cost many = fall({{"solver", "pgs"}, {"tolerance", "0"}, {"iterations", "25"}});
+    CHECK(many.error > 1e-3);
+    for (const char* solver : {"direct", "auto"}) {
+        const Cost exact = fall({{"solver", solver}, {"tolerance", "1e-10"}});
+        CHECK(exact.error < 1e-9);
+        CHECK(exact.work < few.work);
+        CHECK(exact.work < 0.2 * many.work);
+    }
+}
+
+TEST_CASE("stacks, chains and the grid: direct leaves nothing for less work than a hundred sweeps take") {
+    for (const auto& [name, warm] :
+         {std::pair{"stack of 5, landing", true}, std::pair{"stack of 20, landing", true},
+          std::pair{"stack of 100, landing", true}, std::pair{"chain of 5, end 1000 times heavier", false},
+          std::pair{"chain of 20, end 1000 times heavier", false}, std::pair{"pendulum grid", false}}) {
+        INFO(name);
+        const FrozenProblem problem = freeze(moment_of(name), [] {});
+        for (const char* solver : {"direct", "auto"}) {
+            const Cost exact = solve(problem, solver, warm, 100);
+            CHECK(exact.error < 1e-11);
+            for (const char* sweeping : {"pgs", "jacobi", "nncg"}) {
+                INFO(sweeping);
+                const Cost sweeps = solve(problem, sweeping, warm, 100);
+                CHECK(exact.work < sweeps.work);
+                CHECK(sweeps.error > 1e-5);
+            }
+        }
+    }
+}
+
+TEST_CASE("a heap: sweeps from the last forces are enough, and auto takes them") {
+    const FrozenProblem heap = freeze(moment_of("funnel of 200"), [] {});
+    const Cost automatic = solve(heap, "auto", true, 25), sweeps = solve(heap, "pgs", true, 25);
+    CHECK(automatic.work == sweeps.work);
+    CHECK(sweeps.error < 1e-8);
+    CHECK(solve(heap, "direct", true, 1).work > 2.0 * sweeps.work);
+    CHECK(solve(heap, "direct", false, 25).work > 10.0 * solve(heap, "pgs", false, 25).work);
+}
+
+TEST_CASE("a mass ratio of 1000: sweeps leave what direct does not, for more work") {
+    const auto stand = [](const Options& options) {
+        Options all{{"mass-ratio", "1000"}, {"seconds", "2"}, {"slop", "0"}};
+        all.insert(all.end(), options.begin(), options.end());
+        return cost_of("heavy-on-light", all, rest_error);
+    };
+    const Cost exact = stand({{"solver", "direct"}});
+    const Cost sweeps = stand({{"solver", "pgs"}, {"tolerance", "0"}, {"iterations", "25"}});
+    CHECK(exact.error < 1e-8);
+    CHECK(sweeps.error > 1e-2);
+    CHECK(exact.work < sweeps.work);
+}
+
+TEST_CASE("swinging bars: the step decides and not the solver, and composed steps give more digits for the work") {
+    const auto swing = [](const std::string& dt, const Options& options) {
+        Options all{{"count", "10"}, {"seconds", "10"}, {"dt", dt}};
+        all.insert(all.end(), options.begin(), options.end());
+        return cost_of("pendulum-wave", all, scene_error);
+    };
+    const Cost coarse = swing("1/60", {}), fine = swing("1/480", {});
+    for (const char* solver : {"pgs", "nncg", "direct"}) {
+        INFO(solver);
+        CHECK(swing("1/60", {{"solver", solver}}).error == Approx(coarse.error).epsilon(1e-4));
+    }
+    const Cost late = swing("1/240", {{"start-kick", "off"}});
+    CHECK(coarse.error < late.error);
+    CHECK(coarse.work < 0.5 * late.work);
+
+    const Cost fourth = swing("1/60", {{"integrator", "rattle4"}});
+    CHECK(fourth.error < fine.error);
+    CHECK(fourth.work < 4.0 * fine.work);
+    const Cost finest = swing("1/960", {});
+    CHECK(fourth.error < finest.error);
+    CHECK(fourth.work < finest.work);
+    // Where few digits are enough a composed step is too much.
+    CHECK(coarse.work < 0.2 * fourth.work);
+}
+
+TEST_CASE("from zero a conjugate sweep leaves less than a sweep, and a sweep less than Jacobi") {
+    for (const char* name : {"stack of 5, landing", "stack of 5, settled", "stack of 20, settled", "funnel of 200",
+                             "chain of 20, end 1000 times heavier", "column of 10 spheres"}) {
+        INFO(name);
+        const FrozenProblem problem = freeze(moment_of(name), [] {});
+        const Cost nncg = solve(problem, "nncg", false, 250), pgs = solve(problem, "pgs", false, 1000);
+        CHECK(nncg.error < pgs.error);
+        CHECK(nncg.work < pgs.work);
+        const Cost jacobi = solve(problem, "jacobi", false, 25), sweeps = solve(problem, "pgs", false, 25);
+        CHECK(jacobi.work == sweeps.work);
+        CHECK(sweeps.error < jacobi.error);
+    }
+}
