@@ -7,6 +7,8 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
+#include <algorithm>
+
 using namespace pushfactor;
 using namespace pushfactor::demos;
 using tests::Folder;
@@ -73,6 +75,11 @@ std::string late() {
     return scene_file_text(stack);
 }
 
+std::vector<std::string> sorted(std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
     const std::size_t begin = text.find(before) + before.size();
     return text.substr(begin, text.find(after, begin) - begin);
@@ -99,7 +106,7 @@ TEST_CASE("a saved run goes on to the bits of the run that was not interrupted, 
 TEST_CASE(
     "without the forces of the last step a run goes on to other bits, so that the caches are what was tested") {
     for (const char* const scene : {"stack", "pendulum-grid"}) {
-        const Choices choices = run_of(scene, {{"solver", "pgs"}, {"jitter", "0.01"}});
+        const Choices choices = run_of(scene, {{"solver", "pgs"}});
         Simulation whole(choices.build(), choices.settings);
         advance(whole, 60);
         SceneDescription forgetful = resumed(spelled_out(choices), whole.scene(), whole.checkpoint());
@@ -137,14 +144,14 @@ TEST_CASE("a run that leaves the finite numbers writes its last good state, whic
         CHECK_THAT(what, Catch::StartsWith("body "));
         const std::string file = between(first.err, "is in ", "\n");
         CHECK(file == name + "-last-good.json");
-        CHECK(folder.files() == std::vector<std::string>{file, "my.json"});
+        CHECK(folder.files() == sorted({file, "my.json"}));
 
         const std::string saved = folder.read(file);
         const tests::Ended second = shell(folder, "pushfactor run " + file);
         CHECK(second.status == 5);
         CHECK_THAT(second.err, Catch::Contains(name + ": " + what + " is not finite after step 1 "));
         // What it would write is there already.
-        CHECK(folder.files() == std::vector<std::string>{file, "my.json"});
+        CHECK(folder.files() == sorted({file, "my.json"}));
         CHECK(folder.read(file) == saved);
     }
 }

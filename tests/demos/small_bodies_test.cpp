@@ -36,10 +36,11 @@ TEST_CASE("towers of cubes of 1 mm, 1 cm, 10 cm and 1 km stand at 60 Hz when the
     }
 }
 
-TEST_CASE("a stack of five stands for a minute at steps of 1/10, 1/30 and 1/1000 s") {
-    for (const Rational dt : {Rational{1, 10}, Rational{1, 30}, Rational{1, 1000}}) {
+TEST_CASE("a stack of five stands at steps of 1/10, 1/30 and 1/1000 s") {
+    for (const auto& [dt, seconds] :
+         {std::pair{Rational{1, 10}, 60.0}, {Rational{1, 30}, 60.0}, {Rational{1, 1000}, 8.0}}) {
         tests::Run run(tests::simulate("stack", divided(dt)));
-        run.advance(60.0);
+        run.advance(seconds);
         INFO(dt.denominator << ": " << name_of(run.measurements.outcome()) << ", "
                             << run.measurements.max_off_axis() << " m off");
         CHECK(run.measurements.outcome() == Outcome::rest);

@@ -108,7 +108,7 @@ TEST_CASE("the parts of a step add up to the step, also where it is divided anew
     bool uneven = false;
     for (int i = 0; i < 200; ++i) {
         const Sample& sample = chain.advance();
-        CHECK(chain.scene().world.time() == Catch::Approx(sample.time).epsilon(1e-12));
+        CHECK(chain.scene().world.time() == Approx(sample.time).epsilon(1e-12));
         uneven = uneven || sample.substeps != std::ceil(chain.checkpoint().state.substeps);
     }
     CHECK(uneven);

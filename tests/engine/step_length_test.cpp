@@ -6,7 +6,6 @@
 #include "tests/catch.h"
 
 using namespace pushfactor::engine;
-using Catch::Approx;
 
 namespace {
 
