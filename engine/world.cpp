@@ -14,6 +14,8 @@ namespace {
 // How often a step is solved anew because bodies that it has thrown would meet others: one more body of a chain of
 // collisions each time.
 constexpr int most_looks = 8;
+// What a method that goes to rounding leaves only where no answer exists [m/s].
+constexpr double contradiction = 1e-3;
 
 }  // namespace
 
@@ -95,8 +97,10 @@ bool World::foresaw(double dt) {
 
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
-    answers_.resize(rows_.size());
-    for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
+    answers_.assign(rows_.size(), {});
+    // Forces of rows that contradict each other are as large as the method lets them, and nobody's guess.
+    const bool contradict = was_exact_ && natural_residual(system_, lambda_) > contradiction;
+    for (Eigen::Index j = 0; j < lambda_.rows() && !contradict; ++j) {
         answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
     }
     std::size_t begin = 0;
@@ -106,12 +110,21 @@ void World::remember() {
     }
 }
 
-void World::kick_back_half(double dt) {
+void World::set_memory(const Memory& memory) {
+    time_ = memory.time;
+    was_exact_ = memory.was_exact;
+}
+
+void World::prepare(double dt) {
     add_forces();
     append_rows(dt);
     build_system(bodies, rows_, dt, system_);
     solve();
     remember();
+}
+
+void World::kick_back_half(double dt) {
+    prepare(dt);
     constraint_forces(system_, lambda_, lambda_.cols() - 1, lasting_);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
