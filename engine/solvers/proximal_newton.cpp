@@ -58,6 +58,17 @@ double ProximalNewton::residual(const UnitProblem& problem, const std::vector<do
     return largest;
 }
 
+// q = 1/2 |U^T y|^2 - t . y [J], which the answer minimises: the energy that the forces give beyond what they are
+// asked for, less what roundings make of it. With x as follow() left it.
+double ProximalNewton::objective(const UnitProblem& problem, const std::vector<double>& y) const {
+    double q = 0.5 * dot(x_, x_);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const double work = problem.rows[j].t * y[j];
+        q -= work + 1e-13 * std::abs(work);
+    }
+    return q;
+}
+
 void ProximalNewton::factor(const UnitProblem& problem, double rho, SolveCount& count) {
     if (rho == factored_rho_ && active_ == factored_) return;
     matrix_.set_identity();
@@ -170,11 +181,13 @@ double ProximalNewton::solve(const UnitProblem& problem, double tolerance, int f
                              std::vector<double>& y, SolveCount& count) {
     left_ = factorisations;
     double reached = residual(problem, y);
+    // On the way to an answer the residual may be small while the forces do more work than none would.
+    const double allowed = std::max(0.0, objective(problem, y));
     std::vector<double> best = y;
     const auto look = [&] {
         count.multiply_adds += 2.0 * look_work(problem);
         const double now = residual(problem, y);
-        const bool better = now < reached;
+        const bool better = now < reached && objective(problem, y) <= allowed;
         if (better) {
             reached = now;
             best = y;

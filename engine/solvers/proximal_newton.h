@@ -46,7 +46,8 @@ class ProximalNewton {
     void start() { factored_.clear(); }
 
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
-    // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen.
+    // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen
+    // among those that give the bodies no more energy than the guess or no force at all.
     double solve(const UnitProblem& problem, double tolerance, int factorisations, std::vector<double>& y,
                  SolveCount& count);
 
@@ -57,6 +58,7 @@ class ProximalNewton {
     using Velocities = std::vector<Vector6>;
 
     void follow(const UnitProblem& problem, const std::vector<double>& y);
+    double objective(const UnitProblem& problem, const std::vector<double>& y) const;
     bool settle_active_set(const UnitProblem& problem, std::vector<double>& y, SolveCount& count);
     void proximal_step(const UnitProblem& problem, double rho, std::vector<double>& y, SolveCount& count);
     void factor(const UnitProblem& problem, double rho, SolveCount& count);

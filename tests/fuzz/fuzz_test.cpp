@@ -1,0 +1,130 @@
+// Random scenes hold what must hold; and what judges them can see.
+#include "demos/scene_file.h"
+#include "demos/simulation.h"
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+#include "tests/fuzz/campaign.h"
+#include "tests/fuzz/random_scene.h"
+#include "tests/fuzz/shrink.h"
+#include "tests/fuzz/step_claims.h"
+
+using namespace pushfactor;
+using namespace pushfactor::tests;
+using engine::Vector3;
+
+namespace {
+
+// Two balls and a box that fly into each other, and nothing else.
+demos::SceneDescription collision(const std::string& push) {
+    demos::SceneDescription scene;
+    scene.contacts = true;
+    scene.gravity = Vector3::Zero();
+    scene.bodies = {{.name = "left", .shape = demos::SphereShape{0.5}, .mass = 1.0, .position = {-0.9, 0.1, 0}},
+                    {.name = "box", .shape = demos::BoxShape{{1, 1, 1}}, .mass = 2.0},
+                    {.name = "right", .shape = demos::SphereShape{0.5}, .mass = 3.0, .position = {0.9, 0.2, 0.1}}};
+    scene.bodies[0].velocity = {2, 0, 0};
+    scene.bodies[2].velocity = {-1, 0.5, 0};
+    scene.options = {{"push", push}};
+    return scene;
+}
+
+// One step of `scene`, which somebody may tamper with before it is judged.
+struct JudgedStep {
+    explicit JudgedStep(const demos::SceneDescription& scene)
+        : settings(settings_of(scene)), built(build_scene(scene, settings)), before(built.world.bodies) {
+        built.world.step(settings.dt.value());
+    }
+    std::string broken() const {
+        const auto found = broken_claim({.before = before,
+                                         .world = built.world,
+                                         .isolated = true,
+                                         .single_frame = settings.contacts.kind == engine::PushKind::single_frame,
+                                         .monotone = true});
+        return found ? found->claim : "";
+    }
+    engine::Body& body(std::size_t i) { return built.world.bodies[i]; }
+
+    demos::Settings settings;
+    demos::Scene built;
+    std::vector<engine::Body> before;
+};
+
+}  // namespace
+
+TEST_CASE("in 200 random scenes forces stay within bounds, momentum is kept and energy comes from the push alone") {
+    const Campaign campaign = judge_scenes(1, 200, [](long) { return true; });
+    CHECK(campaign.judged == 200);
+    CHECK(campaign.non_finite == 0);
+    for (const Failure& failure : campaign.failures) {
+        INFO("seed " << failure.seed << ", step " << failure.verdict.step << ": " << failure.verdict.what);
+        INFO(demos::scene_file_text(failure.scene));
+        CHECK(failure.verdict.claim == "");
+    }
+}
+
+TEST_CASE("a random scene is an ordinary scene file") {
+    const Folder folder;
+    for (const std::uint64_t seed : {3, 14, 15, 92}) {
+        const demos::SceneDescription scene = random_scene(seed);
+        folder.write("scene.json", demos::scene_file_text(scene));
+        CHECK(demos::scene_file_text(demos::read_scene_file(folder / "scene.json")) == scene_file_text(scene));
+        const Ended ended = shell(folder, "pushfactor run scene.json");
+        INFO(ended.err);
+        CHECK(ended.status == 0);
+    }
+}
+
+TEST_CASE("a collision holds all claims, and a change of a billionth breaks the one that it belongs to") {
+    for (const std::string push : {"none", "persistent", "single-frame"}) {
+        INFO(push);
+        CHECK(JudgedStep(collision(push)).broken() == "");
+
+        JudgedStep pushed(collision(push));
+        pushed.body(1).linear_momentum.x() += 1e-9;
+        CHECK(pushed.broken() == "linear momentum");
+
+        JudgedStep turned(collision(push));
+        turned.body(2).angular_momentum.z() += 1e-9;
+        CHECK(turned.broken() == "angular momentum");
+
+        JudgedStep moved(collision(push));
+        moved.body(0).position.y() += 1e-9;
+        CHECK(moved.broken() == (push == "single-frame" ? "" : "angular momentum"));
+    }
+}
+
+TEST_CASE("bodies may lose energy in a step, and gain none") {
+    // Equal and opposite along the line between the centres, so that both momenta are kept.
+    JudgedStep step(collision("persistent"));
+    const Vector3 apart = 1e-3 * (step.body(2).position - step.body(0).position);
+    step.body(0).linear_momentum -= apart;
+    step.body(2).linear_momentum += apart;
+    CHECK(step.broken() == "");  // they still approach each other, and slower
+    step.body(0).linear_momentum -= 1e4 * apart;
+    step.body(2).linear_momentum += 1e4 * apart;
+    CHECK(step.broken() == "energy");
+}
+
+TEST_CASE("a correction for a single frame turns an isolated system by sum dx_corr x p and by nothing else") {
+    // Judged as if nothing were corrected, the same step breaks the claim: the sum is not zero here.
+    JudgedStep step(collision("single-frame"));
+    CHECK(step.broken() == "");
+    step.settings.contacts.kind = engine::PushKind::persistent;
+    CHECK(step.broken() == "angular momentum");
+}
+
+TEST_CASE("shrinking keeps what makes a scene fail and drops the rest") {
+    const demos::SceneDescription scene = random_scene(7);
+    REQUIRE(scene.bodies.size() > 3);
+    const std::string culprit = scene.bodies[2].name;
+    const demos::SceneDescription smallest = shrink(scene, [&](const demos::SceneDescription& candidate) {
+        return std::any_of(candidate.bodies.begin(), candidate.bodies.end(),
+                           [&](const auto& body) { return body.name == culprit && body.position.norm() > 1e-4; });
+    });
+    REQUIRE(smallest.bodies.size() == 1);
+    CHECK(smallest.bodies[0].name == culprit);
+    CHECK(smallest.bodies[0].velocity == Vector3::Zero());
+    CHECK(smallest.distances.empty());
+    CHECK(smallest.forces.empty());
+    CHECK(!smallest.contacts);
+}

@@ -1,0 +1,63 @@
+#include "tests/fuzz/judge.h"
+
+#include "demos/errors.h"
+#include "demos/simulation.h"
+#include "tests/fuzz/random_scene.h"
+#include "tests/fuzz/step_claims.h"
+
+#include <algorithm>
+
+namespace pushfactor::tests {
+
+namespace {
+
+bool is_isolated(const demos::SceneDescription& scene) {
+    const auto touches_world = [](const auto& d) { return d.a.body == "world" || d.b.body == "world"; };
+    return scene.gravity.isZero(0.0) && scene.forces.empty() &&
+           std::none_of(scene.distances.begin(), scene.distances.end(), touches_world) &&
+           std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.mass; });
+}
+
+bool corrects_for_a_frame(const demos::Settings& settings) {
+    return settings.contacts.kind == engine::PushKind::single_frame ||
+           settings.distances.kind == engine::PushKind::single_frame;
+}
+
+// Sweeps row by row lower q with every row while the bounds are numbers; over-relaxed or conjugate ones need not.
+bool lowers_its_objective(const demos::Settings& settings) {
+    return settings.solver != "jacobi" && settings.solver != "nncg" &&
+           settings.friction_model == demos::FrictionModel::paper;
+}
+
+Verdict run(const demos::SceneDescription& scene) {
+    const demos::Settings settings = settings_of(scene);
+    demos::Simulation simulation(build_scene(scene, settings), settings);
+    const engine::World& world = simulation.scene().world;
+    const bool isolated = is_isolated(scene);
+    for (long step = 1; step <= whole_steps(settings); ++step) {
+        const std::vector<engine::Body> before = world.bodies;
+        const demos::Sample& sample = simulation.advance();
+        const auto broken = sample.substeps == 1 ? broken_claim({.before = before,
+                                                                 .world = world,
+                                                                 .isolated = isolated,
+                                                                 .single_frame = corrects_for_a_frame(settings),
+                                                                 .monotone = lowers_its_objective(settings)})
+                                                 : broken_bounds(world);
+        if (broken) return {Verdict::Kind::fails, broken->claim, broken->what, step};
+    }
+    return {};
+}
+
+}  // namespace
+
+Verdict judge(const demos::SceneDescription& scene) {
+    try {
+        return run(scene);
+    } catch (const demos::NonFiniteError& error) {
+        return {Verdict::Kind::non_finite, "finite", error.what()};
+    } catch (const std::exception& error) {
+        return {Verdict::Kind::fails, "accepted", error.what()};
+    }
+}
+
+}  // namespace pushfactor::tests

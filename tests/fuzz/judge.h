@@ -1,0 +1,39 @@
+// What has to hold in every scene, however wild.
+//
+//   finite            all numbers of the state, or the run ends with NonFiniteError (exit 5)
+//   bounds            every force lies within its bounds, to what the tolerance leaves open
+//   linear momentum   of a system that nothing outside touches stays what it is, to rounding
+//   angular momentum  of such a system too; a correction for a single frame moves bodies without their momenta, so
+//                     that in its steps it changes by sum dx_corr x p
+//   energy            the forces of the rows add no kinetic energy beyond the work of the push factors that last
+//
+// Energy in one step (6.2.9, both sides with the inertia of its beginning): with p = p1 + dt f_ext what the momenta
+// would be without rows and p2 what they are,
+//
+//   T(p2) - T(p) - dt lambda . v = dt^2 q(lambda),   q(lambda) = 1/2 lambda^T A lambda - b^T lambda,
+//
+// and T(p) - T(p1) is the work of f_ext at the velocity in the middle of the step. So the left side, taken from the
+// momenta, says how good the solver's answer is: no force gives q = 0, so an answer has q <= 0, and a truncated
+// sweep has at most the q of the cached forces from which it started.
+#pragma once
+
+#include "demos/scene_description.h"
+
+#include <optional>
+#include <string>
+
+namespace pushfactor::tests {
+
+struct Verdict {
+    enum class Kind { holds, non_finite, fails };
+
+    Kind kind = Kind::holds;
+    std::string claim;  // which one fails: "finite", "bounds", ..., or "accepted" when the scene is refused
+    std::string what;   // in numbers
+    long step = 0;      // of the run
+};
+
+// Runs the scene with its own options for as long as they say. Never throws what the engine throws.
+Verdict judge(const demos::SceneDescription& scene);
+
+}  // namespace pushfactor::tests

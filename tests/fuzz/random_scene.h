@@ -1,0 +1,19 @@
+// Random scenes from a seed: bodies over six decades of size and eight of mass that overlap, fly about and hang on
+// each other, under any of the simulation options.
+#pragma once
+
+#include "demos/scene_description.h"
+#include "demos/settings.h"
+
+#include <cstdint>
+
+namespace pushfactor::tests {
+
+// An ordinary scene: written to a file, `pushfactor run` accepts it. Numbers have four digits. The same on every
+// platform.
+demos::SceneDescription random_scene(std::uint64_t seed);
+
+// What the scene's own options make of the settings. Throws std::invalid_argument for one that is not allowed.
+demos::Settings settings_of(const demos::SceneDescription& scene);
+
+}  // namespace pushfactor::tests
