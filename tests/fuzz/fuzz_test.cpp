@@ -113,6 +113,31 @@ TEST_CASE("a correction for a single frame turns an isolated system by sum dx_co
     CHECK(step.broken() == "angular momentum");
 }
 
+TEST_CASE("an exact solve that is cut short gives no energy away") {
+    // What shrinking left of a random scene: after four factorisations the best residual belonged to forces that
+    // gave 1.9e4 J more than the push, a third of all energy.
+    demos::SceneDescription scene;
+    scene.contacts = true;
+    scene.bodies = {
+        {.name = "ground", .shape = demos::PlaneShape{}, .friction = 0.0},
+        {.name = "ball", .shape = demos::SphereShape{0.02}, .mass = 1000.0, .position = {0.1, 0.3, 0.2}},
+        {.name = "box", .shape = demos::BoxShape{{10, 7, 9}}, .mass = 0.4, .position = {-0.06, 0.7, 1}},
+        {.name = "tower",
+         .shape = demos::BoxShape{{60, 300, 80}},
+         .mass = 0.004,
+         .position = {-0.7, -0.01, -0.7},
+         .friction = 0.0}};
+    scene.bodies[1].friction = scene.bodies[2].friction = 1.0;
+    scene.bodies[2].orientation = {-0.2340050627078756, 0.45382239704343613, 0.701751415433243,
+                                   0.49682171199160874};
+    scene.distances = {{.a = {"world", {3, 3, 2}}, .b = {"tower", {2, 1, -0.9}}}};
+    scene.options = {
+        {"preset", "paper"}, {"solver", "direct"}, {"iterations", "4"}, {"dt", "1/30"}, {"seconds", "0.1"}};
+    const Verdict verdict = judge(scene);
+    INFO(verdict.what);
+    CHECK(verdict.claim == "");
+}
+
 TEST_CASE("shrinking keeps what makes a scene fail and drops the rest") {
     const demos::SceneDescription scene = random_scene(7);
     REQUIRE(scene.bodies.size() > 3);
