@@ -64,7 +64,7 @@ TEST_CASE("in 200 random scenes forces stay within bounds, momentum is kept and 
 
 TEST_CASE("a random scene is an ordinary scene file") {
     const Folder folder;
-    for (const std::uint64_t seed : {3, 14, 15, 92}) {
+    for (const std::uint64_t seed : {3u, 14u, 15u, 92u}) {
         const demos::SceneDescription scene = random_scene(seed);
         folder.write("scene.json", demos::scene_file_text(scene));
         CHECK(demos::scene_file_text(demos::read_scene_file(folder / "scene.json")) == scene_file_text(scene));
