@@ -1,10 +1,12 @@
 #include "demos/scene.h"
 #include "demos/simulation_options.h"
+#include "engine/diagnostics.h"
 #include "engine/gravity.h"
 #include "engine/invalid_input.h"
 #include "engine/poke.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pushfactor::demos {
 
@@ -79,8 +81,20 @@ void add_distances(Scene& scene, const SceneDescription& description, const Sett
                                   .body_b = body_index(described.b.body),
                                   .point_a = described.a.point,
                                   .point_b = described.b.point};
+        const auto is_static = [&](int body) {
+            return scene.world.bodies[static_cast<std::size_t>(body)].is_static();
+        };
+        if (is_static(distance.body_a) && is_static(distance.body_b)) {
+            throw engine::InvalidInput("distance between " + described.a.body + " and", described.b.body,
+                                       "a movable body, as the other one is static");
+        }
         const auto [from, to] = span_of(distance, scene.world.bodies);
         distance.length = described.length.value_or((to - from).norm());
+        if (!std::isfinite(distance.length)) {
+            throw engine::InvalidInput(
+                "length of the distance between " + described.a.body + " and " + described.b.body, "beyond 1e308",
+                "finite");
+        }
         distance.acts = described.acts;
         if (described.max_force) distance.max_force = *described.max_force;
         distances.push_back(distance);
@@ -89,6 +103,7 @@ void add_distances(Scene& scene, const SceneDescription& description, const Sett
     auto source = std::make_unique<engine::DistanceConstraints>(
         std::move(distances), settings.integrator == Integrator::euler ? settings.distances : whole,
         settings.warm_start);
+    if (description.state) source->set_forces(description.state->distance_forces);
     scene.distances = source.get();
     scene.world.constraints.push_back(std::move(source));
 }
@@ -139,7 +154,10 @@ void add_contacts(Scene& scene, const SceneDescription& description, const Setti
     if (any(&collision::Collider::restitution)) {
         contacts->set_restitution(restitution_rule(settings.restitution_model));
     }
-    if (settings.warm_start) contacts->set_cache(std::make_unique<engine::ContactCache>());
+    if (settings.warm_start) {
+        contacts->set_cache(std::make_unique<engine::ContactCache>(
+            description.state ? description.state->contact_forces : engine::ContactCache{}));
+    }
     scene.contacts = contacts.get();
     scene.world.constraints.push_back(std::move(contacts));
 }
@@ -194,6 +212,18 @@ void set_measure(Scene& scene, const SceneDescription& description, const Settin
     };
 }
 
+// Velocities that are finite may make momenta that are not.
+void require_finite(const Scene& scene) {
+    const auto found = engine::find_non_finite(scene.world.bodies);
+    if (!found) return;
+    throw engine::InvalidInput(found->quantity + " of " + scene.bodies[found->body].name, "beyond 1e308", "finite");
+}
+
+void resume(Scene& scene, const RunState& state) {
+    scene.world.set_memory({.time = state.time, .was_exact = state.solved_exactly});
+    scene.substeps_before = state.substeps;
+}
+
 }  // namespace
 
 Scene build_scene(const SceneDescription& description, const Settings& settings) {
@@ -204,6 +234,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     scene.view = description.view;
     scene.standing = description.standing;
     for (const BodyDescription& body : description.bodies) scene.world.bodies.push_back(make_body(body));
+    require_finite(scene);
     add_forces(scene, description);
     add_distances(scene, description, settings);
     add_contacts(scene, description, settings);
@@ -211,6 +242,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     scene.world.rotate = orientation_step(settings.rotation);
     set_integrator(scene, description, settings);
     set_measure(scene, description, settings);
+    if (description.state) resume(scene, *description.state);
     return scene;
 }
 

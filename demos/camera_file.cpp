@@ -1,11 +1,8 @@
 #include "demos/camera_file.h"
 
-#include "demos/errors.h"
-
-#include <fmt/format.h>
+#include "demos/json_file.h"
 
 #include <array>
-#include <fstream>
 
 namespace pushfactor::demos {
 
@@ -32,14 +29,7 @@ View read_camera(const JsonReader& json) {
 }
 
 View read_camera_file(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw UsageError(fmt::format("--camera {}: cannot be read", file.string()));
-    Json json;
-    try {
-        json = Json::parse(stream);
-    } catch (const Json::parse_error& error) {
-        throw UsageError(fmt::format("--camera {}: is no JSON at byte {}", file.string(), error.byte));
-    }
+    const Json json = read_json_file(file, "--camera " + file.string());
     return read_camera(JsonReader(json, file.string()));
 }
 

@@ -1,7 +1,7 @@
 #include "demos/choices.h"
 
 #include "demos/errors.h"
-#include "demos/json.h"
+#include "demos/json_file.h"
 #include "demos/numbers.h"
 #include "demos/scene_file.h"
 #include "demos/simulation_options.h"
@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <set>
 
 namespace pushfactor::demos {
@@ -136,14 +135,7 @@ const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
 }
 
 void add_config(const std::filesystem::path& file, GivenOptions& given) {
-    std::ifstream stream(file);
-    if (!stream) throw UsageError(fmt::format("--config {}: cannot be read", file.string()));
-    Json config;
-    try {
-        config = Json::parse(stream);
-    } catch (const Json::parse_error& error) {
-        throw UsageError(fmt::format("--config {}: is no JSON at byte {}", file.string(), error.byte));
-    }
+    const Json config = read_json_file(file, "--config " + file.string());
     if (!config.is_object()) {
         throw UsageError(fmt::format("--config {}: must be an object of option names and values", file.string()));
     }
@@ -169,6 +161,16 @@ Choices understand(const std::string& scene, GivenOptions given) {
     choices.settings = understand_settings(given);
     choices.frames = understand_frames(given);
     return choices;
+}
+
+SceneDescription spelled_out(const Choices& choices) {
+    SceneDescription description = choices.description;
+    description.options["preset"] = choices.settings.preset;
+    for (const SimulationOption& option : simulation_options()) {
+        const std::string text = option.get(choices.settings);
+        if (!text.empty()) description.options[std::string(option.name)] = text;
+    }
+    return description;
 }
 
 std::string config_text(const Choices& choices, const GivenOptions& given) {

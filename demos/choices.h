@@ -52,6 +52,9 @@ struct Choices {
 // what is allowed; also for a parameter that the scene lacks.
 Choices understand(const std::string& scene, GivenOptions given);
 
+// The description with every option in it, so that it means the same when a preset changes.
+SceneDescription spelled_out(const Choices& choices);
+
 // The JSON file that makes the same run again: every option spelled out, or where runs are compared just those that
 // were given.
 std::string config_text(const Choices& choices, const GivenOptions& given);

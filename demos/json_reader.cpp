@@ -73,6 +73,13 @@ double JsonReader::positive() const {
     return value_.get<double>();
 }
 
+double JsonReader::not_negative() const {
+    if (!value_.is_number() || !(value_.get<double>() >= 0.0) || !std::isfinite(value_.get<double>())) {
+        refuse("a number of at least 0");
+    }
+    return value_.get<double>();
+}
+
 bool JsonReader::boolean() const {
     if (!value_.is_boolean()) refuse("true or false");
     return value_.get<bool>();

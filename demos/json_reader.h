@@ -32,6 +32,7 @@ class JsonReader {
 
     double number(double low, double high) const;  // finite, both ends included
     double positive() const;
+    double not_negative() const;
     bool boolean() const;
     std::string string() const;
     engine::Vector3 vector() const;       // [x, y, z]

@@ -79,6 +79,14 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+void SubstepCount::add(const Sample& sample) {
+    ++steps;
+    sum += sample.substeps;
+    largest = std::max(largest, sample.substeps);
+    if (!sample.substep_rule.empty()) ++steps_by_rule[sample.substep_rule];
+    if (sample.too_few_substeps) ++short_steps;
+}
+
 Measurements::Measurements(const Simulation& simulation)
     : standing_(simulation.scene().standing),
       scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
@@ -112,6 +120,7 @@ void Measurements::observe(const Simulation& simulation) {
     max_length_error_ = std::max(max_length_error_, sample.max_length_error);
     residuals_.push_back(sample.residual);
     if (sample.cpu_us) cpu_us_.push_back(*sample.cpu_us);
+    substeps_.add(sample);
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());

@@ -4,6 +4,7 @@
 #include "demos/simulation.h"
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,18 @@ enum class Outcome {
 };
 std::string_view name_of(Outcome outcome);
 
+// Into how many engine steps the steps of a run were divided, and which rule asked for it.
+struct SubstepCount {
+    long steps = 0;
+    long sum = 0;
+    int largest = 0;
+    std::map<std::string_view, long> steps_by_rule;  // steps of more than one part
+    long short_steps = 0;                            // that should have had more parts than there may be
+
+    double mean() const { return steps > 0 ? static_cast<double>(sum) / static_cast<double>(steps) : 0.0; }
+    void add(const Sample& sample);
+};
+
 class Measurements {
   public:
     explicit Measurements(const Simulation& simulation);  // at the start of the run
@@ -47,8 +60,9 @@ class Measurements {
     std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
     const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
     double max_kinetic_energy_last_second() const;                  // J
-    std::vector<std::pair<std::string, double>> of_scene() const;   // what the scene is about
-    std::vector<double> heights() const;                            // m, movable bodies at the end
+    const SubstepCount& substeps() const { return substeps_; }
+    std::vector<std::pair<std::string, double>> of_scene() const;  // what the scene is about
+    std::vector<double> heights() const;                           // m, movable bodies at the end
 
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
@@ -84,6 +98,7 @@ class Measurements {
     double initial_energy_ = 0.0, energy_ = 0.0, energy_gain_ = 0.0, drift_ = 0.0;
     std::optional<double> lean_time_, fall_time_;
     std::vector<double> residuals_, cpu_us_;
+    SubstepCount substeps_;
 };
 
 // The middle of the sorted values, the mean of the two middle ones for an even number; 0 for none.

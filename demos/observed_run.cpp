@@ -1,10 +1,23 @@
 #include "demos/observed_run.h"
 
+#include "demos/errors.h"
+#include "demos/output_file.h"
+#include "demos/scene_file.h"
 #include "demos/summary.h"
+
+#include <fmt/format.h>
 
 #include <ctime>
 
 namespace pushfactor::demos {
+
+namespace {
+
+std::string state_text(const Choices& choices, const Simulation& simulation, const Checkpoint& checkpoint) {
+    return scene_file_text(resumed(spelled_out(choices), simulation.scene(), checkpoint));
+}
+
+}  // namespace
 
 double thread_cpu_us() {
     std::timespec now{};
@@ -12,10 +25,12 @@ double thread_cpu_us() {
     return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
 }
 
-ObservedRun::ObservedRun(const Choices& choices, const Request& request)
+ObservedRun::ObservedRun(const Choices& choices, const Request& request, std::filesystem::path folder)
     : choices_(choices),
       simulation_(choices.build(), choices.settings, request.timing ? thread_cpu_us : nullptr),
-      measurements_(simulation_) {
+      measurements_(simulation_),
+      folder_(std::move(folder)),
+      save_state_(request.save_state) {
     if (request.csv) records_.push_back(steps_record(*request.csv, request.timing));
     if (request.trajectory) {
         const auto& fps = choices.frames.fps;
@@ -26,13 +41,29 @@ ObservedRun::ObservedRun(const Choices& choices, const Request& request)
 }
 
 void ObservedRun::advance() {
-    simulation_.advance();
+    try {
+        simulation_.advance();
+    } catch (const NonFiniteError& error) {
+        throw NonFiniteError(fmt::format("{}; {}", error.what(), save_last_good()));
+    }
     measurements_.observe(simulation_);
     for (const auto& record : records_) record->observe(simulation_);
 }
 
+std::string ObservedRun::save_last_good() const {
+    const std::string stem = choices_.description.name + "-last-good";
+    try {
+        const auto path = write_new_file(folder_, stem, ".json",
+                                         state_text(choices_, simulation_, simulation_.checkpoint_before()));
+        return "the state before that step is in " + path.string();
+    } catch (const OutputError& error) {
+        return std::string("the state before that step could not be written: ") + error.what();
+    }
+}
+
 std::string ObservedRun::finish() {
     for (const auto& record : records_) record->finish();
+    if (save_state_) write_file(*save_state_, state_text(choices_, simulation_, simulation_.checkpoint()));
     return summary_text(choices_, simulation_, measurements_);
 }
 

@@ -5,26 +5,37 @@
 #include "demos/records.h"
 #include "demos/request.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace pushfactor::demos {
 
 class ObservedRun {
   public:
-    ObservedRun(const Choices& choices, const Request& request);
+    // `folder` is where the outputs go, and with them the last good state when the run leaves the finite numbers.
+    ObservedRun(const Choices& choices, const Request& request, std::filesystem::path folder);
 
     const Simulation& simulation() const { return simulation_; }
+
+    // One step. When it leaves the finite numbers the state before it is written as a scene file that fails in its
+    // first step, and NonFiniteError also says where.
     void advance();
 
-    // Completes the CSV files and gives the summary.
+    // Completes the files and gives the summary.
     std::string finish();
 
   private:
+    std::string save_last_good() const;
+
     Choices choices_;
     Simulation simulation_;
     Measurements measurements_;
     std::vector<std::unique_ptr<Record>> records_;
+    std::filesystem::path folder_;
+    std::optional<std::string> save_state_;
 };
 
 // CPU time of this thread in us.

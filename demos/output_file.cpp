@@ -4,10 +4,23 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 namespace pushfactor::demos {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool holds(const fs::path& path, std::string_view bytes) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error) || fs::file_size(path, error) != bytes.size() || error) return false;
+    std::ifstream stream(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {}) == bytes;
+}
+
+}  // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     if (path_ == "-") {
@@ -63,6 +76,22 @@ void write_file(const fs::path& path, std::string_view bytes) {
     OutputFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+fs::path write_new_file(const fs::path& folder, const std::string& stem, const std::string& extension,
+                        std::string_view bytes) {
+    constexpr int most = 1000;
+    for (int n = 1; n <= most; ++n) {
+        const fs::path path = folder / (stem + (n > 1 ? "-" + std::to_string(n) : "") + extension);
+        std::error_code ignored;
+        if (!fs::exists(fs::symlink_status(path, ignored))) {
+            write_file(path, bytes);
+            return path;
+        }
+        if (holds(path, bytes)) return path;
+    }
+    throw OutputError((folder / (stem + extension)).string() + ": there are " + std::to_string(most) +
+                      " of its kind");
 }
 
 void make_folder(const fs::path& folder) {

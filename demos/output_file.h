@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace pushfactor::demos {
@@ -31,6 +32,11 @@ class OutputFile {
 
 // The whole of `bytes` as the file `path`.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// The same as a file of its own: `folder`/`stem``extension`, or with -2, -3, ... after the stem where another file
+// has that name. One that holds just these bytes is taken as it is. Returns its path.
+std::filesystem::path write_new_file(const std::filesystem::path& folder, const std::string& stem,
+                                     const std::string& extension, std::string_view bytes);
 
 // Makes the folder and those above it, and finds out whether files can be made in it.
 void make_folder(const std::filesystem::path& folder);

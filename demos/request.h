@@ -14,11 +14,12 @@ struct Request {
 
     Command command = Command::list;
     std::vector<std::string> scenes;
-    GivenOptions given;                                         // simulation, scene parameters and frames
-    std::optional<std::string> csv, trajectory, rows, summary;  // paths, "-" is standard output
-    std::optional<std::string> out;                             // folder for frames, figures or reports
-    std::optional<std::string> video;                           // path
-    bool png = true;                                            // frames as files
+    GivenOptions given;  // simulation, scene parameters and frames
+    // Paths; "-" is standard output.
+    std::optional<std::string> csv, trajectory, rows, summary, save_state;
+    std::optional<std::string> out;    // folder for frames, figures or reports
+    std::optional<std::string> video;  // path
+    bool png = true;                   // frames as files
     bool timing = false;
     bool names_only = false;  // list
 

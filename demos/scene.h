@@ -22,6 +22,8 @@ struct Scene {
     const engine::ContactStage* contacts = nullptr;          // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
 
+    std::optional<double> substeps_before{};  // when it goes on: StepDivision::level()
+
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;
     std::optional<Standing> standing;

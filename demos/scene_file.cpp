@@ -2,16 +2,16 @@
 
 #include "demos/camera_file.h"
 #include "demos/errors.h"
+#include "demos/json_file.h"
 #include "demos/json_reader.h"
 #include "demos/palette.h"
+#include "demos/scene_file_words.h"
 #include "demos/simulation_options.h"
+#include "demos/state_file.h"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
 #include <map>
-#include <set>
 
 namespace pushfactor::demos {
 
@@ -20,13 +20,12 @@ namespace {
 using engine::Distance;
 using engine::Vector3;
 
-constexpr int format_version = 1;
 constexpr std::size_t most_bodies = 100000;
-constexpr std::uintmax_t most_bytes = 100'000'000;
 
 using Keys = std::vector<std::string>;
-const Keys scene_keys{"version", "name",     "gravity_m_per_s2", "bodies", "distance_constraints",
-                      "forces",  "contacts", "options",          "camera", "colours"};
+const Keys scene_keys{
+    "version", "name",    "gravity_m_per_s2", "bodies", "distance_constraints", "forces", "contacts",
+    "state",   "options", "camera",           "colours"};
 const Keys body_keys{"name",
                      "shape",
                      "size_m",
@@ -46,29 +45,61 @@ const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n"};
 const Keys end_keys{"body", "point_m"};
 const Keys force_keys{"body", "force_n", "from_s", "until_s"};
 
-constexpr std::array<std::pair<std::string_view, Distance::Acts>, 3> act_names{
-    {{"both", Distance::Acts::both}, {"pulls", Distance::Acts::pulls}, {"pushes", Distance::Acts::pushes}}};
+double read_length(const JsonReader& json) {
+    return json.number(engine::least_length, engine::greatest_length);
+}
 
 decltype(BodyDescription::shape) read_shape(const JsonReader& body) {
     const JsonReader shape = body.at("shape");
     const std::string name = shape.string();
     if (name == "plane") return PlaneShape{};
-    if (name == "sphere") return SphereShape{body.at("radius_m").positive()};
+    if (name == "sphere") return SphereShape{read_length(body.at("radius_m"))};
     if (name != "box") shape.refuse("one of box, sphere, plane");
     const JsonReader size = body.at("size_m");
-    const Vector3 edges = size.vector();
-    if (!(edges.array() > 0.0).all()) size.refuse("three numbers above 0");
-    return BoxShape{edges};
+    const std::vector<JsonReader> edges = size.elements();
+    if (edges.size() != 3) size.refuse("three numbers [x, y, z]");
+    return BoxShape{{read_length(edges[0]), read_length(edges[1]), read_length(edges[2])}};
+}
+
+void refuse_if_given(const JsonReader& json, std::initializer_list<const char*> keys, const std::string& allowed) {
+    for (const char* key : keys) {
+        if (json.has(key)) json.at(key).refuse(allowed);
+    }
+}
+
+// What would be read by nobody was meant for something.
+void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bool fixed) {
+    const bool plane = std::holds_alternative<PlaneShape>(body.shape);
+    if (plane) refuse_if_given(json, {"size_m", "radius_m"}, "left out: a plane has no size");
+    if (std::holds_alternative<BoxShape>(body.shape)) {
+        refuse_if_given(json, {"radius_m"}, "left out: a box has size_m");
+    }
+    if (std::holds_alternative<SphereShape>(body.shape)) {
+        refuse_if_given(json, {"size_m"}, "left out: a sphere has radius_m");
+    }
+    if (plane) refuse_if_given(json, {"mass_kg"}, "left out: a plane is static");
+    if (plane || fixed) {
+        refuse_if_given(json,
+                        {"mass_kg", "velocity_m_per_s", "angular_velocity_rad_per_s", "linear_momentum_kg_m_per_s",
+                         "angular_momentum_kg_m2_per_s"},
+                        "left out of a static body");
+    }
+    if (json.has("linear_momentum_kg_m_per_s")) {
+        refuse_if_given(json, {"velocity_m_per_s"}, "left out where the momentum is given");
+    }
+    if (json.has("angular_momentum_kg_m2_per_s")) {
+        refuse_if_given(json, {"angular_velocity_rad_per_s"}, "left out where the momentum is given");
+    }
 }
 
 BodyDescription read_body(const JsonReader& json) {
     json.require_object(body_keys);
     BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
     const bool fixed = json.has("static") && json.at("static").boolean();
-    const bool plane = std::holds_alternative<PlaneShape>(body.shape);
-    if (plane && json.has("mass_kg")) json.at("mass_kg").refuse("left out: a plane is static");
-    if (fixed && json.has("mass_kg")) json.at("mass_kg").refuse("left out of a static body");
-    if (!fixed && !plane) body.mass = json.at("mass_kg").positive();
+    refuse_foreign_keys(json, body, fixed);
+    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) {
+        body.mass = json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    }
 
     const auto vector = [&json](const char* key, Vector3& into) {
         if (json.has(key)) into = json.at(key).vector();
@@ -87,8 +118,8 @@ BodyDescription read_body(const JsonReader& json) {
     return body;
 }
 
-// The names of all bodies so far; constraints and forces look theirs up.
-using Names = std::set<std::string, std::less<>>;
+// All bodies so far by name, and whether they are static; constraints and forces look theirs up.
+using Names = std::map<std::string, bool, std::less<>>;
 
 std::string read_body_name(const JsonReader& json, const Names& names, bool or_world) {
     const std::string name = json.string();
@@ -109,7 +140,11 @@ DistanceDescription read_distance(const JsonReader& json, const Names& names) {
     json.require_object(distance_keys);
     DistanceDescription distance{.a = read_end(json.at("a"), names), .b = read_end(json.at("b"), names)};
     if (distance.a.body == distance.b.body) json.at("b").at("body").refuse("another body than a");
-    if (json.has("length_m")) distance.length = json.at("length_m").number(0.0, 1e9);
+    const auto is_static = [&](const std::string& name) { return name == "world" || names.at(name); };
+    if (is_static(distance.a.body) && is_static(distance.b.body)) {
+        json.at("b").at("body").refuse("a movable body, as a is static");
+    }
+    if (json.has("length_m")) distance.length = json.at("length_m").not_negative();
     if (json.has("max_force_n")) distance.max_force = json.at("max_force_n").positive();
     if (json.has("acts")) {
         const std::string acts = json.at("acts").string();
@@ -137,7 +172,8 @@ void read_bodies(const JsonReader& json, SceneDescription& scene, Names& names) 
         scene.bodies.push_back(read_body(body));
         const std::string& name = scene.bodies.back().name;
         if (name.empty() || name == "world") body.at("name").refuse("a name other than world");
-        if (!names.insert(name).second) body.at("name").refuse("a name that no other body has");
+        if (!names.emplace(name, !scene.bodies.back().mass).second)
+            body.at("name").refuse("a name that no other body has");
     }
 }
 
@@ -169,8 +205,8 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     const bool plain =
         !scene.name.empty() && scene.name.front() != '.' && scene.name.find('/') == std::string::npos;
     if (json.has("name") && !plain) json.at("name").refuse("a name without slashes that does not begin with a dot");
-    if (json.at("version").number(0, 1e9) != format_version)
-        json.at("version").refuse(std::to_string(format_version));
+    if (json.at("version").number(0, 1e9) != scene_file_version)
+        json.at("version").refuse(std::to_string(scene_file_version));
     scene.gravity = json.has("gravity_m_per_s2") ? json.at("gravity_m_per_s2").vector() : Vector3::Zero();
 
     Names names;
@@ -185,117 +221,34 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
             scene.forces.push_back(read_force(entry, names));
     }
     scene.contacts = json.has("contacts") && json.at("contacts").boolean();
+    if (json.has("state")) scene.state = read_state(json.at("state"), scene);
     if (json.has("options")) read_options(json.at("options"), scene);
     if (json.has("camera")) scene.view = read_camera(json.at("camera"));
     if (json.has("colours")) read_colours(json.at("colours"), scene);
     return scene;
 }
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
-
-Json to_json(const BodyDescription& body) {
-    Json json{{"name", body.name}};
-    if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
-        json["shape"] = "box";
-        json["size_m"] = to_json(box->size);
-    } else if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) {
-        json["shape"] = "sphere";
-        json["radius_m"] = sphere->radius;
-    } else {
-        json["shape"] = "plane";
-    }
-    if (body.mass) {
-        json["mass_kg"] = *body.mass;
-    } else if (!std::holds_alternative<PlaneShape>(body.shape)) {
-        json["static"] = true;
-    }
-    json["position_m"] = to_json(body.position);
-    const engine::Quaternion& q = body.orientation;
-    json["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
-    if (!body.velocity.isZero(0.0)) json["velocity_m_per_s"] = to_json(body.velocity);
-    if (!body.angular_velocity.isZero(0.0)) json["angular_velocity_rad_per_s"] = to_json(body.angular_velocity);
-    if (body.linear_momentum) json["linear_momentum_kg_m_per_s"] = to_json(*body.linear_momentum);
-    if (body.angular_momentum) json["angular_momentum_kg_m2_per_s"] = to_json(*body.angular_momentum);
-    json["friction"] = body.friction;
-    if (body.restitution != 0.0) json["restitution"] = body.restitution;
-    if (!body.surface_velocity.isZero(0.0)) json["surface_velocity_m_per_s"] = to_json(body.surface_velocity);
-    return json;
-}
-
-Json to_json(const DistanceDescription::End& end) {
-    return {{"body", end.body}, {"point_m", to_json(end.point)}};
-}
-
-Json to_json(const DistanceDescription& distance) {
-    Json json{{"a", to_json(distance.a)}, {"b", to_json(distance.b)}};
-    if (distance.length) json["length_m"] = *distance.length;
-    for (const auto& [name, acts] : act_names) {
-        if (acts == distance.acts && acts != Distance::Acts::both) json["acts"] = name;
-    }
-    if (distance.max_force) json["max_force_n"] = *distance.max_force;
-    return json;
-}
-
-Json to_json(const ForceDescription& force) {
-    Json json{{"body", force.body}, {"force_n", to_json(force.force)}, {"from_s", force.from}};
-    if (force.until) json["until_s"] = *force.until;
-    return json;
-}
-
-template <typename Described>
-void put_list(Json& json, const char* key, const std::vector<Described>& list) {
-    if (list.empty()) return;
-    json[key] = Json::array();
-    for (const Described& described : list) json[key].push_back(to_json(described));
-}
-
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
-    static const std::map<std::string, std::vector<std::string>> keys{
-        {"scene", scene_keys}, {"body", body_keys},   {"distance_constraint", distance_keys},
-        {"end", end_keys},     {"force", force_keys}, {"camera", {camera_keys().begin(), camera_keys().end()}},
-    };
+    static const std::map<std::string, std::vector<std::string>> keys = [] {
+        std::map<std::string, std::vector<std::string>> all = state_file_keys();
+        all.insert({
+            {"scene", scene_keys},
+            {"body", body_keys},
+            {"distance_constraint", distance_keys},
+            {"end", end_keys},
+            {"force", force_keys},
+            {"camera", {camera_keys().begin(), camera_keys().end()}},
+        });
+        return all;
+    }();
     return keys;
 }
 
 SceneDescription read_scene_file(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    std::ifstream stream(file, std::ios::binary);
-    if (error || !stream) throw UsageError(fmt::format("scene file {}: cannot be read", file.string()));
-    if (bytes > most_bytes) {
-        throw UsageError(
-            fmt::format("{}: must be at most {} bytes long, not {}", file.string(), most_bytes, bytes));
-    }
-    Json json;
-    try {
-        json = Json::parse(stream);
-    } catch (const Json::exception& problem) {
-        const std::string what = problem.what();
-        throw UsageError(fmt::format("{}: is no JSON: {}", file.string(), what.substr(what.find("] ") + 2)));
-    }
+    const Json json = read_json_file(file, file.string());
     return read_scene(JsonReader(json, file.string()), file);
-}
-
-std::string scene_file_text(const SceneDescription& scene) {
-    Json json;
-    json["version"] = format_version;
-    json["name"] = scene.name;
-    if (!scene.gravity.isZero(0.0)) json["gravity_m_per_s2"] = to_json(scene.gravity);
-    json["bodies"] = Json::array();
-    put_list(json, "bodies", scene.bodies);
-    put_list(json, "distance_constraints", scene.distances);
-    put_list(json, "forces", scene.forces);
-    if (scene.contacts) json["contacts"] = true;
-    for (const auto& [name, text] : scene.options) json["options"][name] = json_of(text);
-    json["camera"] = camera_json(scene.view);
-    for (const BodyDescription& body : scene.bodies) {
-        if (body.colour) json["colours"][body.name] = *body.colour;
-    }
-    return json.dump(2) + "\n";
 }
 
 }  // namespace pushfactor::demos

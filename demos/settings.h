@@ -21,9 +21,9 @@ enum class Integrator { euler, rattle, rattle4, rattle6 };
 struct Settings {
     std::string preset;
 
-    Rational dt{1, 60};     // s
-    int substeps = 1;       // engine steps of dt / substeps in one step of the run
-    double seconds = 10.0;  // simulated time, whole steps of it
+    Rational dt{1, 60};               // s
+    std::optional<int> substeps = 1;  // engine steps in one step of the run; as many as the state asks for without
+    double seconds = 10.0;            // simulated time, whole steps of it
 
     std::string solver = "auto";   // name in the solver table
     int iterations = 25;           // at most, a solve

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pushfactor::demos {
@@ -30,6 +31,22 @@ bool wants_kick(const Scene& scene, const Settings& settings) {
     return at_rest && !scene.contacts;
 }
 
+StepDivision division_of(const Scene& scene, const Settings& settings) {
+    if (settings.substeps) return StepDivision(*settings.substeps);
+    return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
+}
+
+// Of the body with the largest number in its state; the first of several.
+std::size_t most_extreme(std::span<const engine::Body> bodies) {
+    const auto extreme = [](const engine::Body& body) {
+        return std::max({body.position.cwiseAbs().maxCoeff(), body.linear_momentum.cwiseAbs().maxCoeff(),
+                         body.angular_momentum.cwiseAbs().maxCoeff()});
+    };
+    const auto found = std::max_element(bodies.begin(), bodies.end(),
+                                        [&](const auto& a, const auto& b) { return extreme(a) < extreme(b); });
+    return static_cast<std::size_t>(found - bodies.begin());
+}
+
 }  // namespace
 
 long whole_steps(const Settings& settings) {
@@ -38,9 +55,18 @@ long whole_steps(const Settings& settings) {
 }
 
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
-    : scene_(std::move(scene)), settings_(settings), clock_(clock) {
-    if (wants_kick(scene_, settings)) scene_.world.kick_back_half(engine_dt());
+    : scene_(std::move(scene)), settings_(settings), division_(division_of(scene_, settings)), clock_(clock) {
+    start();
     measure_state();
+}
+
+void Simulation::start() {
+    const double dt = settings_.dt.value();
+    // What the rules ask about is not known before the first solve.
+    if (!settings_.substeps && !scene_.substeps_before) scene_.world.prepare(dt);
+    if (!wants_kick(scene_, settings_)) return;
+    StepDivision first = division_;
+    scene_.world.kick_back_half(dt / first.divide(scene_.world, dt));
 }
 
 const Sample& Simulation::advance() {
@@ -48,23 +74,41 @@ const Sample& Simulation::advance() {
     sample_ = {};
     sample_.step = step;
     sample_.time = (settings_.dt * Rational{step, 1}).value();
-    sample_.substeps = settings_.substeps;
     if (clock_) sample_.cpu_us = 0.0;
-    for (int i = 0; i < settings_.substeps; ++i) step_engine();
-    require_finite();
+    take_checkpoint(scene_, division_.level(), before_);
+    divide_step();
     measure_state();
+    require_finite_sample();
     return sample_;
 }
 
-void Simulation::step_engine() {
+void Simulation::divide_step() {
+    const double dt = settings_.dt.value();
+    int parts = division_.divide(scene_.world, dt);
+    sample_.substeps = 0;
+    for (int done = 0; done < parts; ++done) {
+        if (done > 0) {
+            const int finer = division_.refine(scene_.world, dt, parts);
+            done *= finer;
+            parts *= finer;
+        }
+        step_engine(dt / parts);
+        require_finite_state();
+    }
+    sample_.substep_rule = division_.rule();
+    sample_.too_few_substeps = division_.is_short();
+}
+
+void Simulation::step_engine(double dt) {
     const double before = clock_ ? clock_() : 0.0;
     const engine::StepCount so_far = sample_.count;
-    sample_.count = scene_.step(scene_.world, engine_dt());
+    sample_.count = scene_.step(scene_.world, dt);
     if (clock_) *sample_.cpu_us += clock_() - before;
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.multiply_adds += so_far.multiply_adds;
     sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));
-    sample_.max_length_error = max_length_error(scene_.world.rows());
+    sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
+    ++sample_.substeps;
 }
 
 void Simulation::measure_state() {
@@ -75,11 +119,34 @@ void Simulation::measure_state() {
     if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders());
 }
 
-void Simulation::require_finite() const {
-    const auto found = engine::find_non_finite(scene_.world.bodies);
-    if (!found) return;
-    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
-                                     scene_.bodies[found->body].name, found->quantity, sample_.step, sample_.time));
+Checkpoint Simulation::checkpoint() const {
+    Checkpoint now;
+    take_checkpoint(scene_, division_.level(), now);
+    return now;
+}
+
+void Simulation::require_finite_state() const {
+    if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
+}
+
+// A finite state may still be too large for the squares in what is measured of it.
+void Simulation::require_finite_sample() const {
+    const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
+                              std::pair{sample_.potential_energy, "potential energy"},
+                              std::pair{sample_.max_speed, "speed"},
+                              std::pair{sample_.penetration.max, "penetration"},
+                              std::pair{sample_.penetration.rms, "penetration"},
+                              std::pair{sample_.max_length_error, "length error"},
+                              std::pair{sample_.residual, "residual"}};
+    for (const auto& [value, quantity] : measured) {
+        if (!std::isfinite(value)) fail(most_extreme(scene_.world.bodies), quantity);
+    }
+}
+
+void Simulation::fail(std::size_t body, std::string_view quantity) const {
+    const std::string name = body < scene_.bodies.size() ? scene_.bodies[body].name : "world";
+    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name, name,
+                                     quantity, sample_.step, sample_.time));
 }
 
 }  // namespace pushfactor::demos

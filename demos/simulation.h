@@ -1,16 +1,19 @@
 // Steps a scene and measures its state after each step. No files, no clock: who wants times brings a clock.
 #pragma once
 
+#include "demos/checkpoint.h"
 #include "demos/scene.h"
+#include "demos/step_division.h"
 #include "engine/diagnostics.h"
 #include "engine/penetration.h"
 
 #include <optional>
+#include <string_view>
 
 namespace pushfactor::demos {
 
-// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, the residual
-// is the largest, rows and columns are those of the last.
+// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, residual and
+// length error are the largest, rows and columns are those of the last.
 struct Sample {
     long step = 0;
     double time = 0.0;                // s
@@ -22,7 +25,9 @@ struct Sample {
     double residual = 0.0;            // m/s, natural map
     engine::StepCount count;
     int substeps = 1;
-    std::optional<double> cpu_us;  // of the engine steps alone, when there is a clock
+    std::string_view substep_rule;  // that asked for the most of them; empty when none did
+    bool too_few_substeps = false;  // it asked for more than there may be
+    std::optional<double> cpu_us;   // of the engine steps alone, when there is a clock
 };
 
 // How many whole steps fit into settings.seconds.
@@ -35,23 +40,33 @@ class Simulation {
     // Gives the momenta half a kick back first where the settings ask for it.
     Simulation(Scene scene, const Settings& settings, Clock clock = nullptr);
 
-    // One step of settings.dt. Throws NonFiniteError when a number of the state is not finite afterwards.
+    // One step of settings.dt. Throws NonFiniteError when a number of the state or of the sample is not finite
+    // afterwards; the simulation cannot go on then.
     const Sample& advance();
+
+    // The state now, and the one before the last step began.
+    Checkpoint checkpoint() const;
+    const Checkpoint& checkpoint_before() const { return before_; }
 
     const Scene& scene() const { return scene_; }
     const Settings& settings() const { return settings_; }
     const Sample& sample() const { return sample_; }  // of the last step; of the start before the first
 
   private:
-    double engine_dt() const { return settings_.dt.value() / settings_.substeps; }
-    void step_engine();
+    void start();
+    void divide_step();
+    void step_engine(double dt);
     void measure_state();
-    void require_finite() const;
+    void require_finite_state() const;
+    void require_finite_sample() const;
+    [[noreturn]] void fail(std::size_t body, std::string_view quantity) const;
 
     Scene scene_;
     Settings settings_;
+    StepDivision division_;
     Clock clock_;
     Sample sample_;
+    Checkpoint before_;
 };
 
 }  // namespace pushfactor::demos

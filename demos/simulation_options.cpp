@@ -78,6 +78,13 @@ bool set_tolerance(Settings& s, std::string_view text) {
     return true;
 }
 
+bool set_substeps(Settings& s, std::string_view text) {
+    int value = 0;
+    if (text != "auto" && !take(value, parse_integer(text), 1, 10000)) return false;
+    s.substeps = text == "auto" ? std::nullopt : std::optional(value);
+    return true;
+}
+
 bool set_solver(Settings& s, std::string_view text) {
     for (const auto& entry : engine::solvers::solver_table()) {
         if (entry.name != text) continue;
@@ -117,9 +124,11 @@ const std::array options{
     SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
                      [](const Settings& s) { return to_text(s.dt); }},
-    SimulationOption{"substeps", "N", "engine steps in one step [1]", "a whole number from 1 to 10000",
-                     [](Settings& s, std::string_view t) { return take(s.substeps, parse_integer(t), 1, 10000); },
-                     [](const Settings& s) { return std::to_string(s.substeps); }},
+    SimulationOption{"substeps", "N|auto",
+                     "engine steps in one step; auto: as many as bars under tension, fast turning and small bodies "
+                     "ask for [1]",
+                     "a whole number from 1 to 10000, or auto", set_substeps,
+                     [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
     SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
                      "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
     SimulationOption{

@@ -26,6 +26,16 @@ Json options_of(const Choices& choices) {
     return options;
 }
 
+Json substeps_of(const SubstepCount& count) {
+    Json json;
+    json["mean"] = count.mean();
+    json["largest"] = count.largest;
+    json["steps_divided_by_rule"] = Json::object();
+    for (const auto& [rule, steps] : count.steps_by_rule) json["steps_divided_by_rule"][std::string(rule)] = steps;
+    json["steps_that_asked_for_more_than_there_may_be"] = count.short_steps;
+    return json;
+}
+
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -61,6 +71,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
         summary["cpu_us_per_step_median"] = median(measured.cpu_us());
         summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
     }
+    if (!choices.settings.substeps) summary["substeps"] = substeps_of(measured.substeps());
     for (const auto& [name, value] : measured.of_scene()) summary[name] = value;
     if (scene.standing) summary["heights_m"] = measured.heights();
     return summary.dump(2) + "\n";

@@ -2,17 +2,31 @@
 
 #include "engine/invalid_input.h"
 
-#include <cmath>
+#include <array>
+#include <charconv>
 #include <string>
 
 namespace pushfactor::engine {
 
 namespace {
 
-void require_positive(const char* field, double value) {
-    if (!(std::isfinite(value) && value > 0.0)) {
-        throw InvalidInput(field, std::to_string(value), "finite and above 0");
-    }
+std::string to_text(double value) {
+    std::array<char, 32> digits;
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    return {digits.data(), end};
+}
+
+void require_within(const char* field, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    throw InvalidInput(field, to_text(value), "from " + to_text(low) + " to " + to_text(high));
+}
+
+void require_mass(double mass) {
+    require_within("mass_kg", mass, least_mass, greatest_mass);
+}
+
+void require_length(const char* field, double length) {
+    require_within(field, length, least_length, greatest_length);
 }
 
 Body movable_body(double mass, const Vector3& inertia, const Vector3& position, const Quaternion& orientation) {
@@ -32,8 +46,8 @@ Body static_body(const Vector3& position, const Quaternion& orientation) {
 }
 
 Body box_body(double mass, const Vector3& size, const Vector3& position, const Quaternion& orientation) {
-    require_positive("mass_kg", mass);
-    for (int axis = 0; axis < 3; ++axis) require_positive("size_m", size[axis]);
+    require_mass(mass);
+    for (int axis = 0; axis < 3; ++axis) require_length("size_m", size[axis]);
 
     const Vector3 squared = size.cwiseProduct(size);
     const Vector3 inertia = (mass / 12.0) * (Vector3::Constant(squared.sum()) - squared);
@@ -41,8 +55,8 @@ Body box_body(double mass, const Vector3& size, const Vector3& position, const Q
 }
 
 Body ball_body(double mass, double radius, const Vector3& position, const Quaternion& orientation) {
-    require_positive("mass_kg", mass);
-    require_positive("radius_m", radius);
+    require_mass(mass);
+    require_length("radius_m", radius);
     return movable_body(mass, Vector3::Constant(0.4 * mass * radius * radius), position, orientation);
 }
 

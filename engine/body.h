@@ -36,12 +36,17 @@ struct Body {
 // A body that never moves.
 Body static_body(const Vector3& position, const Quaternion& orientation = Quaternion::Identity());
 
+// What masses [kg] and lengths [m] of movable bodies may be: their moments of inertia, and the inverses of those,
+// are numbers then.
+inline constexpr double least_mass = 1e-100, greatest_mass = 1e100;
+inline constexpr double least_length = 1e-50, greatest_length = 1e50;
+
 // A movable homogeneous ball of `mass` [kg] and `radius` [m]. Throws InvalidInput as box_body does.
 Body ball_body(double mass, double radius, const Vector3& position,
                const Quaternion& orientation = Quaternion::Identity());
 
 // A movable homogeneous box of `mass` [kg] and edge lengths `size` [m].
-// Throws InvalidInput unless all of them are finite and above zero.
+// Throws InvalidInput for what lies outside the limits above.
 Body box_body(double mass, const Vector3& size, const Vector3& position,
               const Quaternion& orientation = Quaternion::Identity());
 

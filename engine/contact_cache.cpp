@@ -1,5 +1,7 @@
 #include "engine/contact_cache.h"
 
+#include <cassert>
+
 namespace pushfactor::engine {
 
 namespace {
@@ -37,6 +39,12 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::vector
             forces.push_back(force ? *force : ContactForce{});
         }
     }
+}
+
+void ContactCache::add(const collision::Pair& pair, std::span<const Point> points) {
+    assert(entries_.empty() || entries_.back().pair < pair);
+    entries_.push_back({pair, points_.size(), static_cast<int>(points.size())});
+    points_.insert(points_.end(), points.begin(), points.end());
 }
 
 void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces) {

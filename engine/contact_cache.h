@@ -19,14 +19,6 @@ struct ContactForce {
 
 class ContactCache {
   public:
-    // The cached force for every point of `touches`, point after point; zero where nothing matches. A point is
-    // the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
-    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
-
-    // Replaces the cache. `forces` in the order of recall.
-    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
-
-  private:
     struct Point {
         std::uint32_t feature = 0;
         Vector3 position;  // m, world frame
@@ -34,10 +26,25 @@ class ContactCache {
     };
     struct Entry {
         collision::Pair pair;
-        std::size_t first = 0;  // into points_
+        std::size_t first = 0;  // into points()
         int count = 0;
     };
 
+    // The cached force for every point of `touches`, point after point; zero where nothing matches. A point is
+    // the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
+
+    // Replaces the cache. `forces` in the order of recall.
+    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
+
+    // What is stored, for whoever saves and restores a run: ascending pairs, and the points of all of them.
+    std::span<const Entry> entries() const { return entries_; }
+    std::span<const Point> points() const { return points_; }
+
+    // Appends an entry; its pair must be greater than those before.
+    void add(const collision::Pair& pair, std::span<const Point> points);
+
+  private:
     const ContactForce* find(const Entry& entry, const collision::ContactPoint& point, double reach) const;
 
     std::vector<Entry> entries_;  // ascending pairs

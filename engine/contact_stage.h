@@ -48,6 +48,7 @@ class ContactStage : public ConstraintSource {
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
+    const ContactCache* cache() const { return cache_.get(); }  // null without
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;

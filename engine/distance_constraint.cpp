@@ -3,6 +3,7 @@
 #include "engine/point_jacobian.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace pushfactor::engine {
 
@@ -57,6 +58,11 @@ void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, s
         if (cached_) row.guess = forces_[i];
         rows.push_back(row);
     }
+}
+
+void DistanceConstraints::set_forces(std::vector<Lambda> forces) {
+    assert(forces.size() == distances_.size());
+    forces_ = std::move(forces);
 }
 
 void DistanceConstraints::remember(std::span<const Lambda> answers) {

@@ -51,6 +51,11 @@ class DistanceConstraints : public ConstraintSource {
 
     std::span<const Distance> distances() const { return distances_; }
 
+    // The answers of the last step, one a distance [N]; zero before the first. A restored run begins with those of
+    // the run that was saved.
+    const std::vector<Lambda>& forces() const { return forces_; }
+    void set_forces(std::vector<Lambda> forces);
+
   private:
     std::vector<Distance> distances_;
     Correction correction_;

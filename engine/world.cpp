@@ -78,12 +78,21 @@ void World::remember() {
     }
 }
 
-void World::kick_back_half(double dt) {
+void World::set_memory(const Memory& memory) {
+    time_ = memory.time;
+    was_exact_ = memory.was_exact;
+}
+
+void World::prepare(double dt) {
     add_forces();
     append_rows(dt);
     build_system(bodies, rows_, dt, system_);
     solve();
     remember();
+}
+
+void World::kick_back_half(double dt) {
+    prepare(dt);
     constraint_forces(system_, lambda_, lambda_.cols() - 1, lasting_);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];

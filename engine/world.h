@@ -45,12 +45,25 @@ class World {
     // Advances by dt [s], above zero.
     StepCount step(double dt, StageObserver* observer = nullptr);
 
+    // Solves for the state as it is, as a step of dt [s] would, and moves nothing: the sources know their forces
+    // then.
+    void prepare(double dt);
+
     // Half a step of dt [s] backwards for the momenta alone, with all forces of the state as it is. Before the
     // first step of a scene it makes the integrator of 3.2 the leapfrog, whose momenta belong between the steps:
     // second order instead of first.
     void kick_back_half(double dt);
 
     double time() const { return time_; }  // s, sum of all steps
+
+    // What a world carries from step to step beside its bodies and what its sources remember. With all three a
+    // world that was made anew goes on as the old one would have.
+    struct Memory {
+        double time = 0.0;       // s
+        bool was_exact = false;  // whether the last step was solved, and to rounding
+    };
+    Memory memory() const { return {time_, was_exact_}; }
+    void set_memory(const Memory& memory);
 
     // The rows, the system and its answer of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_; }

@@ -56,7 +56,7 @@ Job understand_job(const std::string& scene, const Request& request) {
 
 std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
     std::vector<ObservedRun> runs;
-    for (const Panel& panel : job.panels) runs.emplace_back(panel.choices, request);
+    for (const Panel& panel : job.panels) runs.emplace_back(panel.choices, request, job.folder);
     return runs;
 }
 
@@ -104,7 +104,7 @@ void refuse_shared_files(const Request& request) {
     for (const auto& [option, path] :
          {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
           std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary},
-          std::pair{"--video", request.video}}) {
+          std::pair{"--save-state", request.save_state}, std::pair{"--video", request.video}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
         const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video");
         if (compares && path && !one_for_all) {

@@ -3,11 +3,31 @@
 #include "demos/output_file.h"
 #include "demos/progress.h"
 
+#include <algorithm>
+
 namespace pushfactor::demos::commands {
+
+namespace {
+
+std::vector<std::optional<std::string>> data_files(const Request& request) {
+    return {request.csv, request.trajectory, request.rows, request.save_state};
+}
+
+// Of the first file that was asked for; the working folder when none was.
+std::filesystem::path folder_of_outputs(const Request& request) {
+    std::vector<std::optional<std::string>> files = data_files(request);
+    files.insert(files.begin(), request.summary);
+    for (const auto& file : files) {
+        if (file && *file != "-") return std::filesystem::path(*file).parent_path();
+    }
+    return {};
+}
+
+}  // namespace
 
 void run(const Request& request) {
     const Choices choices = understand(request.scenes.front(), request.given);
-    ObservedRun observed(choices, request);
+    ObservedRun observed(choices, request, folder_of_outputs(request));
     const long steps = whole_steps(choices.settings);
     {
         ProgressBar bar(choices.description.name, steps);
@@ -18,7 +38,8 @@ void run(const Request& request) {
         }
     }
     const std::string summary = observed.finish();
-    const bool data_on_stdout = request.csv == "-" || request.trajectory == "-" || request.rows == "-";
+    const std::vector<std::optional<std::string>> data = data_files(request);
+    const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
 }
 

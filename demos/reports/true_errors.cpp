@@ -14,7 +14,7 @@ using engine::Body;
 using engine::Vector3;
 
 double engine_dt(const Settings& settings) {
-    return settings.dt.value() / settings.substeps;
+    return settings.dt.value() / settings.substeps.value();
 }
 
 double sideways(const Vector3& from, const Vector3& to) {
@@ -99,7 +99,7 @@ class PartingError : public TrueError {
     }
 
     void observe(const Simulation& simulation) override {
-        const long steps = simulation.sample().step * simulation.settings().substeps;
+        const long steps = simulation.sample().step * simulation.settings().substeps.value();
         for (std::size_t i = 0; i < cubes_.size(); ++i) {
             const Body& body = simulation.scene().world.bodies[i + 1];
             const Vector3 exact(starts_[i].x(), cubes_[i].height(steps), starts_[i].z());

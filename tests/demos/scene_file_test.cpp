@@ -127,11 +127,11 @@ TEST_CASE("wrong files are refused with the path inside them, the value and what
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "cube"})")),
                Catch::Contains("must be one of box, sphere, plane"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1, "mass_kg": -1})")),
-               Catch::Contains("bodies[0].mass_kg -1: must be a number above 0"));
+               Catch::Contains("bodies[0].mass_kg -1: must be a number from 1e-100 to 1e+100"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1})")),
                Catch::Contains("bodies[0].mass_kg: is missing"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "box", "size_m": [1, 0, 1], "mass_kg": 1})")),
-               Catch::Contains("bodies[0].size_m [1,0,1]: must be three numbers above 0"));
+               Catch::Contains("bodies[0].size_m[1] 0: must be a number from 1e-50 to 1e+50"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": NaN, "mass_kg": 1})")),
                Catch::Contains("is no JSON"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1e999, "mass_kg": 1})")),
@@ -184,7 +184,7 @@ TEST_CASE("a scene that leaves the finite numbers ends with status 5, and names 
         scene_of(
             R"({"name": "a", "shape": "sphere", "radius_m": 1, "mass_kg": 1,
                                          "velocity_m_per_s": [0, 1e308, 0]},
-                                        {"name": "b", "shape": "sphere", "radius_m": 1, "mass_kg": 1e300})",
+                                        {"name": "b", "shape": "sphere", "radius_m": 1, "mass_kg": 1e100})",
             R"(, "forces": [{"body": "b", "force_n": [0, 0, 1e308]}, {"body": "b", "force_n": [0, 0, 1e308]}])"));
     const tests::Ended ended = tests::shell(folder, "pushfactor run my.json");
     CHECK(ended.status == 5);

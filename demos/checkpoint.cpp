@@ -1,0 +1,36 @@
+#include "demos/checkpoint.h"
+
+namespace pushfactor::demos {
+
+void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
+    into.bodies = scene.world.bodies;
+    const engine::World::Memory memory = scene.world.memory();
+    into.state.time = memory.time;
+    into.state.solved_exactly = memory.was_exact;
+    into.state.substeps = substeps;
+    if (scene.distances) into.state.distance_forces = scene.distances->forces();
+    if (scene.contacts && scene.contacts->cache()) into.state.contact_forces = *scene.contacts->cache();
+}
+
+SceneDescription resumed(SceneDescription description, const Scene& scene, const Checkpoint& checkpoint) {
+    for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+        const engine::Body& body = checkpoint.bodies[i];
+        BodyDescription& described = description.bodies[i];
+        described.position = body.position;
+        described.orientation = body.orientation;
+        if (body.is_static()) continue;
+        described.velocity.setZero();
+        described.angular_velocity.setZero();
+        described.linear_momentum = body.linear_momentum;
+        described.angular_momentum = body.angular_momentum;
+    }
+    // A length that the start decided would be another one now.
+    for (std::size_t i = 0; i < description.distances.size(); ++i) {
+        description.distances[i].length = scene.distances->distances()[i].length;
+    }
+    description.state = checkpoint.state;
+    description.options["start-kick"] = "off";
+    return description;
+}
+
+}  // namespace pushfactor::demos

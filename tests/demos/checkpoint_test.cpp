@@ -1,0 +1,178 @@
+// Runs that are saved and go on, and runs that leave the finite numbers.
+#include "demos/checkpoint.h"
+
+#include "demos/named_run.h"
+#include "demos/scene_file.h"
+#include "demos/simulation.h"
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <algorithm>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using tests::Folder;
+using tests::shell;
+
+namespace {
+
+std::uint64_t hash_of(const Simulation& simulation) {
+    return engine::state_hash(simulation.scene().world.bodies);
+}
+
+void advance(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) simulation.advance();
+}
+
+// The same run, saved to a file and read again.
+Simulation saved_and_read(const Choices& choices, const Simulation& run) {
+    const Folder folder;
+    folder.write("saved.json", scene_file_text(resumed(spelled_out(choices), run.scene(), run.checkpoint())));
+    const Choices read = understand((folder / "saved.json").string(), {});
+    return Simulation(read.build(), read.settings);
+}
+
+struct Case {
+    std::string scene;
+    Options options;
+    int steps;  // before it is saved
+};
+
+const std::vector<Case> cases{
+    {"stack", {}, 70},
+    {"stack", {{"jitter", "0.01"}, {"friction-model", "coulomb"}}, 45},
+    {"stack", {{"preset", "paper"}}, 60},
+    {"stack", {{"preset", "exact"}, {"gap", "-0.001"}}, 20},
+    {"stack", {{"solver", "nncg"}, {"substeps", "3"}}, 50},
+    {"intersecting-stack", {}, 5},
+    {"heavy-on-light", {{"substeps", "auto"}}, 30},
+    {"funnel", {}, 60},
+    {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}}, 20},
+    {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}}, 40},
+    {"pendulum-wave", {}, 40},
+    {"pendulum-wave", {{"integrator", "rattle4"}, {"tolerance", "1e-12"}}, 40},
+    {"chain", {{"end-mass", "1000"}, {"substeps", "auto"}}, 61},
+    {"chain", {{"links", "5"}, {"preset", "paper"}}, 61},
+    {"bridge", {}, 20},
+    {"restitution", {}, 50},
+    {"conveyor", {}, 50},
+    {"newtons_cradle", {}, 50},
+};
+
+// Two masses that a force drives apart until its bar cannot say how long it is.
+const std::string runaway = R"({"version": 1, "name": "runaway", "bodies": [
+    {"name": "left", "shape": "sphere", "radius_m": 1, "mass_kg": 1, "velocity_m_per_s": [-1e200, 0, 0]},
+    {"name": "right", "shape": "sphere", "radius_m": 1, "mass_kg": 2, "position_m": [3, 0, 0],
+     "velocity_m_per_s": [1e200, 0, 0]}], "contacts": true})";
+
+// A force that begins at 0.2 s and leaves the numbers in a few steps, beside a stack that has its caches.
+std::string late() {
+    SceneDescription stack = run_of("stack", {{"gap", "-0.001"}}).description;
+    stack.name = "late";
+    stack.forces.push_back({.body = "cube 3", .force = {0, 1e307, 0}, .from = 0.2});
+    stack.forces.push_back({.body = "cube 3", .force = {0, 1.7e308, 0}, .from = 0.25});
+    stack.forces.push_back({.body = "cube 3", .force = {0, 1.7e308, 0}, .from = 0.25});
+    return scene_file_text(stack);
+}
+
+std::vector<std::string> sorted(std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+    const std::size_t begin = text.find(before) + before.size();
+    return text.substr(begin, text.find(after, begin) - begin);
+}
+
+}  // namespace
+
+TEST_CASE("a saved run goes on to the bits of the run that was not interrupted, caches and substeps included") {
+    for (const Case& one : cases) {
+        INFO(command_text("run", one.scene, one.options) << " saved after " << one.steps << " steps");
+        const Choices choices = run_of(one.scene, one.options);
+        Simulation whole(choices.build(), choices.settings);
+        advance(whole, one.steps);
+        Simulation resumed = saved_and_read(choices, whole);
+        CHECK(hash_of(resumed) == hash_of(whole));
+        for (const int steps : {1, 1, 38}) {
+            advance(whole, steps);
+            advance(resumed, steps);
+            CHECK(hash_of(resumed) == hash_of(whole));
+        }
+    }
+}
+
+TEST_CASE(
+    "without the forces of the last step a run goes on to other bits, so that the caches are what was tested") {
+    for (const char* const scene : {"stack", "pendulum-grid"}) {
+        const Choices choices = run_of(scene, {{"solver", "pgs"}});
+        Simulation whole(choices.build(), choices.settings);
+        advance(whole, 60);
+        SceneDescription forgetful = resumed(spelled_out(choices), whole.scene(), whole.checkpoint());
+        forgetful.state->contact_forces = {};
+        for (engine::Lambda& force : forgetful.state->distance_forces) force = {};
+        Simulation other(build_scene(forgetful, choices.settings), choices.settings);
+        advance(whole, 2);
+        advance(other, 2);
+        CHECK(hash_of(other) != hash_of(whole));
+    }
+}
+
+TEST_CASE("the program saves the state at the end, and going on from it is going on") {
+    const Folder folder;
+    REQUIRE(
+        shell(folder, "pushfactor run stack --seconds 1 --save-state one.json --summary one-summary.json").status ==
+        0);
+    const std::string on = shell(folder, "pushfactor run one.json --seconds 1").out;
+    const std::string whole = shell(folder, "pushfactor run stack --seconds 2").out;
+    CHECK(between(on, "\"state_hash\": \"", "\"") == between(whole, "\"state_hash\": \"", "\""));
+    // And a file of the file is the file.
+    shell(folder, "pushfactor scene one.json > again.json");
+    CHECK(folder.read("again.json") == folder.read("one.json"));
+}
+
+TEST_CASE("a run that leaves the finite numbers writes its last good state, which fails alike in its first step") {
+    for (const auto& [name, text] : {std::pair{std::string("runaway"), runaway}, {std::string("late"), late()}}) {
+        const Folder folder;
+        folder.write("my.json", text);
+        const tests::Ended first = shell(folder, "pushfactor run my.json");
+        INFO(first.err);
+        CHECK(first.status == 5);
+        CHECK(first.out.empty());
+        const std::string what = between(first.err, name + ": ", " is not finite");
+        CHECK_THAT(what, Catch::StartsWith("body "));
+        const std::string file = between(first.err, "is in ", "\n");
+        CHECK(file == name + "-last-good.json");
+        CHECK(folder.files() == sorted({file, "my.json"}));
+
+        const std::string saved = folder.read(file);
+        const tests::Ended second = shell(folder, "pushfactor run " + file);
+        CHECK(second.status == 5);
+        CHECK_THAT(second.err, Catch::Contains(name + ": " + what + " is not finite after step 1 "));
+        // What it would write is there already.
+        CHECK(folder.files() == sorted({file, "my.json"}));
+        CHECK(folder.read(file) == saved);
+    }
+}
+
+TEST_CASE("the last good state lies beside the outputs, and replaces nothing") {
+    const Folder folder;
+    folder.write("my.json", runaway);
+    std::filesystem::create_directory(folder / "out");
+    folder.write("out/runaway-last-good.json", "precious");
+    const tests::Ended ended = shell(folder, "pushfactor run my.json --csv out/steps.csv");
+    CHECK(ended.status == 5);
+    CHECK_THAT(ended.err, Catch::Contains("is in out/runaway-last-good-2.json"));
+    CHECK(folder.read("out/runaway-last-good.json") == "precious");
+    CHECK(folder.files() ==
+          std::vector<std::string>{"my.json", "out/runaway-last-good-2.json", "out/runaway-last-good.json"});
+
+    const tests::Ended rendered = shell(folder, "pushfactor render my.json --at 0,1 --size 64x36 --out frames");
+    CHECK(rendered.status == 5);
+    CHECK_THAT(rendered.err, Catch::Contains("is in frames/runaway-last-good.json"));
+
+    const tests::Ended nowhere = shell(folder, "pushfactor run my.json --summary none/summary.json");
+    CHECK(nowhere.status == 5);
+    CHECK_THAT(nowhere.err, Catch::Contains("could not be written: none/runaway-last-good.json"));
+}

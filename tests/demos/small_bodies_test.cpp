@@ -1,0 +1,49 @@
+// Small bodies and long steps: what stands at 60 Hz stands whatever its size and step, when the step is divided as
+// its size asks for.
+#include "demos/scenes/cube_tower.h"
+#include "tests/catch.h"
+#include "tests/scene_fixture.h"
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+
+namespace {
+
+tests::Run tower_run(double side, int count, Settings settings) {
+    scenes::Tower tower{.count = count, .side = side, .mass = 1000.0 * side * side * side};
+    tower.gap = tower.ground_gap = -1e-4 * side;
+    return tests::Run(Simulation(build_scene(cube_tower(tower), settings), settings));
+}
+
+Settings divided(Rational dt) {
+    Settings settings = preset_settings("default");
+    settings.dt = dt;
+    settings.substeps = std::nullopt;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("towers of cubes of 1 mm, 1 cm, 10 cm and 1 km stand at 60 Hz when the step is divided by their size") {
+    for (const auto& [side, parts] : {std::pair{1e-3, 12}, {1e-2, 4}, {1e-1, 2}, {1e3, 1}}) {
+        tests::Run run = tower_run(side, 5, divided({1, 60}));
+        run.advance(5.0);
+        INFO(side << " m: " << name_of(run.measurements.outcome()) << ", penetration "
+                  << run.measurements.max_penetration() / side << " of the side");
+        CHECK(run.measurements.outcome() == Outcome::rest);
+        CHECK(run.measurements.max_penetration() < 0.005 * side);
+        CHECK(run.simulation.sample().substeps == parts);
+    }
+}
+
+TEST_CASE("a stack of five stands at steps of 1/10, 1/30 and 1/1000 s") {
+    for (const auto& [dt, seconds] :
+         {std::pair{Rational{1, 10}, 60.0}, {Rational{1, 30}, 60.0}, {Rational{1, 1000}, 8.0}}) {
+        tests::Run run(tests::simulate("stack", divided(dt)));
+        run.advance(seconds);
+        INFO(dt.denominator << ": " << name_of(run.measurements.outcome()) << ", "
+                            << run.measurements.max_off_axis() << " m off");
+        CHECK(run.measurements.outcome() == Outcome::rest);
+        CHECK(!run.measurements.lean_time());
+    }
+}

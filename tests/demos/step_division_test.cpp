@@ -1,0 +1,132 @@
+// How the runner divides a step, and the scenes that need it.
+#include "demos/step_division.h"
+
+#include "tests/catch.h"
+#include "tests/scene_fixture.h"
+
+#include <set>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+
+namespace {
+
+constexpr double dt = 0.01;
+
+// One rule that asks for `parts` parts of dt, which may change.
+StepDivision asking(const double& parts, double level = 0.0, bool within_step = true) {
+    return StepDivision({{"asked", [&parts](const engine::World&) { return parts / dt; }, within_step}}, level);
+}
+
+Settings divided() {
+    Settings settings = preset_settings("default");
+    settings.substeps = std::nullopt;
+    return settings;
+}
+
+std::set<std::string_view> rules_of(std::string_view scene) {
+    std::set<std::string_view> names;
+    for (const StepRule& rule : step_rules(tests::simulate(scene, preset_settings("default")).scene())) {
+        names.insert(rule.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("a fixed number of parts stays, and no rule is asked") {
+    const engine::World world;
+    StepDivision four(4);
+    CHECK(four.divide(world, dt) == 4);
+    CHECK(four.refine(world, dt, 4) == 1);
+    CHECK(four.rule().empty());
+}
+
+TEST_CASE("as many parts as asked for, rounded up, one at least, and the rule is named where there are more") {
+    const engine::World world;
+    for (const auto& [asked, parts] : {std::pair{0.0, 1}, {1.0, 1}, {1.01, 2}, {2.0, 2}, {2.5, 3}, {7.0, 7}}) {
+        const double wanted = asked;
+        StepDivision division = asking(wanted);
+        CHECK(division.divide(world, dt) == parts);
+        CHECK(division.rule() == (parts > 1 ? "asked" : ""));
+        CHECK(!division.is_short());
+    }
+}
+
+TEST_CASE("from step to step the parts at most double, and fall by a sixteenth") {
+    const engine::World world;
+    double wanted = 1.0;
+    StepDivision division = asking(wanted);
+    CHECK(division.divide(world, dt) == 1);
+    wanted = 100.0;
+    for (const int parts : {2, 4, 8, 16, 32, 64, 100, 100}) CHECK(division.divide(world, dt) == parts);
+    wanted = 0.0;
+    for (const int parts : {94, 88, 83}) CHECK(division.divide(world, dt) == parts);
+    CHECK(division.rule() == "asked");
+    for (int i = 0; i < 80; ++i) division.divide(world, dt);
+    CHECK(division.divide(world, dt) == 1);
+    CHECK(division.rule().empty());
+    // A run that goes on knows the step before.
+    wanted = 100.0;
+    CHECK(asking(wanted, 5.0).divide(world, dt) == 10);
+}
+
+TEST_CASE("the rest of a step is halved when it asks for much more, by rules that do not look at forces") {
+    const engine::World world;
+    double wanted = 4.0;
+    StepDivision division = asking(wanted);
+    REQUIRE(division.divide(world, dt) == 4);
+    wanted = 6.3;
+    CHECK(division.refine(world, dt, 4) == 1);
+    wanted = 12.5;
+    CHECK(division.refine(world, dt, 4) == 2);
+    CHECK(division.level() == 8.0);
+    CHECK(division.refine(world, dt, 8) == 1);
+    CHECK(asking(wanted, 4.0, false).refine(world, dt, 4) == 1);
+}
+
+TEST_CASE("there is an end to the parts, and it is said when more were asked for") {
+    const engine::World world;
+    for (const double wanted : {1e4, 1e300, std::numeric_limits<double>::infinity()}) {
+        StepDivision division = asking(wanted);
+        CHECK(division.divide(world, dt) == StepDivision::most_parts);
+        CHECK(division.is_short());
+        CHECK(division.refine(world, dt, StepDivision::most_parts) == 1);
+    }
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    CHECK(asking(not_a_number).divide(world, dt) == 1);
+}
+
+TEST_CASE("a scene has the rules of its own parts and no others") {
+    CHECK(rules_of("stack") == std::set<std::string_view>{"size"});
+    CHECK(rules_of("chain") == std::set<std::string_view>{"tension", "turning"});
+    CHECK(rules_of("pendulum-grid") == std::set<std::string_view>{"tension", "turning", "size"});
+}
+
+TEST_CASE("the parts of a step add up to the step, also where it is divided anew") {
+    auto chain = tests::simulate("chain", divided(), {{"end-mass", "1000"}, {"angle", "150"}});
+    bool uneven = false;
+    for (int i = 0; i < 200; ++i) {
+        const Sample& sample = chain.advance();
+        CHECK(chain.scene().world.time() == Approx(sample.time).epsilon(1e-12));
+        uneven = uneven || sample.substeps != std::ceil(chain.checkpoint().state.substeps);
+    }
+    CHECK(uneven);
+}
+
+TEST_CASE("chains keep their links and their energy whatever hangs at their end") {
+    for (const char* const end_mass : {"1", "100", "1000"}) {
+        tests::Run run(tests::simulate("chain", divided(), {{"end-mass", end_mass}}));
+        const double heavy = std::strtod(end_mass, nullptr);
+        const double lowest = -10.0 * (heavy * 20.0 + 190.0);  // J, straight down
+        const double start = run.measurements.initial_energy() - lowest;
+        run.advance(10.0);
+        INFO(end_mass << " kg: " << run.measurements.max_length_error() << " m, energy "
+                      << (run.measurements.final_energy() - lowest) / start << ", substeps "
+                      << run.measurements.substeps().mean() << " up to " << run.measurements.substeps().largest);
+        CHECK(run.measurements.max_length_error() < 0.01);
+        CHECK(std::abs(run.measurements.final_energy() - lowest - start) < 0.02 * start);
+        CHECK(run.measurements.substeps().mean() < 10.0);
+        CHECK(run.measurements.substeps().short_steps == 0);
+    }
+}

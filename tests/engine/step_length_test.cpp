@@ -1,0 +1,118 @@
+// The rules for the length of a step, against closed forms.
+#include "engine/step_length.h"
+
+#include "engine/gravity.h"
+#include "engine/world.h"
+#include "tests/catch.h"
+
+using namespace pushfactor::engine;
+
+namespace {
+
+// A ball of 2 kg on a bar of 3 m from the origin, and the force in the bar [N] that is remembered.
+DistanceConstraints bar(double force, Distance::Acts acts = Distance::Acts::both) {
+    DistanceConstraints bars({{.body_a = 0, .body_b = 1, .length = 3.0, .acts = acts}}, {}, true);
+    bars.set_forces({{force, force}});
+    return bars;
+}
+
+std::vector<Body> ball_at(const Vector3& position) {
+    return {static_body(Vector3::Zero()), ball_body(2.0, 0.1, position)};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a bar under tension asks for two radians of its sideways swing in a step, one under pressure for nothing") {
+    const std::vector<Body> bodies = ball_at({0, -3, 0});
+    // A pendulum that hangs: T = m g, omega^2 = g / l.
+    CHECK(tension_rate(bar(-20.0), bodies) == Approx(2.0 * std::sqrt(10.0 / 3.0)).epsilon(1e-14));
+    CHECK(tension_rate(bar(20.0), bodies) == 0.0);
+    CHECK(tension_rate(bar(0.0), bodies) == 0.0);
+}
+
+TEST_CASE("between two bodies the tension rule has their reduced mass, and at an end off the centre its inertia") {
+    std::vector<Body> bodies{ball_body(2.0, 0.1, {0, 0, 0}), ball_body(6.0, 0.1, {0, -3, 0})};
+    const double reduced_mass = 1.5;
+    CHECK(tension_rate(bar(-12.0), bodies) == Approx(2.0 * std::sqrt(12.0 / (reduced_mass * 3.0))).epsilon(1e-14));
+
+    // A bar so long that it does not turn: the body swings about its end alone, omega^2 = T r / I.
+    bodies = {static_body(Vector3::Zero()), ball_body(2.0, 0.5, {0, -1e9, 0})};
+    DistanceConstraints far({{.body_a = 0, .body_b = 1, .point_b = {0, 0.25, 0}, .length = 1e9 - 0.25}}, {}, true);
+    far.set_forces({{-20.0, -20.0}});
+    const double inertia = 0.4 * 2.0 * 0.25;
+    CHECK(tension_rate(far, bodies) == Approx(2.0 * std::sqrt(20.0 * 0.25 / inertia)).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "a hanging pendulum keeps its energy at the length that the tension rule allows and gains it at 4 times") {
+    const auto highest_after = [](double share) {
+        World world;
+        world.bodies = ball_at({0.3, -std::sqrt(9.0 - 0.09), 0});
+        world.forces.push_back(std::make_unique<Gravity>(Vector3(0, -10, 0)));
+        world.constraints.push_back(
+            std::make_unique<DistanceConstraints>(std::vector{Distance{.body_a = 0, .body_b = 1, .length = 3.0}},
+                                                  Correction{PushKind::persistent, 1.0}, true));
+        world.solver = solvers::make_solver("direct");
+        world.termination = {100, 1e-12, 1e-12};
+        const double dt = share / (2.0 * std::sqrt(10.0 / 3.0));
+        double sideways = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            world.step(dt);
+            sideways = std::max(sideways, std::abs(world.bodies[1].position.x()));
+        }
+        return sideways;
+    };
+    CHECK(highest_after(1.0) < 0.33);  // measured 0.3154
+    CHECK(highest_after(4.1) > 1.0);
+}
+
+TEST_CASE("a bar that turns asks for a tenth of a radian in a step, whatever moves along it or with it") {
+    std::vector<Body> bodies = ball_at({3, 0, 0});
+    bodies[1].linear_momentum = 2.0 * Vector3(7, 6, 0);  // along and across
+    CHECK(turning_rate(bar(0.0), bodies) == Approx((6.0 / 3.0) / 0.1).epsilon(1e-14));
+
+    std::vector<Body> both{ball_body(1.0, 0.1, {0, 0, 0}), ball_body(1.0, 0.1, {3, 0, 0})};
+    for (Body& body : both) body.linear_momentum = {4, 5, 6};
+    CHECK(turning_rate(bar(0.0), both) == 0.0);
+}
+
+TEST_CASE("a rope that carries nothing and a bar without a length ask for nothing") {
+    std::vector<Body> bodies = ball_at({1, 0, 0});
+    bodies[1].linear_momentum = {0, 100, 0};
+    CHECK(turning_rate(bar(0.0, Distance::Acts::pulls), bodies) == 0.0);
+    CHECK(turning_rate(bar(-1.0, Distance::Acts::pulls), bodies) > 0.0);
+
+    bodies = ball_at({0, 0, 0});
+    bodies[1].linear_momentum = {0, 100, 0};
+    CHECK(turning_rate(bar(-1.0), bodies) == 0.0);
+    DistanceConstraints none({{.body_a = 0, .body_b = 1, .length = 0.0}}, {}, true);
+    none.set_forces({{-1.0, -1.0}});
+    CHECK(turning_rate(none, bodies) == 0.0);
+    CHECK(tension_rate(none, bodies) == 0.0);
+}
+
+TEST_CASE("a slender body asks for a tenth of a radian in a step, a stout one for nothing") {
+    Body rod = box_body(1.0, {2.0, 0.1, 0.1}, Vector3::Zero());
+    Body brick = box_body(1.0, {1.0, 0.4, 0.2}, Vector3::Zero());
+    for (Body* body : {&rod, &brick}) {
+        body->angular_momentum = Vector3(3, 0, 0).cwiseQuotient(body->inverse_inertia);
+    }
+    CHECK(is_slender(rod));
+    CHECK(!is_slender(brick));
+    CHECK(!is_slender(static_body(Vector3::Zero())));
+    CHECK(spin_rate(std::vector{rod, brick}) == Approx(3.0 / 0.1).epsilon(1e-14));
+    CHECK(spin_rate(std::vector{brick}) == 0.0);
+}
+
+TEST_CASE("the smallest movable body decides how far a step may fall") {
+    const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.005, {0, 1, 0}),
+                                   ball_body(1.0, 1.0, {0, 9, 0})};
+    const std::vector<collision::Collider> colliders{{.body = 0, .shape = collision::Sphere{1e-6}},
+                                                     {.body = 1, .shape = collision::Sphere{0.005}},
+                                                     {.body = 2, .shape = collision::Sphere{1.0}}};
+    const double dt = 1.0 / size_rate(colliders, bodies, {0, -10, 0});
+    CHECK(10.0 * dt * dt == Approx(0.02 * 0.01).epsilon(1e-14));
+    CHECK(size_rate(colliders, bodies, Vector3::Zero()) == 0.0);
+    CHECK(size_rate(std::span(colliders).first(1), bodies, {0, -10, 0}) == 0.0);
+}
