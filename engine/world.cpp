@@ -8,6 +8,13 @@
 
 namespace pushfactor::engine {
 
+namespace {
+
+// What a method that goes to rounding leaves only where no answer exists [m/s].
+constexpr double contradiction = 1e-3;
+
+}  // namespace
+
 StepCount World::step(double dt, StageObserver* observer) {
     assert(dt > 0.0);
     const auto ended = [observer](Stage stage) {
@@ -67,8 +74,10 @@ solvers::SolveCount World::solve() {
 
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
-    answers_.resize(rows_.size());
-    for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
+    answers_.assign(rows_.size(), {});
+    // Forces of rows that contradict each other are as large as the method lets them, and nobody's guess.
+    const bool contradict = was_exact_ && natural_residual(system_, lambda_) > contradiction;
+    for (Eigen::Index j = 0; j < lambda_.rows() && !contradict; ++j) {
         answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
     }
     std::size_t begin = 0;

@@ -133,7 +133,7 @@ TEST_CASE("wrong files are refused with the path inside them, the value and what
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "box", "size_m": [1, 0, 1], "mass_kg": 1})")),
                Catch::Contains("bodies[0].size_m[1] 0: must be a number from 1e-50 to 1e+50"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": NaN, "mass_kg": 1})")),
-               Catch::Contains("is no JSON"));
+               Catch::Contains("bodies[0].radius_m NaN: must be a finite number"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1e999, "mass_kg": 1})")),
                Catch::Contains("my.json"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "plane", "mass_kg": 1})")),
