@@ -13,7 +13,7 @@ namespace pushfactor::demos::reports::stability {
 
 // One number and its bar: |measure - target| / scale, in the measure's unit over that of the scale.
 struct Check {
-    std::string measure;  // of measures.h, or a number of the summary
+    std::string measure{};  // of measures.h, or a number of the summary
     double bar = 0.0;
     bool at_least = false;  // the bar is the least that it may be, else the most
     double target = 0.0;
@@ -29,12 +29,12 @@ struct Expected {
 };
 
 struct Case {
-    std::string name;   // also of its files
-    std::string scene;  // of the catalogue; empty for a scene of its own
+    std::string name{};   // also of its files
+    std::string scene{};  // of the catalogue; empty for a scene of its own
     std::optional<SceneDescription> own{};
     std::optional<std::string> text{};  // of a scene file that is refused
     Options options{};
-    std::string wanted;  // the outcome that the case asks for; any other that is expected leaves its bars open
+    std::string wanted{};  // the outcome that the case asks for; any other that is expected leaves its bars open
     std::vector<Check> checks{};
     std::vector<Expected> expected{};
     std::string field{};  // what a refusal has to name

@@ -22,14 +22,38 @@ constexpr int columns = 3;
 constexpr int samples = 4;
 constexpr float letters = 11.0f;  // pixels
 
+// What a scene began with: what moves, and the walls that are not infinite.
+std::vector<pictures::Ball> balls_of(const SceneDescription& start) {
+    std::vector<pictures::Ball> balls;
+    for (const BodyDescription& body : start.bodies) {
+        if (bounding_radius(body) > 0.0) balls.push_back({body.position, bounding_radius(body)});
+    }
+    return balls;
+}
+
+// Shows how it began and where it ended, unless that is so far away that nothing else would be seen.
+View camera(const Trial& trial, const Scene& end, double aspect) {
+    std::vector<pictures::Ball> balls = balls_of(trial.start());
+    const View view = trial.start().view;
+    const std::vector<pictures::Ball> ended = pictures::movable_balls(end);
+    if (balls.empty()) return pictures::fitted(view, ended, aspect);
+    Eigen::AlignedBox3d place;
+    for (const pictures::Ball& ball : balls) {
+        place.extend(ball.centre + engine::Vector3::Constant(ball.radius));
+        place.extend(ball.centre - engine::Vector3::Constant(ball.radius));
+    }
+    for (const pictures::Ball& ball : ended) {
+        if (place.exteriorDistance(ball.centre) < 2.0 * place.diagonal().norm()) balls.push_back(ball);
+    }
+    return pictures::fitted(view, balls, aspect);
+}
+
 // Blank where the state lies beyond what a picture can hold.
-renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const fs::path& state) {
-    const Choices choices = understand(state.string(), {});
-    const Scene scene = choices.build();
+renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const Trial& trial) {
+    const Scene scene = understand(trial.state().string(), {}).build();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const View view = pictures::fitted(choices.description.view, pictures::movable_balls(scene), aspect);
     try {
-        return studio.draw(pictures::draw_list(scene, view), size, samples);
+        return studio.draw(pictures::draw_list(scene, camera(trial, scene, aspect)), size, samples);
     } catch (const renderer::RendererError&) {
         return renderer::blank_image(size.width, size.height, glm::vec3(0.9f));
     }
@@ -63,7 +87,7 @@ std::string Gallery::hang(const std::string& name, std::span<const Trial> trials
     const pictures::Layout layout =
         pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
     std::vector<renderer::Image> images;
-    for (const Trial* trial : shown) images.push_back(draw(*studio_, layout.cell, trial->state()));
+    for (const Trial* trial : shown) images.push_back(draw(*studio_, layout.cell, *trial));
     renderer::Image sheet = pictures::assemble(layout, images);
     for (std::size_t i = 0; i < shown.size(); ++i) {
         studio_->lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);

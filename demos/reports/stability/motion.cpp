@@ -17,16 +17,18 @@ Chapter impacts() {
                                  .wanted = "rest",
                                  .checks = {{.measure = "max_penetration_m", .bar = 1e-3},
                                             {.measure = "max_upward_speed_m_per_s", .bar = 0.01}},
-                                 .expected = with_paper("rest", {"paper", "fly"}),
+                                 .expected = with_paper("rest", {"paper", gap == 3.0 ? "creep" : "fly"}),
                                  .quick = gap == 4.1});
     }
     for (const double speed : {10.0, 50.0, 200.0, 1000.0, 1e4}) {
+        // It falls on below the plate, except where a step happens to end inside.
+        const Expected paper = speed == 10.0 ? Expected{"paper", "rest", {0.022}} : Expected{"paper", "moving"};
         chapter.cases.push_back({.name = fmt::format("ball-on-plate-{}-m-per-s", speed),
                                  .own = ball_on_plate(speed),
                                  .options = {{"seconds", "2"}},
                                  .wanted = "rest",
                                  .checks = {{.measure = "depth_m", .bar = 1e-3}},
-                                 .expected = with_paper("rest", {"paper", "fly"}),
+                                 .expected = with_paper("rest", paper),
                                  .quick = speed == 1000.0});
     }
     return chapter;
@@ -40,9 +42,9 @@ Chapter passing() {
             chapter.cases.push_back({.name = fmt::format("past-{}-{}-m-per-s", plate ? "plate" : "cube", speed),
                                      .own = ball_past(size, speed),
                                      .options = {{"seconds", "0.3"}},
-                                     .wanted = "fly",
+                                     .wanted = "moving",
                                      .checks = {{.measure = "deflection_m_per_s", .bar = 1e-9}},
-                                     .expected = with_paper("fly", {"paper", "fly"}),
+                                     .expected = with_paper("moving", {"paper", "moving"}),
                                      .quick = speed == 200.0});
         }
     }
@@ -53,14 +55,15 @@ Chapter turning() {
     Chapter chapter{"turning",
                     "A rod turning by 70.7 rad/s about its length and across, free, 60 s: energy and spins stay",
                     {}};
+    // Its outcome is rest: it does not leave its place.
     chapter.cases.push_back({.name = "free-rod",
                              .own = free_rod(),
                              .options = {{"seconds", "60"}},
-                             .wanted = "moving",
+                             .wanted = "rest",
                              .checks = {{.measure = "relative_energy_change", .bar = 0.01},
                                         {.measure = "relative_spin_change", .bar = 0.01},
                                         {.measure = "relative_angular_momentum_change", .bar = 1e-12}},
-                             .expected = with_paper("moving", {"paper", "moving"}),
+                             .expected = with_paper("rest", {"paper", "rest", {{200.0, 200.0}}}),
                              .quick = true});
     return chapter;
 }
@@ -78,7 +81,7 @@ Chapter bounces() {
                              .options = {{"seconds", "8"}},
                              .wanted = "moving",
                              .checks = {{.measure = "spread_of_5_apexes_m", .bar = 1e-9}},
-                             .expected = with_paper("moving", {"paper", "moving"}),
+                             .expected = with_paper("moving", {"paper", "fly"}),
                              .quick = true});
     return chapter;
 }
@@ -89,13 +92,16 @@ Chapter slopes() {
     for (const double angle : {0.3, 0.45, 0.5, 0.6}) {
         const double sliding = 10.0 * (std::sin(angle) - friction * std::cos(angle));
         const bool slides = sliding > 0.0;
+        const std::string outcome = slides ? "moving" : "rest";
+        // One step of the steepest slide under exact errs by 1.3e-5 m/s.
+        const Expected exact = angle == 0.6 ? Expected{"exact", outcome, {2e-5}} : Expected{"exact", outcome};
         chapter.cases.push_back(
             {.name = fmt::format("slope-{}-rad", angle),
              .own = slope(angle),
              .options = {{"friction-model", "coulomb"}, {"seconds", "3"}},
-             .wanted = slides ? "moving" : "rest",
+             .wanted = outcome,
              .checks = {{.measure = "acceleration_m_per_s2", .bar = 1e-6, .target = slides ? sliding : 0.0}},
-             .expected = of_both(slides ? "moving" : "rest"),
+             .expected = {{"default", outcome}, exact},
              .quick = angle == 0.6});
     }
     return chapter;

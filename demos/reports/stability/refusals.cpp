@@ -73,7 +73,8 @@ Case refused(const std::string& name, const std::string& field) {
 
 void add_fields(std::vector<Case>& cases) {
     const Json scene = Json::parse(scene_file_text(everything()));
-    for (const auto& [text, value] : scene.flatten().items()) {
+    const Json numbers_and_words = scene.flatten();
+    for (const auto& [text, value] : numbers_and_words.items()) {
         if (!value.is_number()) continue;
         const Json::json_pointer pointer(text);
         std::vector<std::string> numbers{"NaN", "Infinity"};

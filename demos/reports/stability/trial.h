@@ -40,6 +40,8 @@ class Trial {
     const std::vector<Verdict>& verdicts() const { return verdicts_; }  // one at least
     bool holds() const;
 
+    const SceneDescription& start() const { return start_; }  // empty where the scene is refused
+
     // The last state, as a scene file. There is none where the run was refused.
     std::filesystem::path state() const;
 
@@ -54,6 +56,7 @@ class Trial {
     const Expected& expected_;
     std::filesystem::path runs_;
     std::string scene_;
+    SceneDescription start_;
     std::string command_;
     std::unique_ptr<Tool> tool_;
     std::string outcome_;
