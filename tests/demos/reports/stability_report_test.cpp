@@ -48,7 +48,7 @@ Case short_case() {
     return {.name = "short",
             .scene = "stack",
             .options = {{"seconds", "0.02"}},
-            .wanted = "moving",
+            .wanted = "creep",
             .checks = {{.measure = "max_penetration_m", .bar = 1.0}}};
 }
 
@@ -143,27 +143,27 @@ TEST_CASE("a run that fails is exit 3 and named, and the others are judged all t
 
 TEST_CASE("a case holds when its outcome is the expected or the wanted one and its bars are met") {
     Case one = short_case();
-    CHECK(judged(one, {.preset = "default", .outcome = "moving"}).holds);
+    CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
     CHECK(judged(one, {.preset = "default", .outcome = "fall"}).holds);  // better than expected
     one.wanted = "rest";
     CHECK(!judged(one, {.preset = "default", .outcome = "rest"}).holds);
-    CHECK(judged(one, {.preset = "default", .outcome = "moving"}).holds);
+    CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
 }
 
 TEST_CASE("a bar that is missed holds up to what is known to be reached, on either side") {
     Case one = short_case();
     one.checks = {{.measure = "max_penetration_m", .bar = 0.25, .target = 2.0, .scale = 4.0}};  // |0 - 2| / 4
-    CHECK(!judged(one, {"default", "moving"}).holds);
-    CHECK(!judged(one, {"default", "moving", {0.45}}).holds);
-    const Judged known = judged(one, {"default", "moving", {0.55}});
+    CHECK(!judged(one, {"default", "creep"}).holds);
+    CHECK(!judged(one, {"default", "creep", {0.45}}).holds);
+    const Judged known = judged(one, {"default", "creep", {0.55}});
     CHECK(known.holds);
     CHECK(!known.met);
     one.checks.front().bar = 0.5;
-    CHECK(judged(one, {"default", "moving"}).met);
+    CHECK(judged(one, {"default", "creep"}).met);
     one.checks.front().bar = 0.6;
     one.checks.front().at_least = true;
-    CHECK(!judged(one, {"default", "moving"}).holds);
-    CHECK(judged(one, {"default", "moving", {0.4}}).holds);
+    CHECK(!judged(one, {"default", "creep"}).holds);
+    CHECK(judged(one, {"default", "creep", {0.4}}).holds);
 }
 
 TEST_CASE("a refusal counts only when it names the field") {
