@@ -52,19 +52,33 @@ Chapter passing() {
 }
 
 Chapter turning() {
-    Chapter chapter{"turning",
-                    "A rod turning by 70.7 rad/s about its length and across, free, 60 s: energy and spins stay",
-                    {}};
-    // Its outcome is rest: it does not leave its place.
-    chapter.cases.push_back({.name = "free-rod",
-                             .own = free_rod(),
-                             .options = {{"seconds", "60"}},
-                             .wanted = "rest",
-                             .checks = {{.measure = "relative_energy_change", .bar = 0.01},
-                                        {.measure = "relative_spin_change", .bar = 0.01},
-                                        {.measure = "relative_angular_momentum_change", .bar = 1e-12}},
-                             .expected = with_paper("rest", {"paper", "rest", {{200.0, 200.0}}}),
-                             .quick = true});
+    Chapter chapter{
+        "turning", "Free bodies that turn fast or about their middle axis, 60 s: energy and spins stay", {}};
+    const Check energy{.measure = "relative_energy_change", .bar = 0.01};
+    const Check spins{.measure = "relative_spin_change", .bar = 0.01};
+    const Check momentum{.measure = "relative_angular_momentum_change", .bar = 1e-12};
+    const Case rod{.name = "free-rod",
+                   .own = free_rod(70.7),
+                   .options = {{"seconds", "60"}},
+                   .wanted = "rest",  // it does not leave its place
+                   .checks = {energy, spins, momentum},
+                   .expected = with_paper("rest", {"paper", "rest", {{200.0, 200.0}}}),
+                   .quick = true};
+    chapter.cases.push_back(rod);
+    // More than half a turn a step.
+    Case faster = rod;
+    faster.name = "free-rod-200-rad-per-s";
+    faster.own = free_rod(200.0);
+    faster.quick = false;
+    chapter.cases.push_back(faster);
+    // Its spins are no constants.
+    Case uneven = rod;
+    uneven.name = "free-box";
+    uneven.own = free_box();
+    uneven.quick = false;
+    uneven.checks = {energy, momentum};
+    uneven.expected = with_paper("rest", {"paper", "rest", {4.0}});
+    chapter.cases.push_back(uneven);
     return chapter;
 }
 

@@ -108,6 +108,7 @@ void add_options(std::vector<Case>& cases) {
         add_option(cases, "stack", option, "0");
     }
     add_option(cases, "stack", "restitution", "1.0001");
+    add_option(cases, "stack", "beta", "1.5");
     for (const char* const number : {"nan", "inf", "0", "-1"}) {
         add_option(cases, "stack", "count", number);
         add_option(cases, "heavy-on-light", "mass-ratio", number);

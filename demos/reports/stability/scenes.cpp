@@ -36,6 +36,15 @@ SceneDescription touching(const std::string& name, std::vector<BodyDescription> 
     return scene;
 }
 
+SceneDescription weightless(const std::string& name, BodyDescription body, const Vector3& turning) {
+    SceneDescription scene;
+    scene.name = name;
+    scene.gravity.setZero();
+    body.angular_velocity = turning;
+    scene.bodies = {body};
+    return scene;
+}
+
 }  // namespace
 
 SceneDescription falling_cube(double gap, double speed) {
@@ -57,13 +66,12 @@ SceneDescription ball_past(const Vector3& size, double speed) {
     return scene;
 }
 
-SceneDescription free_rod() {
-    SceneDescription scene;
-    scene.name = "free-rod";
-    scene.gravity.setZero();
-    scene.bodies = {box("rod", {2, 0.1, 0.1}, Vector3::Zero())};
-    scene.bodies.back().angular_velocity = {70.7, 70.7, 0};
-    return scene;
+SceneDescription free_rod(double rate) {
+    return weightless("free-rod", box("rod", {2, 0.1, 0.1}, Vector3::Zero()), {rate, rate, 0});
+}
+
+SceneDescription free_box() {
+    return weightless("free-box", box("box", {1, 4, 9}, Vector3::Zero()), {0.1, 3, 0.1});
 }
 
 SceneDescription tumbling_box() {

@@ -16,8 +16,11 @@ SceneDescription ball_on_plate(double speed);
 // A ball of radius 0.1 m that passes a static box of these edges [m] at a distance of its radius, without gravity.
 SceneDescription ball_past(const engine::Vector3& size, double speed);
 
-// A rod 2 x 0.1 x 0.1 m turning by 70.7 rad/s about its length and by as much across, and nothing else.
-SceneDescription free_rod();
+// A rod 2 x 0.1 x 0.1 m turning by `rate` [rad/s] about its length and by as much across, and nothing else.
+SceneDescription free_rod(double rate);
+
+// A box 1 x 4 x 9 m turning by 3 rad/s, most of it about its middle axis, and nothing else.
+SceneDescription free_box();
 
 // A box 1 x 0.4 x 0.2 m that tumbles and bounces without friction, restitution 1.
 SceneDescription tumbling_box();

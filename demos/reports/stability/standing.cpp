@@ -94,6 +94,7 @@ Chapter sizes_and_places() {
     add("at-1e3-m", {.origin = engine::Vector3::Constant(1e3)});
     add("at-1e5-m", {.origin = engine::Vector3::Constant(1e5)});
     add("at-1e6-m", {.origin = engine::Vector3::Constant(1e6)}, true);
+    add("at-1e7-m", {.origin = engine::Vector3::Constant(1e7)});
     add("gravity-1000", {.gravity = 1000.0});
     return chapter;
 }

@@ -90,7 +90,7 @@ Evidence thrown(const pushfactor::demos::SceneDescription& scene) {
 
 }  // namespace
 
-TEST_CASE("the quick stability report holds, shows every end, and its commands show the same") {
+TEST_CASE("the quick stability report holds, shows every end, and its commands show the same", "[long]") {
     const Folder folder;
     const Ended ended = shell(folder, "pushfactor report stability --quick --out .");
     INFO(ended.err);
