@@ -1,8 +1,7 @@
-#include "demos/reports/stability_report.h"
-
 #include "demos/commands/commands.h"
 #include "demos/errors.h"
 #include "demos/reports/error_report.h"
+#include "demos/reports/stability_report.h"
 #include "demos/suggest.h"
 
 #include <fmt/format.h>
