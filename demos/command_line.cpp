@@ -91,15 +91,19 @@ void add_frames(CLI::App& app, Request& request) {
 }
 
 void add_report(CLI::App& app, Request& request) {
-    app.add_option("REPORT", request.reports, "error: error against work and run time, of every method and scene")
+    app.add_option("REPORT", request.reports,
+                   "error: error against work and run time, of every method and scene; stability: stiff and "
+                   "extreme cases, each judged")
         ->type_name("NAME");
-    app.add_option("--out", request.out, "folder for the page, its plots and tables [out/report-error]")
+    app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
         ->type_name("DIR");
-    app.add_flag("--quick", request.quick, "few values and short runs: under a minute instead of half an hour");
-    app.add_option("--only", request.parts, "parts of the report: scenes, frozen, consistency [all]")
+    app.add_flag("--quick", request.quick, "few values, short runs: under a minute");
+    app.add_option("--only", request.parts,
+                   "parts of the report; error: scenes, frozen, consistency; stability: its chapters [all]")
         ->type_name("PART")
         ->delimiter(',');
-    app.add_flag("--problems", request.problems, "also write the frozen problems as JSON, for other solvers");
+    app.add_flag("--problems", request.problems,
+                 "error: also write the frozen problems as JSON, for other solvers");
 }
 
 // CLI11 would list everything that it did not expect; one line with the nearest known name helps more.

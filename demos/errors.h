@@ -19,6 +19,12 @@ class RunError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// What was checked is not as expected. The message names the first that is not.
+class CheckError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 // An output could not be written. The message names it and says why.
 class OutputError : public std::runtime_error {
   public:

@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
         return complain(error, bad_usage);
     } catch (const pushfactor::engine::InvalidInput& error) {
         return complain(error, bad_usage);
+    } catch (const CheckError& error) {
+        return complain(error, check_failed);
     } catch (const OutputError& error) {
         return complain(error, output_failed);
     } catch (const NonFiniteError& error) {

@@ -13,6 +13,8 @@ img { width: 100%; height: auto; border: 1px solid #ddd; box-sizing: border-box;
 figcaption { margin-top: 0.5rem; }
 h2 { font-size: 1.15rem; margin-bottom: 0.6rem; }
 code { font: 0.85em/1.4 "DejaVu Sans Mono", monospace; background: #f3f3f3; padding: 0.15em 0.3em; }
+table { border-collapse: collapse; font-size: 0.75em; margin: 0.6rem 0; overflow-wrap: anywhere; }
+th, td { border-bottom: 1px solid #ddd; padding: 0.2em 0.5em; text-align: left; vertical-align: top; }
 p.more { font-size: 0.85em; margin: 0.4rem 0; }
 </style>
 )";
@@ -37,6 +39,17 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
+std::string table_text(const std::vector<std::vector<std::string>>& table) {
+    std::string text = "<table>\n";
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        text += "<tr>";
+        for (const std::string& field : table[i])
+            text += fmt::format("<{0}>{1}</{0}>", i == 0 ? "th" : "td", escaped(field));
+        text += "</tr>\n";
+    }
+    return text + "</table>\n";
+}
+
 }  // namespace
 
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {
@@ -51,6 +64,7 @@ std::string page_text(const std::string& title, const std::string& opening, std:
             text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", picture, escaped(heading));
         }
         text += fmt::format("<figcaption>{}\n", escaped(plate.caption));
+        if (!plate.table.empty()) text += table_text(plate.table);
         for (const std::string& command : plate.commands) {
             text += fmt::format("<p class=\"more\"><code>{}</code></p>\n", escaped(command));
         }

@@ -13,6 +13,8 @@ struct Plate {
     std::vector<std::string> files;     // what else there is of it: SVG, CSV
     std::string caption;                // settings and measured numbers
     std::vector<std::string> commands;  // that show the same with the program
+    // Texts, a line of the table each; the first is its heading.
+    std::vector<std::vector<std::string>> table{};
 };
 
 struct Section {

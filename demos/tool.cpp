@@ -168,4 +168,19 @@ void Tool::finish() {
     if (status != 0) fail(status);
 }
 
+bool Tool::has_ended() const {
+    assert(process_ != 0);
+    siginfo_t info{};
+    const int flags = WEXITED | WNOHANG | WNOWAIT;
+    return waitid(P_PID, static_cast<id_t>(process_), &info, flags) != 0 || info.si_pid == process_;
+}
+
+Ending Tool::ending() {
+    assert(process_ != 0);
+    const int status = wait_for_end();
+    const int reported =
+        WIFEXITED(status) ? WEXITSTATUS(status) : 128 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+    return {reported, last_lines(said_)};
+}
+
 }  // namespace pushfactor::demos

@@ -24,6 +24,12 @@ class ToolError : public std::runtime_error {
 // Where PATH has it.
 std::optional<std::filesystem::path> find_tool(const std::string& name);
 
+// How a tool ended: its exit status, 128 and more for a signal, and its last words.
+struct Ending {
+    int status = 0;
+    std::string words;
+};
+
 // A tool at work. Ctrl-C in a terminal does not reach it: whether its work is finished or dropped is for the
 // program to decide. Any number may be at work at once, each used by one thread at a time. Members throw ToolError;
 // after that only the destructor may be called.
@@ -40,6 +46,10 @@ class Tool {
 
     // Tells the tool that there is no more, and waits until it has ended well.
     void finish();
+
+    // For whom other endings than a good one are answers: whether it has ended, and how; the latter waits for it.
+    bool has_ended() const;
+    Ending ending();
 
   private:
     void start(const std::filesystem::path& program, std::vector<std::string> words);

@@ -1,0 +1,130 @@
+#include "demos/reports/stability/gallery.h"
+
+#include "demos/output_file.h"
+#include "demos/pictures/draw_list.h"
+#include "demos/pictures/framing.h"
+#include "demos/pictures/layout.h"
+#include "demos/pictures/studio.h"
+#include "demos/pictures/survey.h"
+#include "renderer/png.h"
+#include "renderer/renderer_error.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos::reports::stability {
+
+namespace {
+
+namespace fs = std::filesystem;
+using engine::Vector3;
+
+constexpr pictures::Size thumbnail{320, 180};  // pixels
+constexpr int columns = 3;
+constexpr int samples = 4;
+constexpr float letters = 11.0f;  // pixels
+
+// What a scene begins with: what moves, what it hangs on, and the walls that are not infinite.
+std::vector<pictures::Ball> balls_of(const SceneDescription& start) {
+    std::vector<pictures::Ball> balls;
+    for (const BodyDescription& body : start.bodies) {
+        if (bounding_radius(body) > 0.0) balls.push_back({body.position, bounding_radius(body)});
+    }
+    for (const DistanceDescription& distance : start.distances) {
+        if (distance.a.body == "world") balls.push_back({distance.a.point, 0.0});
+    }
+    return balls;
+}
+
+Eigen::AlignedBox3d place_of(const std::vector<pictures::Ball>& balls) {
+    Eigen::AlignedBox3d place;
+    for (const pictures::Ball& ball : balls) {
+        place.extend(ball.centre + Vector3::Constant(ball.radius));
+        place.extend(ball.centre - Vector3::Constant(ball.radius));
+    }
+    return place;
+}
+
+// Pictures have single precision, so what is far away is drawn as if it were here: where the origin is to be.
+Vector3 origin_of(const SceneDescription& start) {
+    const Eigen::AlignedBox3d place = place_of(balls_of(start));
+    const bool far = !place.isEmpty() && place.center().norm() > 100.0 * place.diagonal().norm();
+    return far ? Vector3(start.bodies.front().position) : Vector3::Zero();
+}
+
+void shift(SceneDescription& scene, const Vector3& by) {
+    for (BodyDescription& body : scene.bodies) body.position += by;
+    for (DistanceDescription& distance : scene.distances) {
+        if (distance.a.body == "world") distance.a.point += by;
+        if (distance.b.body == "world") distance.b.point += by;
+    }
+    scene.view.eye += by;
+    scene.view.target += by;
+}
+
+// Shows how it began and where it ended, but for what ended so far away that nothing else would be seen.
+View camera(const SceneDescription& start, const Scene& end, double aspect) {
+    std::vector<pictures::Ball> balls = balls_of(start);
+    const std::vector<pictures::Ball> ended = pictures::movable_balls(end);
+    if (balls.empty()) return pictures::fitted(start.view, ended, aspect);
+    const Eigen::AlignedBox3d place = place_of(balls);
+    for (const pictures::Ball& ball : ended) {
+        if (place.exteriorDistance(ball.centre) < 2.0 * place.diagonal().norm()) balls.push_back(ball);
+    }
+    return pictures::fitted(start.view, balls, aspect);
+}
+
+// Blank where the state lies beyond what a picture can hold.
+renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const Trial& trial) {
+    Choices choices = understand(trial.state().string(), {});
+    SceneDescription start = trial.start();
+    const Vector3 here = -origin_of(start);
+    shift(start, here);
+    shift(choices.description, here);
+    const Scene scene = choices.build();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    try {
+        return studio.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);
+    } catch (const renderer::RendererError&) {
+        return renderer::blank_image(size.width, size.height, glm::vec3(0.9f));
+    }
+}
+
+std::string label_of(const Trial& trial) {
+    return fmt::format("{}, {}: {}{}", trial.one().name, trial.expected().preset, trial.outcome(),
+                       trial.holds() ? "" : " (not as expected)");
+}
+
+}  // namespace
+
+Gallery::Gallery(fs::path folder) : folder_(std::move(folder)) {
+    try {
+        studio_ = std::make_unique<pictures::Studio>();
+    } catch (const renderer::RendererError& error) {
+        missing_ = error.what();
+    }
+}
+
+Gallery::~Gallery() = default;
+
+std::string Gallery::hang(const std::string& name, std::span<const Trial> trials) const {
+    std::vector<const Trial*> shown;
+    for (const Trial& trial : trials) {
+        if (studio_ && fs::exists(trial.state())) shown.push_back(&trial);
+    }
+    if (shown.empty()) return {};
+    const int across = std::min(columns, static_cast<int>(shown.size()));
+    const int rows = (static_cast<int>(shown.size()) + across - 1) / across;
+    const pictures::Layout layout =
+        pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
+    std::vector<renderer::Image> images;
+    for (const Trial* trial : shown) images.push_back(draw(*studio_, layout.cell, *trial));
+    renderer::Image sheet = pictures::assemble(layout, images);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        studio_->lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);
+    }
+    const std::vector<std::uint8_t> bytes = renderer::encode_png(sheet);
+    write_file(folder_ / (name + ".png"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return name + ".png";
+}
+
+}  // namespace pushfactor::demos::reports::stability

@@ -1,0 +1,199 @@
+// The stability report as a whole: one command, a table that holds, thumbnails, commands that show the same; and
+// how a case is judged.
+#include "demos/reports/stability/measures.h"
+#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/trial.h"
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <cmath>
+#include <set>
+#include <thread>
+
+using namespace pushfactor::tests;
+using namespace pushfactor::demos::reports::stability;
+
+namespace {
+
+// A line of a CSV file in its fields; commas inside quotes belong to their field.
+std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> found(1);
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ',' && !quoted) {
+            found.emplace_back();
+        } else {
+            found.back() += c;
+        }
+    }
+    return found;
+}
+
+std::vector<std::vector<std::string>> table(const std::string& csv) {
+    std::vector<std::vector<std::string>> lines;
+    std::istringstream stream(csv);
+    for (std::string line; std::getline(stream, line);) lines.push_back(fields(line));
+    return lines;
+}
+
+std::string after(const std::string& text, const std::string& words) {
+    const auto at = text.find(words);
+    return at == std::string::npos ? "" : text.substr(at + words.size());
+}
+
+// A stack of five for one step.
+Case short_case() {
+    return {.name = "short",
+            .scene = "stack",
+            .options = {{"seconds", "0.02"}},
+            .wanted = "creep",
+            .checks = {{.measure = "max_penetration_m", .bar = 1.0}}};
+}
+
+struct Judged {
+    std::string outcome;
+    bool met = false, holds = false;
+};
+
+Judged judged(const Case& one, const Expected& expected) {
+    const Folder folder;
+    write_scenes({{.name = "chapter", .heading = "Chapter", .cases = {one}}}, folder.path());
+    Trial trial(one, expected, folder.path());
+    trial.start(PUSHFACTOR_PROGRAM);
+    while (!trial.has_ended()) std::this_thread::yield();
+    trial.judge();
+    return {trial.outcome(), trial.verdicts().front().met, trial.holds()};
+}
+
+// A trajectory of one body that starts at 1 m and rises at 10 m/s, under gravity 10 m/s^2, at steps of 0.1 s.
+Evidence thrown(const pushfactor::demos::SceneDescription& scene) {
+    Evidence evidence{.scene = &scene};
+    Columns& columns = evidence.outputs["trajectory"];
+    for (const char* const name : {"x_m", "z_m", "qx", "qy", "qz", "vx_m_per_s", "vz_m_per_s", "wx_rad_per_s",
+                                   "wy_rad_per_s", "wz_rad_per_s"}) {
+        columns[name].assign(30, 0.0);
+    }
+    columns["qw"].assign(30, 1.0);
+    double y = 1.0;
+    double v = 10.0;
+    for (int i = 0; i < 30; ++i) {
+        columns["time_s"].push_back(0.1 * i);
+        columns["y_m"].push_back(y);
+        columns["vy_m_per_s"].push_back(v);
+        v -= 1.0;
+        y += 0.1 * v;
+    }
+    return evidence;
+}
+
+}  // namespace
+
+TEST_CASE("the quick stability report holds, shows every end, and its commands show the same", "[long]") {
+    const Folder folder;
+    const Ended ended = shell(folder, "pushfactor report stability --quick --out .");
+    INFO(ended.err);
+    REQUIRE(ended.status == 0);
+    CHECK(ended.out == "./index.html\n");
+
+    const auto lines = table(folder.read("stability.csv"));
+    CHECK(lines.front() == std::vector<std::string>{"case", "preset", "outcome", "expected", "measure", "value",
+                                                    "bar", "holds", "command"});
+    std::set<std::string> presets;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        INFO(lines[i].front());
+        REQUIRE(lines[i].size() == 9);
+        presets.insert(lines[i][1]);
+        CHECK(lines[i][7] == "yes");
+        CHECK(lines[i][8].starts_with("pushfactor run "));
+    }
+    CHECK(presets == std::set<std::string>{"default", "exact", "paper"});
+
+    const std::string page = folder.read("index.html");
+    for (const char* const chapter : {"heavy-on-light", "impacts", "chains", "bounces"}) {
+        CHECK(page.find(std::string("<img src=\"") + chapter + ".png\"") != std::string::npos);
+        CHECK(std::filesystem::file_size(folder / (std::string(chapter) + ".png")) > 3000);
+    }
+    for (const char* const name : {"cube-200-m-per-s-from-4.1", "at-1e6-m", "chain-1000-kg"}) {
+        const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l[0] == name; });
+        REQUIRE(line != lines.end());
+        const Ended again = shell(folder, (*line)[8]);
+        CHECK(again.status == 0);
+        CHECK(after(again.out, "\"outcome\": \"").starts_with((*line)[2] + '"'));
+        const std::string value = after(again.out, "\"" + fields((*line)[4]).front() + "\": ");
+        CHECK(std::stod(value) == std::stod((*line)[5]));
+    }
+}
+
+TEST_CASE("a run that fails is exit 3 and named, and the others are judged all the same") {
+    const Folder folder;
+    std::filesystem::create_directories(folder / "runs/bouncing-ball-exact.json");  // where its summary should go
+    const Ended ended = shell(folder, "pushfactor report stability --quick --only bounces,turning --out .");
+    CHECK(ended.status == 3);
+    INFO(ended.err);
+    CHECK(ended.err.find("the first is bouncing-ball (exact): failed") != std::string::npos);
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    int unexpected = 0;
+    const auto lines = table(folder.read("stability.csv"));
+    for (const auto& line : lines) unexpected += line[7] == "no" ? 1 : 0;
+    CHECK(unexpected == 1);
+    CHECK(lines.size() == 1 + 3 + 9);
+}
+
+TEST_CASE("a case holds when its outcome is the expected or the wanted one and its bars are met") {
+    Case one = short_case();
+    CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
+    CHECK(judged(one, {.preset = "default", .outcome = "fall"}).holds);  // better than expected
+    one.wanted = "rest";
+    CHECK(!judged(one, {.preset = "default", .outcome = "rest"}).holds);
+    CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
+}
+
+TEST_CASE("a bar that is missed holds up to what is known to be reached, on either side") {
+    Case one = short_case();
+    one.checks = {{.measure = "max_penetration_m", .bar = 0.25, .target = 2.0, .scale = 4.0}};  // |0 - 2| / 4
+    CHECK(!judged(one, {"default", "creep"}).holds);
+    CHECK(!judged(one, {"default", "creep", {0.45}}).holds);
+    const Judged known = judged(one, {"default", "creep", {0.55}});
+    CHECK(known.holds);
+    CHECK(!known.met);
+    one.checks.front().bar = 0.5;
+    CHECK(judged(one, {"default", "creep"}).met);
+    one.checks.front().bar = 0.6;
+    one.checks.front().at_least = true;
+    CHECK(!judged(one, {"default", "creep"}).holds);
+    CHECK(judged(one, {"default", "creep", {0.4}}).holds);
+}
+
+TEST_CASE("a refusal counts only when it names the field") {
+    Case one{.name = "refused", .scene = "stack", .options = {{"dt", "0"}}, .wanted = "refused", .field = "--dt"};
+    CHECK(judged(one, {"default", "refused"}).holds);
+    one.field = "--beta";
+    CHECK(judged(one, {"default", "refused"}).outcome == "refused without its name");
+    CHECK(!judged(one, {"default", "refused"}).holds);
+}
+
+TEST_CASE("measures of a thrown ball follow its parabola") {
+    const auto scene = bouncing_ball();
+    const Evidence evidence = thrown(scene);
+    CHECK(*take("relative_energy_change", evidence) < 1e-12);
+    CHECK(*take("acceleration_m_per_s2", evidence) == Approx(10.0));
+    CHECK(*take("deflection_m_per_s", evidence) == Approx(29.0));
+    CHECK(*take("depth_m", evidence) == Approx(29 * 30 / 2 * 0.1 - 30.0).margin(1e-9));
+    CHECK(!take("spread_of_5_apexes_m", evidence));  // it does not bounce
+}
+
+TEST_CASE("the stability report refuses what it does not know in one line") {
+    const auto refused = [](const std::string& arguments, const std::string& words) {
+        const Ended ended = run_program(arguments);
+        INFO(ended.err);
+        CHECK(ended.status == 2);
+        CHECK(ended.err.find(words) != std::string::npos);
+        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    };
+    refused("report stabilty", "did you mean stability?");
+    refused("report stability --only chain", "did you mean chains?");
+    refused("report stability --problems", "--problems");
+    CHECK(run_program("report stability --quick --out /dev/null/x").status == 4);
+}
