@@ -79,7 +79,7 @@ TEST_CASE("with tolerance 0 direct and auto end at rounding, from the last force
         for (const char* solver : {"direct", "auto"}) {
             const Answer own = answer(problem, solver, true, 100);
             INFO(solver);
-            const bool swept = moment.name == "funnel of 200" && solver == std::string("auto");  // a heap
+            const bool swept = moment.name.starts_with("funnel") && solver == std::string("auto");  // a heap
             CHECK(own.residual < (swept ? 1e-5 : 1e-11));
             CHECK(own.iterations > 0);
         }

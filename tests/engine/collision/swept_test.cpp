@@ -44,8 +44,8 @@ Moving random_moving(Random& random, const Shape& shape, double speed, double tu
 
 TEST_CASE("the moment in which two spheres meet is the root of a quadratic") {
     const Shape ball = Sphere{0.5};
-    const Moving a{ball, at({0, 0, 0}), {{0, 0, 0}, {}}};
-    const Moving b{ball, at({3, 0.6, 0}), {{-200, 0, 0}, {}}};
+    const Moving a{ball, at({0, 0, 0}), {{0, 0, 0}, Vector3::Zero()}};
+    const Moving b{ball, at({3, 0.6, 0}), {{-200, 0, 0}, Vector3::Zero()}};
     const auto meeting = find_meeting(a, b, dt, 1e-9, 0.01);
     REQUIRE(meeting);
     CHECK(meeting->time == Approx(2.2 / 200.0).epsilon(1e-8));  // centres 0.8 apart in x and 0.6 in y
@@ -55,7 +55,7 @@ TEST_CASE("the moment in which two spheres meet is the root of a quadratic") {
 TEST_CASE("a box that falls flat meets the ground and another box with its whole face") {
     const Shape box = Box{Vector3::Constant(0.5)};
     const Shape ground = Plane{};
-    const Moving falling{box, at({0.2, 2.5, 0}), {{0, -200, 0}, {}}};
+    const Moving falling{box, at({0.2, 2.5, 0}), {{0, -200, 0}, Vector3::Zero()}};
     for (const Moving& below : {Moving{ground, at({0, 0, 0}), {}}, Moving{box, at({0, -0.5, 0}), {}}}) {
         const auto meeting = find_meeting(below, falling, dt, 1e-4, 0.0);
         REQUIRE(meeting);
