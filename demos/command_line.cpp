@@ -91,12 +91,17 @@ void add_frames(CLI::App& app, Request& request) {
 }
 
 void add_report(CLI::App& app, Request& request) {
-    app.add_option("REPORT", request.reports, "error: error against work and run time, of every method and scene")
+    app.add_option(
+           "REPORT", request.reports,
+           "error: error against work and run time, of every method and scene; atlas: maps of how runs end, "
+           "over two parameters")
         ->type_name("NAME");
-    app.add_option("--out", request.out, "folder for the page, its plots and tables [out/report-error]")
+    app.add_option("--out", request.out, "folder for the page, its plots and tables [out/report-REPORT]")
         ->type_name("DIR");
-    app.add_flag("--quick", request.quick, "few values and short runs: under a minute instead of half an hour");
-    app.add_option("--only", request.parts, "parts of the report: scenes, frozen, consistency [all]")
+    app.add_flag("--quick", request.quick,
+                 "few values and short runs: under a minute instead of minutes (atlas) to half an hour (error)");
+    app.add_option("--only", request.parts,
+                   "parts of the report: scenes, frozen, consistency (error), maps (atlas) [all]")
         ->type_name("PART")
         ->delimiter(',');
     app.add_flag("--problems", request.problems, "also write the frozen problems as JSON, for other solvers");
