@@ -112,7 +112,7 @@ TEST_CASE("reports refuse what they do not know in one line") {
         CHECK(ended.err.find(words) != std::string::npos);
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     };
-    refused("report", "must be one of error, atlas");
+    refused("report", "must be one of error");
     refused("report eror", "did you mean error?");
     refused("report error cost", "must be one of error");
     refused("report error --only stak", "did you mean stack?");
