@@ -26,12 +26,12 @@ inner = sprintf(',%.1f', 0.7 * share)
 legend = sprintf(',%.1f', 0.8 * share)
 set label 99 heading at screen 0.095,0.958 left font sprintf(',%.1f', 1.1 * share)
 set label 100 command at screen 0.992,0.02 right font small textcolor rgb '#888888' noenhanced
-set label 101 number_words at screen 0.752,0.16 left font small textcolor rgb '#444444'
+set label 101 'numbers: '.number_words at screen 0.752,0.145 left font small textcolor rgb '#444444'
 set key at screen 0.745,0.925 samplen 1.6 top left Left reverse font legend
 plot data index 0 using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid 1.0 border rgb 'white' linewidth 1.5 \
          linecolor rgb variable notitle, \
-     data index 1 using 1:2 with lines linewidth 3.2 linecolor rgb '#444444' notitle, \
-     data index 1 using 1:2 with lines linewidth 1.8 dashtype (6,4) linecolor rgb 'white' notitle, \
+     data index 1 using 1:2 with lines linewidth 2.2 linecolor rgb '#444444' notitle, \
+     data index 1 using 1:2 with lines linewidth 1.2 dashtype (6,4) linecolor rgb 'white' notitle, \
      data index 0 using 1:2:8:9 with labels font inner textcolor rgb variable notitle, \
      for [i=1:words(outcomes)] keyentry with boxes fillstyle solid 1.0 border rgb 'white' \
          linecolor rgb word(colours, i) title word(outcomes, i), \

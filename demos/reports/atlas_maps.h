@@ -44,6 +44,7 @@ struct AtlasMap {
     AtlasAxis x, y;
     AtlasMeasure measure;
     std::optional<AtlasTheory> theory{};
+    std::string moving = "moving";  // what this outcome means here, for the legend
 };
 
 std::vector<AtlasMap> atlas_maps();

@@ -74,12 +74,12 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
 }
 
 // What the legend lists: the outcomes that the map has, as words and as colours for gnuplot's word().
-std::pair<std::string, std::string> legend_of(const std::vector<CellResult>& results) {
+std::pair<std::string, std::string> legend_of(const AtlasMap& map, const std::vector<CellResult>& results) {
     std::string words, colours;
     for (const OutcomeLook& look : outcome_looks) {
         const auto is_this = [&look](const CellResult& result) { return result.outcome == look.outcome; };
         if (std::none_of(results.begin(), results.end(), is_this)) continue;
-        words += fmt::format("\"{}\" ", look.words);
+        words += fmt::format("\"{}\" ", look.outcome == name_of(Outcome::moving) ? map.moving : look.words);
         colours += fmt::format("#{:06x} ", number_of(look.colour));
     }
     return {words, colours};
@@ -100,7 +100,7 @@ void draw(const AtlasMap& map, const std::vector<CellResult>& results, const std
         plate.caption += std::string(" ") + what_plots_need;
         return;
     }
-    const auto [words, colours] = legend_of(results);
+    const auto [words, colours] = legend_of(map, results);
     const Plot plot{.script = "atlas",
                     .data = folder / data,
                     .name = map.name,
