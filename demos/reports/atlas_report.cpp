@@ -13,6 +13,11 @@ namespace pushfactor::demos::reports {
 
 namespace {
 
+std::filesystem::path in_new_folder(const std::filesystem::path& folder, const char* name) {
+    make_folder(folder);
+    return folder / name;
+}
+
 // One atlas in the making.
 class AtlasReport {
   public:
@@ -20,7 +25,8 @@ class AtlasReport {
         : request_(request),
           atlas_(atlas_maps()),
           shown_(request.quick ? quick_maps() : atlas_),
-          file_(in_folder("atlas.csv"), atlas_) {}
+          path_(in_new_folder(request.folder, "atlas.csv")),
+          file_(path_, atlas_) {}
 
     void make() {
         run_missing();
@@ -29,11 +35,6 @@ class AtlasReport {
     }
 
   private:
-    std::filesystem::path in_folder(const char* name) const {
-        make_folder(request_.folder);
-        return request_.folder / name;
-    }
-
     std::vector<AtlasMap> quick_maps() const {
         std::vector<AtlasMap> maps;
         for (const AtlasMap& map : atlas_) maps.push_back(quick(map));
@@ -63,7 +64,7 @@ class AtlasReport {
         };
         const auto check = [&] {
             stop_if_interrupted(fmt::format("{} of {} runs are in {}; the same command goes on from there", done,
-                                            total, in_folder("atlas.csv").string()));
+                                            total, path_.string()));
         };
         run_cells(missing, finished, check);
     }
@@ -96,6 +97,7 @@ class AtlasReport {
     AtlasRequest request_;
     std::vector<AtlasMap> atlas_;  // all that there is
     std::vector<AtlasMap> shown_;  // the same maps, with the values that were asked for
+    std::filesystem::path path_;
     AtlasFile file_;
 };
 

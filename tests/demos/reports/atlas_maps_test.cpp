@@ -65,8 +65,7 @@ TEST_CASE("an outcome of every kind has a look of its own") {
     CHECK(find_look(non_finite));
 }
 
-TEST_CASE(
-    "a heavy cube that stands with some iterations stands with more, and falls with far fewer than its ratio") {
+TEST_CASE("a heavy cube that stands with some iterations stands with more, and not with a tenth of its ratio") {
     const AtlasMap map = map_named("mass_ratio_iterations");
     for (const std::string ratio : {"1", "10", "100", "1000"}) {
         bool stood = false;
@@ -76,7 +75,7 @@ TEST_CASE(
             const double theory = map.theory->y(std::stod(ratio));
             if (stood) CHECK(stands(result));
             if (std::stod(iterations) >= theory) CHECK(result.outcome == "rest");
-            if (std::stod(iterations) <= 0.1 * theory) CHECK(result.outcome == "fall");
+            if (std::stod(iterations) <= 0.1 * theory) CHECK(!stands(result));
             stood = stands(result);
         }
     }
@@ -89,12 +88,12 @@ TEST_CASE("the persistent push throws the stack up at the closed form's speed, t
         for (const std::string beta : {"0.1", "0.5", "1"}) {
             INFO("gap " << gap << ", beta " << beta);
             const CellResult thrown = result_of(persistent, gap, beta);
-            // Five contacts, less the slop of 0.2 % of 2.4 m and what gravity takes in the step.
+            // Five contacts, each less the slop of 0.2 % of 2.4 m.
             const double speed = 5.0 * std::stod(beta) * (-std::stod(gap) - 0.0048) * 60.0;
-            CHECK(thrown.value == Approx(speed).epsilon(1e-6).margin(0.2));
+            CHECK(thrown.value == Approx(speed).epsilon(1e-6));
             if (std::stod(beta) > 1.1 * persistent.theory->y(-std::stod(gap))) CHECK(thrown.outcome == "fly");
             const CellResult moved = result_of(single_frame, gap, beta);
-            CHECK(moved.value < 1e-9);
+            CHECK(moved.value < 1e-6);  // m/s; 9e-10 is the largest
             CHECK(stands(moved));
         }
     }
