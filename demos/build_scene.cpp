@@ -1,3 +1,4 @@
+#include "demos/run_state.h"
 #include "demos/scene.h"
 #include "demos/simulation_options.h"
 #include "engine/diagnostics.h"
@@ -163,7 +164,8 @@ void add_contacts(Scene& scene, const SceneDescription& description, const Setti
     scene.world.constraints.push_back(std::move(contacts));
 }
 
-engine::OrientationStep orientation_step(Rotation rotation) {
+// Bodies that may bounce turn by small steps; where nothing is met, the splitting keeps its order.
+engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     switch (rotation) {
         case Rotation::paper:
             return engine::rotate_euler;
@@ -172,7 +174,7 @@ engine::OrientationStep orientation_step(Rotation rotation) {
         case Rotation::splitting:
             break;
     }
-    return engine::rotate_splitting;
+    return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
 void add_solver(Scene& scene, const Settings& settings) {
@@ -240,7 +242,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     add_distances(scene, description, settings);
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
-    scene.world.rotate = orientation_step(settings.rotation);
+    scene.world.rotate = orientation_step(settings.rotation, description.contacts);
     set_integrator(scene, description, settings);
     set_measure(scene, description, settings);
     if (description.state) resume(scene, *description.state);

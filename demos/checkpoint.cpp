@@ -28,7 +28,7 @@ SceneDescription resumed(SceneDescription description, const Scene& scene, const
     for (std::size_t i = 0; i < description.distances.size(); ++i) {
         description.distances[i].length = scene.distances->distances()[i].length;
     }
-    description.state = checkpoint.state;
+    description.state = std::make_shared<RunState>(checkpoint.state);
     description.options["start-kick"] = "off";
     return description;
 }

@@ -1,6 +1,7 @@
 // A run at a moment, caches included, so that it can be written down and gone on with.
 #pragma once
 
+#include "demos/run_state.h"
 #include "demos/scene.h"
 
 namespace pushfactor::demos {

@@ -2,7 +2,6 @@
 // the world of it, and what the description does not mention is not constructed.
 #pragma once
 
-#include "engine/contact_cache.h"
 #include "engine/distance_constraint.h"
 #include "engine/math.h"
 
@@ -96,14 +95,8 @@ class SceneMeasure {
     virtual std::vector<std::pair<std::string, double>> result() const = 0;
 };
 
-// What a run carries from step to step beside the bodies; with it and theirs it goes on to the same bits.
-struct RunState {
-    double time = 0.0;                              // s, of the world; forces may depend on it
-    bool solved_exactly = false;                    // the last step
-    double substeps = 1.0;                          // asked for in the last step; fades from step to step
-    std::vector<engine::Lambda> distance_forces{};  // N, one a distance
-    engine::ContactCache contact_forces{};          // colliders are the bodies in their order
-};
+// What a run carries from step to step beside the bodies (run_state.h).
+struct RunState;
 
 struct SceneDescription {
     std::string name;
@@ -112,7 +105,7 @@ struct SceneDescription {
     std::vector<DistanceDescription> distances;
     std::vector<ForceDescription> forces;
     bool contacts = false;
-    std::optional<RunState> state;  // of a run that goes on; none for one that begins
+    std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
     View view;
 
     // Simulation options that the scene brings along, before command line and config ("preset" among them).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "demos/json_reader.h"
+#include "demos/run_state.h"
 #include "demos/scene_description.h"
 
 #include <map>

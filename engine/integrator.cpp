@@ -8,8 +8,8 @@ namespace pushfactor::engine {
 
 namespace {
 
-// A step of the splitting turns by this much at most [rad]. Its energy errs by the square of that, which is no
-// drift in free flight, but at random from bounce to bounce.
+// The small turns [rad]. The energy of the splitting errs by their square, which is no drift in free flight, but at
+// random from bounce to bounce.
 constexpr double largest_turn = 0.1;
 constexpr double most_turns = 1000.0;
 
@@ -93,18 +93,24 @@ Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, d
     const int first = (smallest + 1) % 3;
     const int second = (smallest + 2) % 3;
 
-    const double angle = angular_momentum.norm() * body.inverse_inertia[smallest] * dt;
-    const double turns = std::clamp(std::ceil(angle / largest_turn), 1.0, most_turns);
-    const double h = dt / turns;
     Quaternion orientation = body.orientation;
-    for (double turn = 0.0; turn < turns; ++turn) {
-        rotate_about_axis(orientation, body, angular_momentum, first, 0.5 * h);
-        rotate_about_axis(orientation, body, angular_momentum, second, 0.5 * h);
-        rotate_about_axis(orientation, body, angular_momentum, smallest, h);
-        rotate_about_axis(orientation, body, angular_momentum, second, 0.5 * h);
-        rotate_about_axis(orientation, body, angular_momentum, first, 0.5 * h);
-    }
+    rotate_about_axis(orientation, body, angular_momentum, first, 0.5 * dt);
+    rotate_about_axis(orientation, body, angular_momentum, second, 0.5 * dt);
+    rotate_about_axis(orientation, body, angular_momentum, smallest, dt);
+    rotate_about_axis(orientation, body, angular_momentum, second, 0.5 * dt);
+    rotate_about_axis(orientation, body, angular_momentum, first, 0.5 * dt);
     return orientation.normalized();
+}
+
+Quaternion rotate_by_small_turns(const Body& body, const Vector3& angular_momentum, double dt) {
+    if (symmetry_axis(body.inverse_inertia) >= 0) return rotate_splitting(body, angular_momentum, dt);
+    const double angle = angular_momentum.norm() * body.inverse_inertia.maxCoeff() * std::abs(dt);
+    const double turns = std::clamp(std::ceil(angle / largest_turn), 1.0, most_turns);
+    Body turned = body;
+    for (double turn = 0.0; turn < turns; ++turn) {
+        turned.orientation = rotate_splitting(turned, angular_momentum, dt / turns);
+    }
+    return turned.orientation;
 }
 
 }  // namespace pushfactor::engine

@@ -29,9 +29,12 @@ Quaternion rotate_euler(const Body& body, const Vector3& angular_momentum, doubl
 Quaternion rotate_exponential(const Body& body, const Vector3& angular_momentum, double dt);
 
 // Strang splitting of the free rigid body into rotations about its three principal axes, the axis of the
-// smallest inertia in the middle, as often within dt as keeps the angle of each small. Second order, keeps |l| to
-// rounding and the energy without drift. Bodies with two equal moments (spheres and cubes among them) take the
-// closed form: precession about l times spin.
+// smallest inertia in the middle. Second order, keeps |l| to rounding and the energy without drift. Bodies with two
+// equal moments (spheres and cubes among them) take the closed form: precession about l times spin.
 Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, double dt);
+
+// The same, as often within dt as keeps the angle of each small: for bodies that bounce, whose energy errs at
+// random from bounce to bounce otherwise. Not smooth in dt, so nothing to compose higher orders from.
+Quaternion rotate_by_small_turns(const Body& body, const Vector3& angular_momentum, double dt);
 
 }  // namespace pushfactor::engine

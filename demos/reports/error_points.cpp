@@ -79,7 +79,7 @@ ErrorPoint run_point(const Sweep& sweep, const Method& method, const std::string
                      .differences = differences(sweep, method),
                      .knob = method.knob,
                      .value = value,
-                     .moves = method.moves * choices.settings.substeps / choices.settings.dt.value()};
+                     .moves = method.moves * choices.settings.substeps.value() / choices.settings.dt.value()};
     run_for_errors(sweep, choices, check, point);
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
     point.cpu = time_runs(choices, repeats, check);

@@ -150,7 +150,7 @@ std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt,
         const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
         Wait wait = wait_of(pair);
         if (wait.gap <= tolerance) {
-            const Manifold manifold = manifold_of(pair, dt - time, margin);
+            const Manifold manifold = manifold_of(pair, dt - time, std::max(margin, 2.0 * tolerance));
             if (manifold.count > 0) return Meeting{time, pair.pose_a, pair.pose_b, manifold};
             // Close along every axis and yet beside each other, corner to corner: a little later they are past.
             wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);

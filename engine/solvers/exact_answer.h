@@ -14,6 +14,8 @@ namespace pushfactor::engine::solvers {
 inline constexpr int most_bound_rounds = 20;
 // A residual [m/s] above which the active set has not settled, and the interior point method takes over.
 inline constexpr double unsettled = 1e-6;
+// With fewer factorisations left it would not get anywhere.
+inline constexpr int least_for_interior_point = 10;
 
 class ExactAnswer {
   public:
@@ -123,7 +125,7 @@ double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
 inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount& count) {
     const double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
     const int left = active_set_.left();
-    if (reached <= std::max(tolerance, unsettled) || left <= 0) return;
+    if (reached <= std::max(tolerance, unsettled) || left < least_for_interior_point) return;
     // The interior point stays a little inside the bounds and does not get to rounding. But it finds out which rows
     // are clamped, and from there the active set gets to the end.
     const int before = count.iterations;

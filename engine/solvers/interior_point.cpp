@@ -46,8 +46,10 @@ double InteriorPoint::gap(const UnitProblem& problem, double share) const {
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Point& point = points_[j];
         const double y = point.y + share * point.dy;
-        if (point.low) sum += (y - problem.rows[j].low) * (point.z_low + share * point.dz_low);
-        if (point.high) sum += (problem.rows[j].high - y) * (point.z_high + share * point.dz_high);
+        // Added up so that the mirrored problem, whose bounds have changed sides, gives the same number.
+        const double low = point.low ? (y - problem.rows[j].low) * (point.z_low + share * point.dz_low) : 0.0;
+        const double high = point.high ? (problem.rows[j].high - y) * (point.z_high + share * point.dz_high) : 0.0;
+        sum += low + high;
         bounds += point.low + point.high;
     }
     return bounds > 0 ? sum / bounds : 0.0;
@@ -104,7 +106,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, bool second_o
         // Here the multipliers themselves; their change once dy is known.
         point.dz_low = point.low ? low / to_low : 0.0;
         point.dz_high = point.high ? high / to_high : 0.0;
-        q_[j] = r_[j] + point.dz_low - point.dz_high;
+        q_[j] = r_[j] + (point.dz_low - point.dz_high);
         push(row, point.w * q_[j], d_);
     }
     matrix_.solve(d_);

@@ -110,8 +110,10 @@ TEST_CASE(
         Simulation whole(choices.build(), choices.settings);
         advance(whole, 60);
         SceneDescription forgetful = resumed(spelled_out(choices), whole.scene(), whole.checkpoint());
-        forgetful.state->contact_forces = {};
-        for (engine::Lambda& force : forgetful.state->distance_forces) force = {};
+        RunState state = *forgetful.state;
+        state.contact_forces = {};
+        for (engine::Lambda& force : state.distance_forces) force = {};
+        forgetful.state = std::make_shared<RunState>(state);
         Simulation other(build_scene(forgetful, choices.settings), choices.settings);
         advance(whole, 2);
         advance(other, 2);

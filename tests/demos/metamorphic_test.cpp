@@ -155,7 +155,7 @@ TEST_CASE("a scene of balls in a mirror is the mirrored scene, bit for bit") {
 TEST_CASE("shifted, turned about the vertical, or in other units, a scene does the same to rounding") {
     const Quaternion turn(Eigen::AngleAxisd(0.7, Vector3::UnitY()));
     const std::array similarities{
-        std::pair{"shifted", Similarity{.shift = {10, 20, -30}}},         // measured at most 3.1e-11
+        std::pair{"shifted", Similarity{.shift = {10, 20, -30}}},         // measured at most 3.1e-11 without margin
         std::pair{"turned", Similarity{.turn = turn}},                    // 1.3e-11
         std::pair{"masses", Similarity{.mass = 10.0}},                    // 1.9e-12
         std::pair{"lengths", Similarity{.length = 9.0, .time = {3, 1}}},  // 3.9e-10
@@ -164,7 +164,10 @@ TEST_CASE("shifted, turned about the vertical, or in other units, a scene does t
         for (const char* preset : presets_of_interest) {
             for (const auto& [name, similarity] : similarities) {
                 INFO(test.name << ", " << preset << ", " << name);
-                CHECK(difference(run_both(test, preset, similarity)) < 1e-8);
+                // A point that lands within the margin comes to lie a little under the surface, or has been there
+                // by a rounding: a thousandth of the slop is what that may change.
+                const bool lands = test.name == std::string("stack") && preset == std::string("default");
+                CHECK(difference(run_both(test, preset, similarity)) < (lands ? 1e-5 : 1e-8));
             }
         }
     }

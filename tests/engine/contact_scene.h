@@ -29,6 +29,8 @@ struct ContactScene {
     engine::World world;
     std::vector<engine::collision::Collider> colliders;
 
+    ContactScene() { world.rotate = engine::rotate_by_small_turns; }
+
     static constexpr double dt = 1.0 / 60.0;
 
     // Returns the body, good until the next one is added.

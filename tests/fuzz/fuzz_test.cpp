@@ -115,7 +115,7 @@ TEST_CASE("a correction for a single frame turns an isolated system by sum dx_co
 
 TEST_CASE("an exact solve that is cut short gives no energy away") {
     // What shrinking left of a random scene: after four factorisations the best residual belonged to forces that
-    // gave 1.9e4 J more than the push, a third of all energy.
+    // gave 1.9e4 J more than the push.
     demos::SceneDescription scene;
     scene.contacts = true;
     scene.bodies = {

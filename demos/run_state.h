@@ -1,0 +1,18 @@
+// What a run carries from step to step beside the bodies; with it and theirs it goes on to the same bits.
+#pragma once
+
+#include "engine/contact_cache.h"
+
+#include <vector>
+
+namespace pushfactor::demos {
+
+struct RunState {
+    double time = 0.0;                              // s, of the world; forces may depend on it
+    bool solved_exactly = false;                    // the last step
+    double substeps = 1.0;                          // asked for in the last step; fades from step to step
+    std::vector<engine::Lambda> distance_forces{};  // N, one a distance
+    engine::ContactCache contact_forces{};          // colliders are the bodies in their order
+};
+
+}  // namespace pushfactor::demos
