@@ -147,7 +147,7 @@ AtlasMap chain_steps(const std::string& name, const std::string& substeps, const
             .title = title,
             .caption =
                 "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its "
-                "last ball, 10 s. Moving is right; fly has torn apart. " +
+                "last ball, 10 s. Moving is the swing itself; fly has torn apart. " +
                 caption,
             .scene = "chain",
             .common = {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},
@@ -157,7 +157,7 @@ AtlasMap chain_steps(const std::string& name, const std::string& substeps, const
             .y = time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15"}),
             .measure = length_error,
             .theory = AtlasTheory{"ω dt = 2", step_that_tension_allows},
-            .moving = "moving: swings, as it should"};
+            .moving = "moving: swings on"};
 }
 
 }  // namespace
@@ -177,9 +177,9 @@ std::vector<AtlasMap> atlas_maps() {
         overlap_persistent(),
         overlap_single_frame(),
         stack_steps(
-            "paper", "The stack of the paper: step and beta",
+            "paper", "The stack by the paper's method: long steps and beta 1 bring it down",
             "25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws it over."),
-        stack_steps("default", "The stack with the default preset: step and beta",
+        stack_steps("default", "The stack with the default preset: it stands at every step and beta",
                     "Single-frame push, contact caching and a direct finish."),
         chain_steps("plain", "1", "Bars under tension: the longest step that holds",
                     "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the "
