@@ -1,5 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/errors.h"
+#include "demos/reports/atlas_report.h"
 #include "demos/reports/error_report.h"
 #include "demos/reports/stability_report.h"
 #include "demos/suggest.h"
@@ -19,36 +20,49 @@ void require_known(const char* what, const std::string& name, const std::vector<
         fmt::format("{} {}: must be one of {}{}", what, name, fmt::join(known, ", "), suggestion(name, known)));
 }
 
-void print_page(const std::filesystem::path& folder) {
-    fmt::print("{}\n", (folder / "index.html").string());
-}
+struct Report {
+    std::string name;
+    std::vector<std::string> parts;
+    void (*make)(const Request& request, const std::filesystem::path& folder);
+};
 
-void make_error_report(const Request& request, const std::filesystem::path& folder) {
-    for (const std::string& part : request.parts) require_known("--only", part, reports::error_parts());
-    reports::report_error(
-        {.folder = folder, .quick = request.quick, .problems = request.problems, .parts = request.parts});
-    print_page(folder);
-}
-
-void make_stability_report(const Request& request, const std::filesystem::path& folder) {
-    for (const std::string& part : request.parts) require_known("--only", part, reports::stability_parts());
-    if (request.problems) throw UsageError("--problems: belongs to the report error");
-    reports::report_stability({.folder = folder, .quick = request.quick, .parts = request.parts});
-    print_page(folder);
+std::vector<Report> all_reports() {
+    return {
+        {"error", reports::error_parts(),
+         [](const Request& request, const std::filesystem::path& folder) {
+             reports::report_error(
+                 {.folder = folder, .quick = request.quick, .problems = request.problems, .parts = request.parts});
+         }},
+        {"stability", reports::stability_parts(),
+         [](const Request& request, const std::filesystem::path& folder) {
+             reports::report_stability({.folder = folder, .quick = request.quick, .parts = request.parts});
+         }},
+        {"atlas", reports::atlas_map_names(), [](const Request& request, const std::filesystem::path& folder) {
+             reports::report_atlas({.folder = folder, .quick = request.quick, .maps = request.parts});
+         }}};
 }
 
 }  // namespace
 
 void report(const Request& request) {
-    const std::vector<std::string> known{"error", "stability"};
+    const std::vector<Report> all = all_reports();
+    std::vector<std::string> names;
+    for (const Report& report : all) names.push_back(report.name);
     if (request.reports.size() != 1) {
         throw UsageError(
-            fmt::format("report {}: must be one of {}", fmt::join(request.reports, " "), fmt::join(known, ", ")));
+            fmt::format("report {}: must be one of {}", fmt::join(request.reports, " "), fmt::join(names, ", ")));
     }
     const std::string& name = request.reports.front();
-    require_known("report", name, known);
+    require_known("report", name, names);
+    const Report& report =
+        *std::find_if(all.begin(), all.end(), [&](const Report& candidate) { return candidate.name == name; });
+    for (const std::string& part : request.parts) require_known("--only", part, report.parts);
+    if (request.problems && name != "error")
+        throw UsageError("--problems: must be given with report error, the only one that has them");
+
     const std::filesystem::path folder = request.out.value_or("out/report-" + name);
-    name == "error" ? make_error_report(request, folder) : make_stability_report(request, folder);
+    report.make(request, folder);
+    fmt::print("{}\n", (folder / "index.html").string());
 }
 
 }  // namespace pushfactor::demos::commands
