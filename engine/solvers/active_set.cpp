@@ -58,7 +58,10 @@ double ActiveSet::solve(const UnitProblem& problem, double tolerance, int factor
     const double allowed = std::max(0.0, objective(problem, y, x_));
     best_ = y;
     int without_gain = 0;
-    while (reached > tolerance && left_ > 0 && without_gain < most_without_gain) {
+    // One change more than the tolerance asks for: it has its factor already and takes the rest down to rounding,
+    // which a stack that is not solved again for a minute would add up to a motion.
+    for (bool enough = reached <= tolerance; !enough && left_ > 0 && without_gain < most_without_gain;) {
+        enough = reached <= tolerance;
         const bool stayed = change(problem, y, count);
         follow(problem, y, x_, r_);
         const double now = residual(problem, y, r_);

@@ -21,6 +21,9 @@ namespace {
 constexpr double pairs_of_a_thread = 1.5;
 // From here on not even the order of elimination is worth finding out.
 constexpr double pairs_of_a_heap = 2.2;
+// Factorisations of an exact answer, at least: cut short it is worth little, and the iterations of a scene are
+// meant for sweeps.
+constexpr int factorisations_of_a_thread = 100;
 // What is left after the sweeps of a heap that calls for exact steps [m/s].
 constexpr double far = 3e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
@@ -39,7 +42,8 @@ class Auto {
             work_down(rows_, {1, termination.tolerance_high, termination.tolerance_low}, count, sweep<columns>);
         } else if (exact_.pairs() <= pairs_of_a_thread * exact_.movable_bodies()) {
             exact_.plan();
-            exact_.solve(rows_, termination.tolerance_low, termination.iterations, count);
+            exact_.solve(rows_, termination.tolerance_low,
+                         std::max(termination.iterations, factorisations_of_a_thread), count);
             count.exact = true;
         } else {
             solve_heap(termination, count);

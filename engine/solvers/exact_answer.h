@@ -123,15 +123,19 @@ double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
 
 // The column of problem_, as it is.
 inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount& count) {
-    const double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
-    const int left = active_set_.left();
-    if (reached <= std::max(tolerance, unsettled) || left < least_for_interior_point) return;
-    // The interior point stays a little inside the bounds and does not get to rounding. But it finds out which rows
-    // are clamped, and from there the active set gets to the end.
-    const int before = count.iterations;
-    interior_.solve(problem_, tolerance, left, y_, count);
-    active_set_.start();
-    active_set_.solve(problem_, tolerance, left - (count.iterations - before), y_, count);
+    double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
+    if (reached <= unsettled) return;
+    // The interior point stays a little inside the bounds and takes long to get to rounding. But it soon knows
+    // which rows are clamped, and from there the active set gets to the end; if not, a longer way shows more.
+    int left = active_set_.left();
+    for (const double near : {0.1 * unsettled, 0.0}) {
+        if (reached <= tolerance || left < least_for_interior_point) return;
+        const int before = count.iterations;
+        interior_.solve(problem_, std::max(tolerance, near), left, y_, count);
+        active_set_.start();
+        reached = active_set_.solve(problem_, tolerance, left - (count.iterations - before), y_, count);
+        left -= count.iterations - before;
+    }
 }
 
 template <int columns>

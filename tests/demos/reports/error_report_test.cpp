@@ -112,9 +112,9 @@ TEST_CASE("reports refuse what they do not know in one line") {
         CHECK(ended.err.find(words) != std::string::npos);
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     };
-    refused("report", "must be one of error, stability");
+    refused("report", "must be one of error, stability, atlas");
     refused("report eror", "did you mean error?");
-    refused("report error cost", "must be one of error, stability");
+    refused("report error cost", "must be one of error, stability, atlas");
     refused("report error --only stak", "did you mean stack?");
     refused("report error --fast", "unknown option");
     CHECK(run_program("report error --quick --out /dev/null/x").status == 4);
