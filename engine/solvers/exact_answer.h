@@ -12,8 +12,9 @@ namespace pushfactor::engine::solvers {
 
 // Rounds of the fixed point, at most: a settled stack takes 2, a landing up to 20.
 inline constexpr int most_bound_rounds = 20;
-// A residual [m/s] above which the active set has not settled, and the interior point method takes over.
-inline constexpr double unsettled = 1e-6;
+// The residual above which the active set has not settled, and the interior point method takes over: a fraction of
+// the largest speed that a row is asked for.
+inline constexpr double unsettled_share = 1e-7;
 // With fewer factorisations left it would not get anywhere.
 inline constexpr int least_for_interior_point = 10;
 
@@ -124,6 +125,9 @@ double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
 // The column of problem_, as it is.
 inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount& count) {
     double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
+    double fastest = 0.0;
+    for (const UnitProblem::Row& row : problem_.rows) fastest = std::max(fastest, row.scale * std::abs(row.t));
+    const double unsettled = unsettled_share * fastest;
     if (reached <= unsettled) return;
     // The interior point stays a little inside the bounds and takes long to get to rounding. But it soon knows
     // which rows are clamped, and from there the active set gets to the end; if not, a longer way shows more.

@@ -19,8 +19,10 @@ constexpr int most_without_gain = 40;
 
 // Inside the bounds, at a distance that suits the problem, with multipliers of that size.
 void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>& y) {
-    double typical = 1e-6;
-    for (const Row& row : problem.rows) typical = std::max(typical, std::abs(row.t));
+    double typical = std::numeric_limits<double>::min();
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        typical = std::max({typical, std::abs(problem.rows[j].t), std::abs(r_[j])});
+    }
     points_.assign(y.size(), {});
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
