@@ -6,12 +6,15 @@
 
 #include "engine/solvers/active_set.h"
 #include "engine/solvers/interior_point.h"
+#include "engine/solvers/sweep.h"
 #include "engine/solvers/unit_rows.h"
 
 namespace pushfactor::engine::solvers {
 
 // Rounds of the fixed point, at most: a settled stack takes 2, a landing up to 20.
 inline constexpr int most_bound_rounds = 20;
+// Sweeps that are tried after them.
+inline constexpr int most_bound_sweeps = 200;
 // The residual above which the active set has not settled, and the interior point method takes over: a fraction of
 // the largest speed that a row is asked for.
 inline constexpr double unsettled_share = 1e-7;
@@ -37,6 +40,8 @@ class ExactAnswer {
     void solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count);
 
   private:
+    template <int columns>
+    void sweep_bounds(UnitRows<columns>& rows, double tolerance, SolveCount& count);
     template <int columns>
     void take(const UnitRows<columns>& rows, int column);
     void settle(double tolerance, int factorisations, SolveCount& count);
@@ -155,6 +160,25 @@ void ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, int factorisa
         }
         for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
     }
+    rows.follow();
+    if (follows) sweep_bounds(rows, tolerance, count);
+}
+
+// Where the fixed point of the bounds goes in circles, sweeps may not, whose bounds follow at once.
+template <int columns>
+void ExactAnswer::sweep_bounds(UnitRows<columns>& rows, double tolerance, SolveCount& count) {
+    const double reached = rows.residual();
+    count.multiply_adds += rows.look_work();
+    if (reached <= tolerance) return;
+    const auto before = rows.rows;
+    double now = reached;
+    for (int k = 0; k < most_bound_sweeps && now > tolerance; ++k) {
+        sweep(rows);
+        now = rows.residual();
+        count.multiply_adds += rows.pass_work() + rows.look_work();
+    }
+    if (now < reached) return;
+    rows.rows = before;
     rows.follow();
 }
 
