@@ -168,7 +168,8 @@ std::vector<ContactSite> ContactStage::sites() const {
                          .position = point_of(i).position,
                          .normal = touch_of(i).manifold.normal,
                          .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
-                         .tangents = contact.tangents};
+                         .tangents = contact.tangents,
+                         .swept = touch_of(i).meeting != nullptr};
         if (contact.friction_row >= 0)
             site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
         sites.push_back(site);

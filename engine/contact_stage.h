@@ -34,6 +34,7 @@ struct ContactSite {
     std::size_t normal_row = 0;
     std::optional<std::size_t> friction_row{};  // the first of two
     std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
+    bool swept = false;  // found by the sweep: its rows act where the bodies meet within the step
 };
 
 class ContactStage : public ConstraintSource {

@@ -29,6 +29,12 @@ bool lowers_its_objective(const demos::Settings& settings) {
            settings.friction_model == demos::FrictionModel::paper;
 }
 
+bool any_swept(const demos::Scene& scene) {
+    if (!scene.contacts) return false;
+    const std::vector<engine::ContactSite> sites = scene.contacts->sites();
+    return std::any_of(sites.begin(), sites.end(), [](const auto& site) { return site.swept; });
+}
+
 Verdict run(const demos::SceneDescription& scene) {
     const demos::Settings settings = settings_of(scene);
     demos::Simulation simulation(build_scene(scene, settings), settings);
@@ -41,6 +47,7 @@ Verdict run(const demos::SceneDescription& scene) {
                                                                  .world = world,
                                                                  .isolated = isolated,
                                                                  .single_frame = corrects_for_a_frame(settings),
+                                                                 .swept = any_swept(simulation.scene()),
                                                                  .monotone = lowers_its_objective(settings)})
                                                  : broken_bounds(world);
         if (broken) return {Verdict::Kind::fails, broken->claim, broken->what, step};

@@ -4,7 +4,9 @@
 //   bounds            every force lies within its bounds, to what the tolerance leaves open
 //   linear momentum   of a system that nothing outside touches stays what it is, to rounding
 //   angular momentum  of such a system too; a correction for a single frame moves bodies without their momenta, so
-//                     that in its steps it changes by sum dx_corr x p
+//                     that in its steps it changes by sum dx_corr x p. Not claimed of steps with a swept contact,
+//                     whose impulse J acts where the bodies are when they meet: (x' - x) x J is what the end of the
+//                     step, to which they move in one go, does not know of
 //   energy            the forces of the rows add no kinetic energy beyond the work of the push factors that last
 //
 // Energy in one step (6.2.9, both sides with the inertia of its beginning): with p = p1 + dt f_ext what the momenta

@@ -160,6 +160,8 @@ std::optional<Broken> broken_claim(const Step& step) {
     if (auto broken = broken_bounds(step.world)) return broken;
     if (step.isolated) {
         if (auto broken = linear_momentum(step)) return broken;
+    }
+    if (step.isolated && !step.swept) {
         if (auto broken = angular_momentum(step)) return broken;
     }
     return step.monotone ? energy(step) : std::nullopt;

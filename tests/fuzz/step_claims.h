@@ -15,6 +15,7 @@ struct Step {
     const engine::World& world;
     bool isolated = false;      // nothing outside acts: no gravity, no force, no static body
     bool single_frame = false;  // some rows correct for a single frame
+    bool swept = false;         // some rows act where bodies meet later in the step
     bool monotone = false;      // the solver never ends above the q from which it started
 };
 
