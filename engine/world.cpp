@@ -73,6 +73,7 @@ solvers::SolveCount World::solve() {
     if (was_exact_) now.tolerance_high = now.tolerance_low = 0.1 * termination.tolerance_low;
     const solvers::SolveCount count = solver->solve(system_, now, lambda_);
     was_exact_ = count.exact;
+    contradicted_ = count.exact && count.residual > contradiction;
     return count;
 }
 
@@ -99,8 +100,7 @@ void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
     answers_.assign(rows_.size(), {});
     // Forces of rows that contradict each other are as large as the method lets them, and nobody's guess.
-    const bool contradict = was_exact_ && natural_residual(system_, lambda_) > contradiction;
-    for (Eigen::Index j = 0; j < lambda_.rows() && !contradict; ++j) {
+    for (Eigen::Index j = 0; j < lambda_.rows() && !contradicted_; ++j) {
         answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
     }
     std::size_t begin = 0;

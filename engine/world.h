@@ -84,7 +84,8 @@ class World {
     StepCount count(const solvers::SolveCount& solved) const;
 
     double time_ = 0.0;
-    bool was_exact_ = false;  // whether the last step was solved, and to rounding
+    bool was_exact_ = false;     // whether the last step was solved, and to rounding
+    bool contradicted_ = false;  // whether its rows had no answer
     std::vector<ConstraintRow> rows_;
     std::vector<std::size_t> row_ends_;  // one a constraint source
     SystemEquation system_;

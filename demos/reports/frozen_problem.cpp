@@ -1,13 +1,13 @@
 #include "demos/reports/frozen_problem.h"
 
 #include "demos/errors.h"
+#include "demos/json_file.h"
 #include "demos/json_reader.h"
 #include "engine/world.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 namespace pushfactor::demos::reports {
@@ -57,14 +57,6 @@ int read_index(const JsonReader& json, std::size_t count) {
     return static_cast<int>(number);
 }
 
-Json read_json(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw UsageError(fmt::format("frozen problem {}: cannot be read", file.string()));
-    Json json = Json::parse(stream, nullptr, false);
-    if (json.is_discarded()) throw UsageError(fmt::format("{}: is no JSON", file.string()));
-    return json;
-}
-
 ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::size_t index) {
     ConstraintRow row;
     row.body_a = read_index(json.at("body_a"), bodies);
@@ -90,7 +82,7 @@ FrozenProblem::FrozenProblem(std::string name, const engine::World& world)
 }
 
 FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
-    const Json document = read_json(file);
+    const Json document = read_json_file(file, "frozen problem " + file.string());
     const JsonReader json(document, file.string());
     json.require_object();
     if (json.at("version").number(0, 1e9) != format_version)

@@ -54,29 +54,21 @@ double ActiveSet::solve(const UnitProblem& problem, double tolerance, int factor
                         SolveCount& count) {
     left_ = factorisations;
     follow(problem, y, x_, r_);
-    double reached = residual(problem, y, r_);
-    const double allowed = std::max(0.0, objective(problem, y, x_));
-    best_ = y;
+    best_.start(problem, y, x_, r_);
     int without_gain = 0;
     // One change more than the tolerance asks for: it has its factor already and takes the rest down to rounding,
     // which a stack that is not solved again for a minute would add up to a motion.
-    for (bool enough = reached <= tolerance; !enough && left_ > 0 && without_gain < most_without_gain;) {
-        enough = reached <= tolerance;
+    for (bool enough = best_.residual() <= tolerance; !enough && left_ > 0 && without_gain < most_without_gain;) {
+        enough = best_.residual() <= tolerance;
         const bool stayed = change(problem, y, count);
         follow(problem, y, x_, r_);
-        const double now = residual(problem, y, r_);
         count.multiply_adds += 2.0 * problem.look_work();
-        ++without_gain;
-        if (now < reached && objective(problem, y, x_) <= allowed) {
-            reached = now;
-            best_ = y;
-            without_gain = 0;
-        } else if (stayed) {
-            break;
-        }
+        const bool better = best_.look(problem, y, x_, r_);
+        without_gain = better ? 0 : without_gain + 1;
+        if (!better && stayed) break;
     }
-    y = best_;
-    return reached;
+    y = best_.y();
+    return best_.residual();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -49,7 +49,8 @@ class ActiveSet {
     BodyMatrix& matrix_;
     int left_ = 0;
     BodyVelocities x_, d_;
-    std::vector<double> r_, best_;
+    std::vector<double> r_;
+    BestForces best_;
     std::vector<char> free_, factored_;  // rows between their bounds, now and in the factor
 };
 

@@ -161,23 +161,26 @@ void ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, int factorisa
         for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
     }
     rows.follow();
+    count.residual = rows.residual();
+    count.multiply_adds += rows.look_work();
     if (follows) sweep_bounds(rows, tolerance, count);
 }
 
 // Where the fixed point of the bounds goes in circles, sweeps may not, whose bounds follow at once.
 template <int columns>
 void ExactAnswer::sweep_bounds(UnitRows<columns>& rows, double tolerance, SolveCount& count) {
-    const double reached = rows.residual();
-    count.multiply_adds += rows.look_work();
-    if (reached <= tolerance) return;
+    if (count.residual <= tolerance) return;
     const auto before = rows.rows;
-    double now = reached;
+    double now = count.residual;
     for (int k = 0; k < most_bound_sweeps && now > tolerance; ++k) {
         sweep(rows);
         now = rows.residual();
         count.multiply_adds += rows.pass_work() + rows.look_work();
     }
-    if (now < reached) return;
+    if (now < count.residual) {
+        count.residual = now;
+        return;
+    }
     rows.rows = before;
     rows.follow();
 }

@@ -134,23 +134,16 @@ void InteriorPoint::go(const UnitProblem& problem, double share) {
 double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int factorisations,
                             std::vector<double>& y, SolveCount& count) {
     follow(problem, y, x_, r_);
-    double reached = residual(problem, y, r_);
-    const double allowed = std::max(0.0, objective(problem, y, x_));
+    best_.start(problem, y, x_, r_);
     start(problem, y);
     int without_gain = 0;
     for (int k = 0; k < std::min(factorisations, most_steps) && without_gain < most_without_gain; ++k) {
         y_.resize(points_.size());
         for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
         follow(problem, y_, x_, r_);
-        const double now = residual(problem, y_, r_);
         count.multiply_adds += 2.0 * problem.look_work();
-        ++without_gain;
-        if (now < reached && objective(problem, y_, x_) <= allowed) {
-            reached = now;
-            y = y_;
-            without_gain = 0;
-        }
-        if (reached <= tolerance) break;
+        without_gain = best_.look(problem, y_, x_, r_) ? 0 : without_gain + 1;
+        if (best_.residual() <= tolerance) break;
 
         // Predictor, then corrector with the same factor.
         factor(problem, count);
@@ -162,7 +155,8 @@ double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int fa
         const double share = longest_step(problem);
         go(problem, share < 1.0 ? share_of_the_way * share : 1.0);
     }
-    return reached;
+    y = best_.y();
+    return best_.residual();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -50,6 +50,7 @@ class InteriorPoint {
     std::vector<Point> points_;
     std::vector<double> y_, r_, q_;
     BodyVelocities x_, d_;
+    BestForces best_;
 };
 
 }  // namespace pushfactor::engine::solvers

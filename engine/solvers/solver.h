@@ -26,6 +26,7 @@ struct SolveCount {
     int iterations = 0;          // of the solver's own kind; 0 when the guess was kept
     double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
     bool exact = false;          // whether it was solved by a method that goes to rounding
+    double residual = 0.0;       // m/s, what such a method has left; where rows contradict each other it is large
 };
 
 class Solver {

@@ -77,4 +77,35 @@ inline double objective(const UnitProblem& problem, const std::vector<double>& y
     return q;
 }
 
+// The best y that was seen on the way: of those that give the bodies no more energy than the first one or no force
+// at all, the one with the smallest residual.
+class BestForces {
+  public:
+    // Begins with `y`, whose x and r follow() has written.
+    void start(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
+               const std::vector<double>& r) {
+        y_ = y;
+        residual_ = solvers::residual(problem, y, r);
+        allowed_ = std::max(0.0, objective(problem, y, x));
+    }
+
+    // Whether `y` is the best so far.
+    bool look(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
+              const std::vector<double>& r) {
+        const double now = solvers::residual(problem, y, r);
+        if (!(now < residual_) || objective(problem, y, x) > allowed_) return false;
+        y_ = y;
+        residual_ = now;
+        return true;
+    }
+
+    const std::vector<double>& y() const { return y_; }
+    double residual() const { return residual_; }  // m/s
+
+  private:
+    std::vector<double> y_;
+    double residual_ = 0.0;
+    double allowed_ = 0.0;  // J
+};
+
 }  // namespace pushfactor::engine::solvers

@@ -69,4 +69,13 @@ inline Ended run_program(const std::string& arguments) {
     return shell(Folder(), "pushfactor " + arguments);
 }
 
+// That the program refuses these arguments, in one line with these words.
+inline void check_refused(const std::string& arguments, const std::string& words) {
+    const Ended ended = run_program(arguments);
+    INFO(ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find(words) != std::string::npos);
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
 }  // namespace pushfactor::tests

@@ -69,6 +69,17 @@ struct ContactScene {
         return add(engine::static_body(position), engine::collision::Box{0.5 * size}, surface);
     }
 
+    // Six plates, 6 m apart.
+    void add_closed_box(const Surface& surface = {}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double side : {-3.1, 3.1}) {
+                engine::Vector3 size = engine::Vector3::Constant(6.4);
+                size[axis] = 0.2;
+                add_plate(size, side * engine::Vector3::Unit(axis), surface);
+            }
+        }
+    }
+
     // Puts the parts together, after the last body.
     void build(const engine::Vector3& gravity = {0, -10, 0}) {
         if (!gravity.isZero(0.0)) world.forces.push_back(std::make_unique<engine::Gravity>(gravity));

@@ -1,6 +1,7 @@
 // The stability atlas as a whole: one command, all files; stopped and continued; each command of its table again.
 #include "demos/json.h"
 #include "tests/catch.h"
+#include "tests/demos/csv.h"
 #include "tests/demos/program.h"
 
 using namespace pushfactor::tests;
@@ -8,20 +9,6 @@ using namespace pushfactor::tests;
 namespace {
 
 constexpr const char* quick_map = "pushfactor report atlas --quick --only overlap_beta_persistent --out .";
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
-std::vector<std::string> fields_of(const std::string& line) {
-    std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    return fields;
-}
 
 std::string quick_csv() {
     const Folder folder;
@@ -163,15 +150,8 @@ TEST_CASE("without gnuplot the atlas has its table, and the page says what to in
 }
 
 TEST_CASE("the atlas refuses what it does not know in one line") {
-    const auto refused = [](const std::string& arguments, const std::string& words) {
-        const Ended ended = run_program(arguments);
-        INFO(ended.err);
-        CHECK(ended.status == 2);
-        CHECK(ended.err.find(words) != std::string::npos);
-        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    };
-    refused("report atlas --only height", "--only height: must be one of mass_ratio_iterations, ");
-    refused("report atlas --only hight_iterations", "did you mean height_iterations?");
-    refused("report atlas --problems", "--problems: must be given with report error");
+    check_refused("report atlas --only height", "--only height: must be one of mass_ratio_iterations, ");
+    check_refused("report atlas --only hight_iterations", "did you mean height_iterations?");
+    check_refused("report atlas --problems", "--problems: must be given with report error");
     CHECK(run_program("report atlas --quick --out /dev/null/x").status == 4);
 }

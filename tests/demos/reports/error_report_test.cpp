@@ -1,5 +1,6 @@
 // The error report as a whole: one command, all files, the same work twice, and what is refused.
 #include "tests/catch.h"
+#include "tests/demos/csv.h"
 #include "tests/demos/program.h"
 
 #include <set>
@@ -7,22 +8,6 @@
 using namespace pushfactor::tests;
 
 namespace {
-
-// A line of a CSV file in its fields; commas inside quotes belong to their field.
-std::vector<std::string> fields(const std::string& line) {
-    std::vector<std::string> found(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"') {
-            quoted = !quoted;
-        } else if (c == ',' && !quoted) {
-            found.emplace_back();
-        } else {
-            found.back() += c;
-        }
-    }
-    return found;
-}
 
 // All of error.csv but the CPU times.
 std::vector<std::vector<std::string>> without_times(const std::string& csv) {
@@ -32,7 +17,7 @@ std::vector<std::vector<std::string>> without_times(const std::string& csv) {
     REQUIRE(std::getline(stream, line));
     CHECK(line.starts_with("# pushfactor "));
     while (std::getline(stream, line)) {
-        std::vector<std::string> row = fields(line);
+        std::vector<std::string> row = fields_of(line);
         REQUIRE(row.size() == 14);
         row.erase(row.begin() + 8, row.begin() + 13);
         lines.push_back(row);
@@ -105,17 +90,10 @@ TEST_CASE("an interrupted report ends with status 1 and leaves whole files only"
 }
 
 TEST_CASE("reports refuse what they do not know in one line") {
-    const auto refused = [](const std::string& arguments, const std::string& words) {
-        const Ended ended = run_program(arguments);
-        INFO(ended.err);
-        CHECK(ended.status == 2);
-        CHECK(ended.err.find(words) != std::string::npos);
-        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    };
-    refused("report", "must be one of error, stability, atlas");
-    refused("report eror", "did you mean error?");
-    refused("report error cost", "must be one of error, stability, atlas");
-    refused("report error --only stak", "did you mean stack?");
-    refused("report error --fast", "unknown option");
+    check_refused("report", "must be one of error, stability, atlas");
+    check_refused("report eror", "did you mean error?");
+    check_refused("report error cost", "must be one of error, stability, atlas");
+    check_refused("report error --only stak", "did you mean stack?");
+    check_refused("report error --fast", "unknown option");
     CHECK(run_program("report error --quick --out /dev/null/x").status == 4);
 }

@@ -4,6 +4,7 @@
 #include "demos/reports/stability/scenes.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
+#include "tests/demos/csv.h"
 #include "tests/demos/program.h"
 
 #include <cmath>
@@ -14,29 +15,6 @@ using namespace pushfactor::tests;
 using namespace pushfactor::demos::reports::stability;
 
 namespace {
-
-// A line of a CSV file in its fields; commas inside quotes belong to their field.
-std::vector<std::string> fields(const std::string& line) {
-    std::vector<std::string> found(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"') {
-            quoted = !quoted;
-        } else if (c == ',' && !quoted) {
-            found.emplace_back();
-        } else {
-            found.back() += c;
-        }
-    }
-    return found;
-}
-
-std::vector<std::vector<std::string>> table(const std::string& csv) {
-    std::vector<std::vector<std::string>> lines;
-    std::istringstream stream(csv);
-    for (std::string line; std::getline(stream, line);) lines.push_back(fields(line));
-    return lines;
-}
 
 std::string after(const std::string& text, const std::string& words) {
     const auto at = text.find(words);
@@ -97,7 +75,7 @@ TEST_CASE("the quick stability report holds, shows every end, and its commands s
     REQUIRE(ended.status == 0);
     CHECK(ended.out == "./index.html\n");
 
-    const auto lines = table(folder.read("stability.csv"));
+    const auto lines = table_of(folder.read("stability.csv"));
     CHECK(lines.front() == std::vector<std::string>{"case", "preset", "outcome", "expected", "measure", "value",
                                                     "bar", "holds", "command"});
     std::set<std::string> presets;
@@ -121,7 +99,7 @@ TEST_CASE("the quick stability report holds, shows every end, and its commands s
         const Ended again = shell(folder, (*line)[8]);
         CHECK(again.status == 0);
         CHECK(after(again.out, "\"outcome\": \"").starts_with((*line)[2] + '"'));
-        const std::string value = after(again.out, "\"" + fields((*line)[4]).front() + "\": ");
+        const std::string value = after(again.out, "\"" + fields_of((*line)[4]).front() + "\": ");
         CHECK(std::stod(value) == std::stod((*line)[5]));
     }
 }
@@ -135,7 +113,7 @@ TEST_CASE("a run that fails is exit 3 and named, and the others are judged all t
     CHECK(ended.err.find("the first is bouncing-ball (exact): failed") != std::string::npos);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     int unexpected = 0;
-    const auto lines = table(folder.read("stability.csv"));
+    const auto lines = table_of(folder.read("stability.csv"));
     for (const auto& line : lines) unexpected += line[7] == "no" ? 1 : 0;
     CHECK(unexpected == 1);
     CHECK(lines.size() == 1 + 3 + 9);
@@ -185,15 +163,8 @@ TEST_CASE("measures of a thrown ball follow its parabola") {
 }
 
 TEST_CASE("the stability report refuses what it does not know in one line") {
-    const auto refused = [](const std::string& arguments, const std::string& words) {
-        const Ended ended = run_program(arguments);
-        INFO(ended.err);
-        CHECK(ended.status == 2);
-        CHECK(ended.err.find(words) != std::string::npos);
-        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    };
-    refused("report stabilty", "did you mean stability?");
-    refused("report stability --only chain", "did you mean chains?");
-    refused("report stability --problems", "--problems");
+    check_refused("report stabilty", "did you mean stability?");
+    check_refused("report stability --only chain", "did you mean chains?");
+    check_refused("report stability --problems", "--problems");
     CHECK(run_program("report stability --quick --out /dev/null/x").status == 4);
 }

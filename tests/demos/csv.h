@@ -1,0 +1,39 @@
+// CSV files as tests read them.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace pushfactor::tests {
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// A line in its fields; commas inside quotes belong to their field.
+inline std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> found(1);
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ',' && !quoted) {
+            found.emplace_back();
+        } else {
+            found.back() += c;
+        }
+    }
+    return found;
+}
+
+inline std::vector<std::vector<std::string>> table_of(const std::string& csv) {
+    std::vector<std::vector<std::string>> table;
+    for (const std::string& line : lines_of(csv)) table.push_back(fields_of(line));
+    return table;
+}
+
+}  // namespace pushfactor::tests
