@@ -44,17 +44,21 @@ class PairPoint {
     void place(ConstraintRow& row, const Vector3& direction) const {
         row.body_a = a_;
         row.body_b = b_;
-        if (a_moves_) {
-            row.jacobian.a.head<3>() = -direction;
-            row.jacobian.a.tail<3>() = direction.cross(r_a_);
-        }
-        if (b_moves_) {
-            row.jacobian.b.head<3>() = direction;
-            row.jacobian.b.tail<3>() = r_b_.cross(direction);
-        }
+        if (a_moves_) place(row.jacobian.a, -direction.x(), -direction.y(), -direction.z(), r_a_);
+        if (b_moves_) place(row.jacobian.b, direction.x(), direction.y(), direction.z(), r_b_);
     }
 
   private:
+    // [d, r x d] number by number: read back as packets, what was written as numbers would have to be waited for.
+    static void place(Vector6& axis, double x, double y, double z, const Vector3& r) {
+        axis[0] = x;
+        axis[1] = y;
+        axis[2] = z;
+        axis[3] = r.y() * z - r.z() * y;
+        axis[4] = r.z() * x - r.x() * z;
+        axis[5] = r.x() * y - r.y() * x;
+    }
+
     int a_, b_;          // indices of the bodies
     Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
     bool a_moves_, b_moves_;

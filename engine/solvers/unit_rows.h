@@ -10,8 +10,12 @@
 //
 // and 7.1.1 reads y_j <- clamp(y_j + t_j - u_j . x): no division. u_j . x is A lambda, because
 // u_i . u_j = A_ij / (s_i s_j). The columns of b share the axes; each has its own y and x.
+//
+// Rows that stand together and act on the same two bodies, up to three, are a block: the contact row of a point and
+// its friction are one. A block takes the velocities of its bodies once, for all its rows and columns.
 #pragma once
 
+#include "engine/solvers/lanes.h"
 #include "engine/system_equation.h"
 
 #include <algorithm>
@@ -25,6 +29,7 @@ template <int columns>
 class UnitRows {
   public:
     using BodyVelocity = Eigen::Matrix<double, 6, columns>;
+    using Value = typename Lanes<columns>::Value;
 
     struct Row {
         const Jacobian* unit = nullptr;  // u_j, of the system that was loaded
@@ -35,11 +40,25 @@ class UnitRows {
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
+    static constexpr std::size_t rows_of_a_block = 3;  // at most
+    struct Block {
+        std::size_t begin = 0, end = 0;  // of rows
+        std::size_t a = 0, b = 0;        // bodies
+        // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; for whoever has called couple().
+        std::array<double, 3> couplings{};
+    };
+
     // Takes the system and a guess [N]. A row with A_jj = 0 becomes one of zeros.
     void load(const SystemEquation& system, const Columns& guess) {
-        velocity.assign(system.inverse_mass.size(), BodyVelocity::Zero());
         rows.resize(static_cast<std::size_t>(system.row_count()));
-        for (Eigen::Index j = 0; j < system.row_count(); ++j) load_row(system, guess, j);
+        blocks.clear();
+        coupled_ = false;
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+            load_row(system, guess, j);
+            add_to_block(static_cast<std::size_t>(j));
+        }
+        velocity.resize(system.inverse_mass.size());
+        follow();
     }
 
     // Writes the answer [N].
@@ -59,11 +78,26 @@ class UnitRows {
     double error(const Row& row, int c) const {
         return row.t[at(c)] - row.unit->a.dot(velocity[row.a].col(c)) - row.unit->b.dot(velocity[row.b].col(c));
     }
+    // In all columns, of a row whose bodies have the velocities `x`.
+    Value error(const Row& row, const TwoBodies (&x)[columns]) const {
+        Two products[columns];
+        unrolled<columns>([&](auto c) { products[c] = x[c].dot(*row.unit); });
+        return Lanes<columns>::of(row.t) - Lanes<columns>::sum(products);
+    }
 
     // `y` between the row's bounds as they are now.
     double clamped(const Row& row, int c, double y) const {
         const double other = row.of_row < 0 ? 1.0 : rows[static_cast<std::size_t>(row.of_row)].y[at(c)];
         return std::max(std::min(y, row.high * other), row.low * other);
+    }
+    Value clamped(const Row& row, Value y) const {
+        Value low = Lanes<columns>::all(row.low), high = Lanes<columns>::all(row.high);
+        if (row.of_row >= 0) {
+            const Value other = Lanes<columns>::of(rows[static_cast<std::size_t>(row.of_row)].y);
+            low *= other;
+            high *= other;
+        }
+        return larger(smaller(y, high), low);
     }
 
     // Gives a row the force y, and its bodies the velocities that follow. Returns the change of y.
@@ -75,27 +109,60 @@ class UnitRows {
         return change;
     }
 
+    // The velocities of a block's bodies.
+    void read(const Block& block, TwoBodies (&x)[columns]) const {
+        for (int c = 0; c < columns; ++c) {
+            x[c] = TwoBodies::at(velocity[block.a].col(c).data(), velocity[block.b].col(c).data());
+        }
+    }
+    void write(const Block& block, const TwoBodies (&x)[columns]) {
+        for (int c = 0; c < columns; ++c) {
+            x[c].write(velocity[block.a].col(c).data(), velocity[block.b].col(c).data());
+        }
+    }
+
     // The bodies' velocities anew from all forces, which removes what roundings have left behind.
     void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
-        for (const Row& row : rows) {
-            for (int c = 0; c < columns; ++c) {
-                velocity[row.a].col(c) += row.unit->a * row.y[at(c)];
-                velocity[row.b].col(c) += row.unit->b * row.y[at(c)];
+        TwoBodies x[columns];
+        for (const Block& block : blocks) {
+            read(block, x);
+            for (std::size_t j = block.begin; j < block.end; ++j) {
+                for (int c = 0; c < columns; ++c) x[c].add(*rows[j].unit, rows[j].y[at(c)]);
+            }
+            write(block, x);
+        }
+    }
+
+    // Writes the couplings of the blocks, if they are not there yet.
+    void couple() {
+        if (coupled_) return;
+        coupled_ = true;
+        for (Block& block : blocks) {
+            std::size_t next = 0;
+            for (std::size_t i = block.begin; i < block.end; ++i) {
+                const TwoBodies u = TwoBodies::at(rows[i].unit->a.data(), rows[i].unit->b.data());
+                for (std::size_t k = block.begin; k < i; ++k) {
+                    const Two products = u.dot(*rows[k].unit);
+                    block.couplings[next++] = products[0] + products[1];
+                }
             }
         }
     }
 
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
     double residual() const {
-        double largest = 0.0;
-        for (const Row& row : rows) {
-            for (int c = 0; c < columns; ++c) {
-                const double moved = clamped(row, c, row.y[at(c)] + error(row, c));
-                largest = std::max(largest, row.scale * std::abs(moved - row.y[at(c)]));
+        Value largest{};
+        TwoBodies x[columns];
+        for (const Block& block : blocks) {
+            read(block, x);
+            for (std::size_t j = block.begin; j < block.end; ++j) {
+                const Value y = Lanes<columns>::of(rows[j].y);
+                const Value moved = clamped(rows[j], y + error(rows[j], x));
+                largest = larger(largest, rows[j].scale * magnitude(moved - y));
             }
         }
-        return largest;
+        return Lanes<columns>::largest(largest);
     }
 
     static constexpr std::size_t at(int column) { return static_cast<std::size_t>(column); }
@@ -105,9 +172,12 @@ class UnitRows {
     double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
 
     std::vector<Row> rows;
+    std::vector<Block> blocks;           // of all rows, in their order
     std::vector<BodyVelocity> velocity;  // x, one a body
 
   private:
+    bool coupled_ = false;
+
     void load_row(const SystemEquation& system, const Columns& guess, Eigen::Index j) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         Row& row = rows[static_cast<std::size_t>(j)];
@@ -122,14 +192,22 @@ class UnitRows {
             return;
         }
         const double to_y = system.dt * row.scale;
+        const double to_t = system.dt * system.inverse_scale[j];
         const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
         row.low = source.bounds.c_min * bound_scale;
         row.high = source.bounds.c_max * bound_scale;
         for (int c = 0; c < columns; ++c) {
-            row.t[at(c)] = system.b(j, c) * (system.dt / row.scale);
-            row.y[at(c)] = 0.0;
-            set(row, c, guess(j, c) * to_y);
+            row.t[at(c)] = system.b(j, c) * to_t;
+            row.y[at(c)] = guess(j, c) * to_y;
         }
+    }
+
+    void add_to_block(std::size_t j) {
+        const Row& row = rows[j];
+        const bool joins = !blocks.empty() && blocks.back().a == row.a && blocks.back().b == row.b &&
+                           j - blocks.back().begin < rows_of_a_block;
+        if (!joins) blocks.push_back({.begin = j, .end = j, .a = row.a, .b = row.b});
+        blocks.back().end = j + 1;
     }
 
     // The other row's s; 1 where it is 0, because its y is 0 then.
