@@ -75,10 +75,11 @@ template <int columns>
 void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
     found_.clear();
     for (const auto& block : rows.blocks) {
-        Connection connection{static_cast<int>(block.a), static_cast<int>(block.b), block.end - block.begin > 1};
-        for (std::size_t j = block.begin; j < block.end; ++j) {
-            connection.a_moves = connection.a_moves || !rows.rows[j].unit->a.isZero(0.0);
-            connection.b_moves = connection.b_moves || !rows.rows[j].unit->b.isZero(0.0);
+        Connection connection{block.a, block.b, block.count > 1};
+        for (int j = block.begin; j < block.begin + block.count; ++j) {
+            const Jacobian& unit = *rows.rows[static_cast<std::size_t>(j)].unit;
+            connection.a_moves = connection.a_moves || !unit.a.isZero(0.0);
+            connection.b_moves = connection.b_moves || !unit.b.isZero(0.0);
         }
         found_.push_back(connection);
     }
@@ -122,8 +123,8 @@ void ExactAnswer::take(const UnitRows<columns>& rows, int column) {
     y_.resize(rows.rows.size());
     for (std::size_t j = 0; j < rows.rows.size(); ++j) {
         const auto& row = rows.rows[j];
-        problem_.rows[j] = {.a = static_cast<int>(row.a),
-                            .b = static_cast<int>(row.b),
+        problem_.rows[j] = {.a = row.a,
+                            .b = row.b,
                             .unit = row.unit,
                             .t = row.t[c],
                             .low = row.low,

@@ -67,33 +67,36 @@ Value magnitude(Value a) {
     return larger(a, -a);
 }
 
-// What belongs to the two bodies of a row, taken from memory once, however many rows share the bodies.
-struct TwoBodies {
-    Two a[3], b[3];
-
-    static TwoBodies at(const double* of_a, const double* of_b) {
-        const auto* a = reinterpret_cast<const Two*>(of_a);
-        const auto* b = reinterpret_cast<const Two*>(of_b);
-        return {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
-    }
-
-    void write(double* of_a, double* of_b) const {
-        auto* to_a = reinterpret_cast<Two*>(of_a);
-        auto* to_b = reinterpret_cast<Two*>(of_b);
-        unrolled<3>([&](auto k) { to_a[k] = a[k], to_b[k] = b[k]; });
-    }
-
-    // The scalar product with an axis is the sum of both lanes.
-    Two dot(const Jacobian& axis) const {
-        const TwoBodies u = at(axis.a.data(), axis.b.data());
-        // In three pairs, so that they do not all wait for each other.
-        return (u.a[0] * a[0] + u.b[0] * b[0]) + (u.a[1] * a[1] + u.b[1] * b[1]) + (u.a[2] * a[2] + u.b[2] * b[2]);
-    }
-
-    void add(const Jacobian& axis, double factor) {
-        const TwoBodies u = at(axis.a.data(), axis.b.data());
-        unrolled<3>([&](auto k) { a[k] += u.a[k] * factor, b[k] += u.b[k] * factor; });
-    }
+// The numbers of the two bodies of a row, three pairs each, where they are in memory.
+struct Axis {
+    const Two* a;
+    const Two* b;
 };
+struct Velocity {
+    Two* a;
+    Two* b;
+    operator Axis() const { return {a, b}; }
+};
+
+inline Axis axis_of(const Jacobian& unit) {
+    return {reinterpret_cast<const Two*>(unit.a.data()), reinterpret_cast<const Two*>(unit.b.data())};
+}
+
+// The scalar product is the sum of both lanes. In three pairs, so that they do not all wait for each other.
+inline Two products(const Axis& u, const Axis& v) {
+    return (u.a[0] * v.a[0] + u.b[0] * v.b[0]) + (u.a[1] * v.a[1] + u.b[1] * v.b[1]) +
+           (u.a[2] * v.a[2] + u.b[2] * v.b[2]);
+}
+
+// v += sum of u_i y_i, each number of v taken from memory once.
+template <std::size_t count>
+void add(const Velocity& v, const Axis (&u)[count], const double (&y)[count]) {
+    unrolled<3>([&](auto k) {
+        Two a = v.a[k], b = v.b[k];
+        unrolled<count>([&](auto i) { a += u[i].a[k] * y[i], b += u[i].b[k] * y[i]; });
+        v.a[k] = a;
+        v.b[k] = b;
+    });
+}
 
 }  // namespace pushfactor::engine::solvers

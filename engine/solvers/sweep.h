@@ -7,56 +7,38 @@
 
 namespace pushfactor::engine::solvers {
 
-// 7.1.1 for the rows of one block: the errors of all of them from the same velocities, and what the rows before it
-// have changed taken off by u_i . u_j, which is the same as one row after the other. Returns the largest change of
-// a row's velocity [m/s].
-template <int columns, int count>
-void sweep_block(UnitRows<columns>& system, const typename UnitRows<columns>::Block& block,
-                 typename UnitRows<columns>::Value& largest) {
-    using Value = typename UnitRows<columns>::Value;
-    auto* rows = &system.rows[block.begin];
-    TwoBodies x[columns];
-    system.read(block, x);
-    Value wanted[count], changes[count];
-    unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(rows[i].y) + system.error(rows[i], x); });
-    unrolled<count>([&](auto i) {
-        unrolled<i>([&](auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; });
-        const Value y = Lanes<columns>::of(rows[i].y);
-        const Value moved = system.clamped(rows[i], wanted[i]);
-        Lanes<columns>::write(moved, rows[i].y);
-        changes[i] = moved - y;
-        largest = larger(largest, rows[i].scale * magnitude(changes[i]));
-    });
-    unrolled<count>([&](auto i) {
-        unrolled<columns>([&](auto c) { x[c].add(*rows[i].unit, Lanes<columns>::in(changes[i], c)); });
-    });
-    system.write(block, x);
-}
-
 // 7.1.1 row after row, each from the newest values of the others. Returns the largest change of a row's velocity
 // [m/s].
+//
+// The rows of a block take their errors from the same velocities, and take off by u_i . u_k what the rows before
+// them have changed since: the same as one row after the other.
 template <int columns>
-double sweep(UnitRows<columns>& system) {
-    typename UnitRows<columns>::Value largest{};
+[[gnu::flatten]] double sweep(UnitRows<columns>& system) {
+    using Value = typename UnitRows<columns>::Value;
+    using Block = typename UnitRows<columns>::Block;
     system.couple();
-    for (const auto& block : system.blocks) {
-        switch (block.end - block.begin) {
-            case 1:
-                sweep_block<columns, 1>(system, block, largest);
-                break;
-            case 2:
-                sweep_block<columns, 2>(system, block, largest);
-                break;
-            default:
-                sweep_block<columns, 3>(system, block, largest);
-        }
-    }
+    Value largest{};
+    system.for_each_block([&](const Block& block, auto count) {
+        auto* row = system.rows_of(block);
+        Velocity x[columns];
+        unrolled<columns>([&](auto c) { x[c] = system.at_bodies(block, c); });
+        Value wanted[count], changes[count];
+        unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
+        unrolled<count>([&](auto i) {
+            unrolled<i>([&](auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; });
+            const Value moved = system.clamped(row[i], wanted[i]);
+            changes[i] = moved - Lanes<columns>::of(row[i].y);
+            Lanes<columns>::write(moved, row[i].y);
+            largest = larger(largest, row[i].scale * magnitude(changes[i]));
+        });
+        system.template push<count>(block, changes);
+    });
     return Lanes<columns>::largest(largest);
 }
 
 // Whether the guess is good enough to be kept (6.2.3).
 template <int columns>
-bool keeps_guess(const UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
+bool keeps_guess(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
     if (termination.tolerance_high <= 0.0) return false;
     count.multiply_adds += rows.look_work();
     return rows.residual() <= termination.tolerance_high;

@@ -33,17 +33,17 @@ class UnitRows {
 
     struct Row {
         const Jacobian* unit = nullptr;  // u_j, of the system that was loaded
-        std::size_t a = 0, b = 0;        // bodies
+        int a = 0, b = 0;                // bodies
         std::array<double, columns> y{}, t{};
         double low = 0.0, high = 0.0;  // bounds of y, or factors of the other row's y
         int of_row = -1;
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
-    static constexpr std::size_t rows_of_a_block = 3;  // at most
+    static constexpr int rows_of_a_block = 3;  // at most
     struct Block {
-        std::size_t begin = 0, end = 0;  // of rows
-        std::size_t a = 0, b = 0;        // bodies
+        int begin = 0, count = 0;  // of rows
+        int a = 0, b = 0;          // bodies
         // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; for whoever has called couple().
         std::array<double, 3> couplings{};
     };
@@ -55,7 +55,7 @@ class UnitRows {
         coupled_ = false;
         for (Eigen::Index j = 0; j < system.row_count(); ++j) {
             load_row(system, guess, j);
-            add_to_block(static_cast<std::size_t>(j));
+            add_to_block(static_cast<int>(j));
         }
         velocity.resize(system.inverse_mass.size());
         follow();
@@ -76,13 +76,14 @@ class UnitRows {
 
     // t_j - u_j . x
     double error(const Row& row, int c) const {
-        return row.t[at(c)] - row.unit->a.dot(velocity[row.a].col(c)) - row.unit->b.dot(velocity[row.b].col(c));
+        return row.t[at(c)] - row.unit->a.dot(x_of(row.a).col(c)) - row.unit->b.dot(x_of(row.b).col(c));
     }
     // In all columns, of a row whose bodies have the velocities `x`.
-    Value error(const Row& row, const TwoBodies (&x)[columns]) const {
-        Two products[columns];
-        unrolled<columns>([&](auto c) { products[c] = x[c].dot(*row.unit); });
-        return Lanes<columns>::of(row.t) - Lanes<columns>::sum(products);
+    Value error(const Row& row, const Velocity (&x)[columns]) const {
+        const Axis u = axis_of(*row.unit);
+        Two sums[columns];
+        unrolled<columns>([&](auto c) { sums[c] = products(u, x[c]); });
+        return Lanes<columns>::of(row.t) - Lanes<columns>::sum(sums);
     }
 
     // `y` between the row's bounds as they are now.
@@ -104,67 +105,91 @@ class UnitRows {
     double set(Row& row, int c, double y) {
         const double change = y - row.y[at(c)];
         row.y[at(c)] = y;
-        velocity[row.a].col(c) += row.unit->a * change;
-        velocity[row.b].col(c) += row.unit->b * change;
+        x_of(row.a).col(c) += row.unit->a * change;
+        x_of(row.b).col(c) += row.unit->b * change;
         return change;
     }
 
-    // The velocities of a block's bodies.
-    void read(const Block& block, TwoBodies (&x)[columns]) const {
-        for (int c = 0; c < columns; ++c) {
-            x[c] = TwoBodies::at(velocity[block.a].col(c).data(), velocity[block.b].col(c).data());
-        }
+    // x of a block's bodies in column c.
+    Velocity at_bodies(const Block& block, std::size_t c) {
+        return {reinterpret_cast<Two*>(x_of(block.a).data() + 6 * c),
+                reinterpret_cast<Two*>(x_of(block.b).data() + 6 * c)};
     }
-    void write(const Block& block, const TwoBodies (&x)[columns]) {
-        for (int c = 0; c < columns; ++c) {
-            x[c].write(velocity[block.a].col(c).data(), velocity[block.b].col(c).data());
+
+    // Calls `visit` with each block and the number of its rows as a constant.
+    template <typename Visit>
+    void for_each_block(const Visit& visit) {
+        for (Block& block : blocks) {
+            switch (block.count) {
+                case 1:
+                    visit(block, std::integral_constant<std::size_t, 1>());
+                    break;
+                case 2:
+                    visit(block, std::integral_constant<std::size_t, 2>());
+                    break;
+                default:
+                    visit(block, std::integral_constant<std::size_t, 3>());
+            }
         }
     }
 
+    // Adds to the velocities of a block's bodies what its rows make of the changes of their y.
+    template <std::size_t count>
+    void push(const Block& block, const Value (&changes)[count]) {
+        const Row* row = rows_of(block);
+        Axis u[count];
+        unrolled<count>([&](auto i) { u[i] = axis_of(*row[i].unit); });
+        unrolled<columns>([&](auto c) {
+            double y[count];
+            unrolled<count>([&](auto i) { y[i] = Lanes<columns>::in(changes[i], c); });
+            add(at_bodies(block, c), u, y);
+        });
+    }
+
     // The bodies' velocities anew from all forces, which removes what roundings have left behind.
-    void follow() {
+    [[gnu::flatten]] void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
-        TwoBodies x[columns];
-        for (const Block& block : blocks) {
-            read(block, x);
-            for (std::size_t j = block.begin; j < block.end; ++j) {
-                for (int c = 0; c < columns; ++c) x[c].add(*rows[j].unit, rows[j].y[at(c)]);
-            }
-            write(block, x);
-        }
+        for_each_block([&](const Block& block, auto count) {
+            Value y[count];
+            unrolled<count>([&](auto i) { y[i] = Lanes<columns>::of(rows_of(block)[i].y); });
+            push<count>(block, y);
+        });
     }
 
     // Writes the couplings of the blocks, if they are not there yet.
     void couple() {
         if (coupled_) return;
         coupled_ = true;
-        for (Block& block : blocks) {
-            std::size_t next = 0;
-            for (std::size_t i = block.begin; i < block.end; ++i) {
-                const TwoBodies u = TwoBodies::at(rows[i].unit->a.data(), rows[i].unit->b.data());
-                for (std::size_t k = block.begin; k < i; ++k) {
-                    const Two products = u.dot(*rows[k].unit);
-                    block.couplings[next++] = products[0] + products[1];
-                }
-            }
-        }
+        for_each_block([&](Block& block, auto count) {
+            const Row* row = rows_of(block);
+            unrolled<count>([&](auto i) {
+                unrolled<i>([&](auto k) {
+                    const Two both = products(axis_of(*row[i].unit), axis_of(*row[k].unit));
+                    block.couplings[i + k - 1] = both[0] + both[1];
+                });
+            });
+        });
     }
 
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
-    double residual() const {
+    [[gnu::flatten]] double residual() {
         Value largest{};
-        TwoBodies x[columns];
-        for (const Block& block : blocks) {
-            read(block, x);
-            for (std::size_t j = block.begin; j < block.end; ++j) {
-                const Value y = Lanes<columns>::of(rows[j].y);
-                const Value moved = clamped(rows[j], y + error(rows[j], x));
-                largest = larger(largest, rows[j].scale * magnitude(moved - y));
-            }
-        }
+        for_each_block([&](const Block& block, auto count) {
+            Velocity x[columns];
+            unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
+            unrolled<count>([&](auto i) {
+                const Row& row = rows_of(block)[i];
+                const Value y = Lanes<columns>::of(row.y);
+                const Value moved = clamped(row, y + error(row, x));
+                largest = larger(largest, row.scale * magnitude(moved - y));
+            });
+        });
         return Lanes<columns>::largest(largest);
     }
 
+    Row* rows_of(const Block& block) { return rows.data() + block.begin; }
+    const BodyVelocity& x_of(int body) const { return velocity[static_cast<std::size_t>(body)]; }
+    BodyVelocity& x_of(int body) { return velocity[static_cast<std::size_t>(body)]; }
     static constexpr std::size_t at(int column) { return static_cast<std::size_t>(column); }
 
     // Multiply-adds of one pass that reads and writes every row in every column, and of one that only reads.
@@ -182,8 +207,8 @@ class UnitRows {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         Row& row = rows[static_cast<std::size_t>(j)];
         row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
-        row.a = static_cast<std::size_t>(source.body_a);
-        row.b = static_cast<std::size_t>(source.body_b);
+        row.a = source.body_a;
+        row.b = source.body_b;
         row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
         if (!(row.scale > 0.0)) {
@@ -202,12 +227,16 @@ class UnitRows {
         }
     }
 
-    void add_to_block(std::size_t j) {
-        const Row& row = rows[j];
-        const bool joins = !blocks.empty() && blocks.back().a == row.a && blocks.back().b == row.b &&
-                           j - blocks.back().begin < rows_of_a_block;
-        if (!joins) blocks.push_back({.begin = j, .end = j, .a = row.a, .b = row.b});
-        blocks.back().end = j + 1;
+    void add_to_block(int j) {
+        const Row& row = rows[static_cast<std::size_t>(j)];
+        if (!blocks.empty()) {
+            Block& last = blocks.back();
+            if (last.a == row.a && last.b == row.b && last.count < rows_of_a_block) {
+                ++last.count;
+                return;
+            }
+        }
+        blocks.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b});
     }
 
     // The other row's s; 1 where it is 0, because its y is 0 then.
