@@ -7,22 +7,40 @@ namespace pushfactor::engine {
 
 namespace {
 
-InverseMass inverse_mass_of(const Body& body) {
-    InverseMass result;
-    if (body.is_static()) return result;
+void find_inverse_mass(const Body& body, InverseMass& result) {
+    if (body.is_static()) {
+        result = {};
+        return;
+    }
     result.linear = body.inverse_mass;
     result.linear_root = std::sqrt(body.inverse_mass);
+    const Vector3& moments = body.inverse_inertia;
+    if (moments.x() == moments.y() && moments.y() == moments.z()) {
+        // The same about every axis, however the body is turned.
+        result.angular = moments.asDiagonal();
+        result.angular_root = moments.cwiseSqrt().asDiagonal();
+        return;
+    }
     const Matrix3 rotation = body.orientation.toRotationMatrix();
-    result.angular = rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
-    result.angular_root = rotation * body.inverse_inertia.cwiseSqrt().asDiagonal();
-    return result;
+    result.angular = rotation * moments.asDiagonal() * rotation.transpose();
+    result.angular_root = rotation * moments.cwiseSqrt().asDiagonal();
 }
 
 // v1/dt + M^-1 f_ext of one body.
-Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt) {
-    const Vector6 velocity =
-        stacked(body.inverse_mass * body.linear_momentum, inverse_mass.angular * body.angular_momentum);
-    return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
+void find_free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt, Vector6& result) {
+    if (body.is_static()) {
+        result.setZero();
+        return;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis] = inverse_mass.linear * (body.linear_momentum[axis] / dt + body.force[axis]);
+    }
+    const Vector3 torque = body.angular_momentum / dt + body.torque;
+    const Matrix3& angular = inverse_mass.angular;
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis + 3] =
+            angular(axis, 0) * torque[0] + angular(axis, 1) * torque[1] + angular(axis, 2) * torque[2];
+    }
 }
 
 // M^(-1/2)^T j for one body, number by number: read back as packets, what was written as numbers would have to be
@@ -40,6 +58,9 @@ struct WeightedAxis {
         return root(0, axis) * j[3] + root(1, axis) * j[4] + root(2, axis) * j[5];
     }
 
+    // Of a body that no force moves.
+    WeightedAxis() : x(0), y(0), z(0), u(0), v(0), w(0) {}
+
     double squared() const { return (x * x + y * y + z * z) + (u * u + v * v + w * w); }
     void write(double factor, Vector6& axis) const {
         axis[0] = factor * x;
@@ -55,8 +76,12 @@ struct WeightedAxis {
 
 // A_jj, its root, and the unit axis of row j.
 inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& system) {
-    const WeightedAxis a(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
-    const WeightedAxis b(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
+    const auto weighted = [&](int body, const Vector6& axis) {
+        const InverseMass& inverse_mass = system.inverse_mass[static_cast<std::size_t>(body)];
+        return inverse_mass.linear > 0.0 ? WeightedAxis(inverse_mass, axis) : WeightedAxis();
+    };
+    const WeightedAxis a = weighted(row.body_a, row.jacobian.a);
+    const WeightedAxis b = weighted(row.body_b, row.jacobian.b);
     const double diagonal = a.squared() + b.squared();
     const double scale = std::sqrt(diagonal);
     const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
@@ -99,8 +124,8 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
     std::vector<Vector6>& free = system.free_acceleration;
     free.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        system.inverse_mass[i] = inverse_mass_of(bodies[i]);
-        free[i] = free_acceleration(bodies[i], system.inverse_mass[i], dt);
+        find_inverse_mass(bodies[i], system.inverse_mass[i]);
+        find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     }
 
     size_axes(system);
