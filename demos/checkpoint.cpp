@@ -7,6 +7,7 @@ void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
     const engine::World::Memory memory = scene.world.memory();
     into.state.time = memory.time;
     into.state.solved_exactly = memory.was_exact;
+    into.state.kept_steps = memory.kept;
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
     if (scene.contacts && scene.contacts->cache()) into.state.contact_forces = *scene.contacts->cache();

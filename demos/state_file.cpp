@@ -15,7 +15,7 @@ using engine::Vector3;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-const Keys state_keys{"time_s", "solved_exactly", "substeps", "distance_forces_n", "contact_forces"};
+const Keys state_keys{"time_s", "solved_exactly", "kept_steps", "substeps", "distance_forces_n", "contact_forces"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -112,6 +112,7 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     RunState state;
     if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
     if (json.has("solved_exactly")) state.solved_exactly = json.at("solved_exactly").boolean();
+    if (json.has("kept_steps")) state.kept_steps = static_cast<int>(whole_number(json.at("kept_steps"), 0.0, 1e9));
     if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
@@ -122,7 +123,10 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 }
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
-    Json json{{"time_s", state.time}, {"solved_exactly", state.solved_exactly}, {"substeps", state.substeps}};
+    Json json{{"time_s", state.time},
+              {"solved_exactly", state.solved_exactly},
+              {"kept_steps", state.kept_steps},
+              {"substeps", state.substeps}};
     for (const Lambda& force : state.distance_forces) json["distance_forces_n"].push_back(to_json(force));
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));

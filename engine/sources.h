@@ -31,7 +31,8 @@ class ConstraintSource {
         return true;
     }
 
-    // The answers of the rows that the last append_rows appended, in that order.
+    // The forces that the next step should begin with, one for each row that the last append_rows appended, in that
+    // order: the answers, or something between them and the guesses.
     virtual void remember(std::span<const Lambda> answers) = 0;
 };
 

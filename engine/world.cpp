@@ -73,6 +73,8 @@ solvers::SolveCount World::solve() {
     if (was_exact_) now.tolerance_high = now.tolerance_low = 0.1 * termination.tolerance_low;
     const solvers::SolveCount count = solver->solve(system_, now, lambda_);
     was_exact_ = count.exact;
+    kept_before_ = kept_;
+    kept_ = count.iterations > 0 ? 0 : kept_ + 1;
     contradicted_ = count.exact && count.residual > contradiction;
     return count;
 }
@@ -98,10 +100,17 @@ bool World::foresaw(double dt) {
 
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
+    // Forces that were kept for k steps and wrong by e have made a motion of k e meanwhile. A solve takes off that
+    // and e itself; the next step needs e alone. An exact one shows this by itself, as it is looked at anew
+    // (solve()).
+    const double share = kept_ == 0 && !was_exact_ ? 1.0 / (1 + kept_before_) : 1.0;
+    const auto next = [share](double guess, double answer) { return guess + share * (answer - guess); };
     answers_.assign(rows_.size(), {});
     // Forces of rows that contradict each other are as large as the method lets them, and nobody's guess.
     for (Eigen::Index j = 0; j < lambda_.rows() && !contradicted_; ++j) {
-        answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
+        const Lambda& guess = rows_[static_cast<std::size_t>(j)].guess;
+        answers_[static_cast<std::size_t>(j)] = {next(guess.first, lambda_(j, 0)),
+                                                 next(guess.last, lambda_(j, last))};
     }
     std::size_t begin = 0;
     for (std::size_t s = 0; s < constraints.size(); ++s) {
@@ -113,6 +122,7 @@ void World::remember() {
 void World::set_memory(const Memory& memory) {
     time_ = memory.time;
     was_exact_ = memory.was_exact;
+    kept_ = memory.kept;
 }
 
 void World::prepare(double dt) {

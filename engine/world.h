@@ -61,8 +61,9 @@ class World {
     struct Memory {
         double time = 0.0;       // s
         bool was_exact = false;  // whether the last step was solved, and to rounding
+        int kept = 0;            // steps since the last solve
     };
-    Memory memory() const { return {time_, was_exact_}; }
+    Memory memory() const { return {time_, was_exact_, kept_}; }
     void set_memory(const Memory& memory);
 
     // The rows, the system and its answer of the last step; empty before the first.
@@ -84,6 +85,8 @@ class World {
     StepCount count(const solvers::SolveCount& solved) const;
 
     double time_ = 0.0;
+    int kept_ = 0;               // steps since the last solve
+    int kept_before_ = 0;        // the same of the step before
     bool was_exact_ = false;     // whether the last step was solved, and to rounding
     bool contradicted_ = false;  // whether its rows had no answer
     std::vector<ConstraintRow> rows_;

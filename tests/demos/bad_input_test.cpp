@@ -37,8 +37,8 @@ const char* const everything = R"({
          "acts": "pulls", "max_force_n": 100}],
     "forces": [{"body": "ball", "force_n": [1, 0, 0], "from_s": 0, "until_s": 1}],
     "contacts": true,
-    "state": {"time_s": 0.5, "solved_exactly": true, "substeps": 1, "distance_forces_n": [[0, 0]],
-              "contact_forces": [{"a": "ground", "b": "box", "points": [
+    "state": {"time_s": 0.5, "solved_exactly": true, "kept_steps": 0, "substeps": 1,
+              "distance_forces_n": [[0, 0]], "contact_forces": [{"a": "ground", "b": "box", "points": [
                   {"feature": 1, "position_m": [0, 0, 0], "normal_n": [1, 1], "friction_first_n": [0, 0, 0],
                    "friction_last_n": [0, 0, 0]}]}]},
     "options": {"seconds": 0.1},
@@ -110,6 +110,7 @@ const std::vector<Field> fields{
     {"force", "until_s", "/forces/0/until_s", both(no_numbers, {"-1"})},
     {"state", "time_s", "/state/time_s", both(no_numbers, {"-1"})},
     {"state", "solved_exactly", "/state/solved_exactly", no_switches},
+    {"state", "kept_steps", "/state/kept_steps", both(no_numbers, {"-1", "0.5"})},
     {"state", "substeps", "/state/substeps", both(no_numbers, {"-1", "10001"})},
     {"state", "distance_forces_n", "/state/distance_forces_n", {"1", "[]", "[1]", "[[0]]", "[[0, 0], [0, 0]]"}},
     {"state", "contact_forces", "/state/contact_forces", no_lists},
