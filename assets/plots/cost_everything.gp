@@ -1,8 +1,7 @@
 # CPU time of a step as a scene is, and with everything constructed. The program sets, beside what style.gp names:
 # bars, made_on. The data: scene, us as it is, us with everything.
 load style
-share = (format eq 'svg' ? 1.0 : 0.75) * letters
-small = sprintf(',%.1f', 0.62 * share)
+small = sprintf(',%.1f', 0.62 * (format eq 'svg' ? 1.0 : 0.75) * letters)
 set lmargin at screen 0.24
 set rmargin at screen 0.9
 set tmargin at screen 1.0 - 90.0 / height

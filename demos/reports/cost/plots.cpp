@@ -14,13 +14,13 @@ namespace {
 
 // Bars from the top down, in the order of the tables.
 std::string stages_data(std::span<const Entry> entries) {
-    std::string text = "# scene,us a step";
+    std::string text = "# scene";
     for (const std::string_view stage : stage_names) text += fmt::format(",end of {} in %", stage);
     text += "\n";
     for (const Entry& entry : entries) {
         const Times& times = entry.as_it_is.ledger.times;
         const double all = std::accumulate(times.stages.begin(), times.stages.end(), 0.0);
-        text += fmt::format("\"{}\",{:.3g}", entry.name, times.step);
+        text += fmt::format("\"{}: {} us\"", entry.name, three_digits(times.step));
         double end = 0.0;
         for (const double us : times.stages)
             text += fmt::format(",{:.4f}", 100.0 * (end += us) / std::max(all, 1e-9));

@@ -49,12 +49,6 @@ std::string csv_line(const Entry& entry, const char* made, const Entry::Made& wh
     return fmt::format("{}\n", fmt::join(fields, ","));
 }
 
-// Three digits, whole numbers as they are.
-std::string shown(double value) {
-    if (value == 0.0) return "0";
-    return value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-}
-
 std::string ratio(double everything, double as_it_is) {
     if (everything == as_it_is) return "1";
     return as_it_is > 0.0 ? fmt::format("{:.2f}", everything / as_it_is) : "from 0";
@@ -80,10 +74,10 @@ Lines counts_table(std::span<const Entry> entries) {
         for (const double value :
              {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows, counts.distance_rows,
               counts.columns, counts.solves, counts.sweeps, counts.multiply_adds}) {
-            line.push_back(shown(value));
+            line.push_back(three_digits(value));
         }
         for (const double value : {counts.allocations, counts.allocated_bytes}) {
-            line.push_back(allocations_are_counted() ? shown(value) : "not counted");
+            line.push_back(allocations_are_counted() ? three_digits(value) : "not counted");
         }
         lines.push_back(std::move(line));
     }
@@ -95,7 +89,7 @@ Lines times_table(std::span<const Entry> entries) {
     lines.front().insert(lines.front().end(), stage_names.begin(), stage_names.end());
     for (const Entry& entry : entries) {
         const Times& times = entry.as_it_is.ledger.times;
-        std::vector<std::string> line{entry.name, shown(times.step)};
+        std::vector<std::string> line{entry.name, three_digits(times.step)};
         for (const double us : times.stages) line.push_back(fmt::format("{:.2f}", us));
         lines.push_back(std::move(line));
     }
@@ -108,10 +102,11 @@ Lines comparison_table(std::span<const Entry> entries) {
     for (const Entry& entry : entries) {
         const Ledger& own = entry.as_it_is.ledger;
         const Ledger& all = entry.with_everything.ledger;
-        lines.push_back({entry.name, shown(own.counts.rows()), shown(all.counts.rows()), shown(own.counts.columns),
-                         shown(all.counts.columns), shown(own.counts.multiply_adds),
-                         shown(all.counts.multiply_adds), ratio(all.counts.multiply_adds, own.counts.multiply_adds),
-                         shown(own.times.step), shown(all.times.step), ratio(all.times.step, own.times.step)});
+        lines.push_back({entry.name, three_digits(own.counts.rows()), three_digits(all.counts.rows()),
+                         three_digits(own.counts.columns), three_digits(all.counts.columns),
+                         three_digits(own.counts.multiply_adds), three_digits(all.counts.multiply_adds),
+                         ratio(all.counts.multiply_adds, own.counts.multiply_adds), three_digits(own.times.step),
+                         three_digits(all.times.step), ratio(all.times.step, own.times.step)});
     }
     return lines;
 }
@@ -124,6 +119,11 @@ Section section_of(const char* name, const char* heading, const char* caption, L
 }
 
 }  // namespace
+
+std::string three_digits(double value) {
+    if (value == 0.0) return "0";
+    return value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
 
 std::string csv_text(std::span<const Entry> entries) {
     std::string text = columns;

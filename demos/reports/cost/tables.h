@@ -23,6 +23,9 @@ struct Entry {
 // Two lines an entry, "as it is" and "everything". Memory is left out where it is not counted.
 std::string csv_text(std::span<const Entry> entries);
 
+// At least three digits; whole numbers are not rounded.
+std::string three_digits(double value);
+
 // The tables of the page, each under its heading.
 std::vector<Section> table_sections(std::span<const Entry> entries);
 

@@ -1,4 +1,5 @@
 // The cost report: one command, all files, the same counts twice; and what the ledger says of the wave.
+#include "demos/named_run.h"
 #include "demos/reports/cost/everything.h"
 #include "demos/reports/cost/ledger.h"
 #include "tests/catch.h"
@@ -47,7 +48,7 @@ struct Table {
 
 Ledger counted(const Choices& choices, double start) {
     const Moment moment = moment_at(choices, start, [] {});
-    return {.parts = parts_of(moment.build(), moment.settings), .counts = count_steps(moment)};
+    return {.parts = parts_of(moment.build(), moment.settings), .counts = count_steps(moment), .times = {}};
 }
 
 }  // namespace
