@@ -77,7 +77,7 @@ class CostReport {
         return {.parts = parts_of(scene, moment.settings),
                 .bodies = static_cast<int>(scene.world.bodies.size()),
                 .counts = count_steps(moment),
-                .times = time_steps(moment, request_.quick ? 3 : 7, check_now)};
+                .times = time_steps(moment, request_.quick ? 3 : 5, check_now)};
     }
 
     void write_page(const std::vector<Section>& sections) const {
@@ -85,7 +85,7 @@ class CostReport {
             "What a scene does not need is not constructed, and costs nothing. Counts are the same in every run; "
             "CPU "
             "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
-            made_on_, request_.quick ? " This is the quick report: small scenes, counted early." : "");
+            made_on_, request_.quick ? " This is the quick report: small scenes." : "");
         write_file(request_.folder / "index.html", page_text("Pushfactor: what a step costs", opening, sections));
     }
 

@@ -9,7 +9,7 @@ namespace pushfactor::demos::reports {
 
 struct CostRequest {
     std::filesystem::path folder;
-    bool quick = false;              // small scenes, counted early, timed three times instead of seven
+    bool quick = false;              // small scenes, timed three times instead of five
     std::vector<std::string> parts;  // names of cost_parts(); all when empty
 };
 

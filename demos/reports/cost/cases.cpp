@@ -8,9 +8,8 @@ namespace pushfactor::demos::reports::cost {
 
 namespace {
 
-constexpr double settled = 20.0;        // s
-constexpr double settled_quick = 10.0;  // s, enough for the small ones
-constexpr double falling = 1.0;         // s
+constexpr double settled = 10.0;  // s
+constexpr double falling = 1.0;   // s
 
 struct Size {
     const char* name;
@@ -37,15 +36,14 @@ std::string CostCase::file_name() const {
 }
 
 std::vector<CostCase> cost_cases(bool quick) {
-    const double rest = quick ? settled_quick : settled;
     std::vector<CostCase> cases;
     for (const SceneEntry& scene : catalogue()) {
         const std::string name(scene.name);
-        cases.push_back({name, name, {}, rest});
+        cases.push_back({name, name, {}, settled});
         if (name == "funnel") cases.push_back({"funnel, falling", name, {}, falling});
         for (const Size& size : sizes) {
             if (name != size.scene || (quick && size.large)) continue;
-            cases.push_back({size.name, name, size.options, rest});
+            cases.push_back({size.name, name, size.options, settled});
             if (name == "funnel")
                 cases.push_back({size.name + std::string(", falling"), name, size.options, falling});
         }

@@ -18,7 +18,7 @@ struct CostCase {
     std::string file_name() const;
 };
 
-// `quick`: the small ones, counted early.
+// `quick`: the small ones.
 std::vector<CostCase> cost_cases(bool quick);
 
 }  // namespace pushfactor::demos::reports::cost
