@@ -91,16 +91,19 @@ void add_frames(CLI::App& app, Request& request) {
 }
 
 void add_report(CLI::App& app, Request& request) {
-    app.add_option("REPORT", request.reports,
-                   "error: error against work and run time, of every method and scene; stability: stiff and "
-                   "extreme cases, each judged; atlas: maps of how runs end, over two parameters")
+    app.add_option(
+           "REPORT", request.reports,
+           "error: error against work and run time, of every method and scene; stability: stiff and "
+           "extreme cases, each judged; cost: what a step of each scene does and takes; atlas: maps of how runs "
+           "end, over two parameters")
         ->type_name("NAME");
     app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
         ->type_name("DIR");
     app.add_flag("--quick", request.quick, "few values and short runs: under a minute");
-    app.add_option("--only", request.parts,
-                   "parts of the report; error: scenes, frozen, consistency; stability: its chapters; atlas: its "
-                   "maps [all]")
+    app.add_option(
+           "--only", request.parts,
+           "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
+           "atlas: its maps [all]")
         ->type_name("PART")
         ->delimiter(',');
     app.add_flag("--problems", request.problems,

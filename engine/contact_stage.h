@@ -54,7 +54,11 @@ class ContactStage : public ConstraintSource {
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
-    const ContactCache* cache() const { return cache_.get(); }  // null without
+    // Null without.
+    const FrictionRule* friction() const { return friction_.get(); }
+    RestitutionRule restitution() const { return restitution_; }
+    const collision::Sweep* sweep() const { return sweep_.get(); }
+    const ContactCache* cache() const { return cache_.get(); }
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;

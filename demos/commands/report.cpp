@@ -1,6 +1,7 @@
 #include "demos/commands/commands.h"
 #include "demos/errors.h"
 #include "demos/reports/atlas_report.h"
+#include "demos/reports/cost_report.h"
 #include "demos/reports/error_report.h"
 #include "demos/reports/stability_report.h"
 #include "demos/suggest.h"
@@ -36,6 +37,10 @@ std::vector<Report> all_reports() {
         {"stability", reports::stability_parts(),
          [](const Request& request, const std::filesystem::path& folder) {
              reports::report_stability({.folder = folder, .quick = request.quick, .parts = request.parts});
+         }},
+        {"cost", reports::cost_parts(),
+         [](const Request& request, const std::filesystem::path& folder) {
+             reports::report_cost({.folder = folder, .quick = request.quick, .parts = request.parts});
          }},
         {"atlas", reports::atlas_map_names(), [](const Request& request, const std::filesystem::path& folder) {
              reports::report_atlas({.folder = folder, .quick = request.quick, .maps = request.parts});

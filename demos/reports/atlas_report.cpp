@@ -2,8 +2,8 @@
 
 #include "demos/output_file.h"
 #include "demos/progress.h"
-#include "demos/reports/atlas_file.h"
-#include "demos/reports/atlas_plot.h"
+#include "demos/reports/atlas/file.h"
+#include "demos/reports/atlas/plot.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,8 @@
 namespace pushfactor::demos::reports {
 
 namespace {
+
+using namespace atlas;
 
 std::filesystem::path in_new_folder(const std::filesystem::path& folder, const char* name) {
     make_folder(folder);

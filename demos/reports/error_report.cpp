@@ -3,9 +3,9 @@
 #include "demos/output_file.h"
 #include "demos/progress.h"
 #include "demos/reports/about.h"
-#include "demos/reports/consistency.h"
-#include "demos/reports/error_plots.h"
-#include "demos/reports/frozen_moments.h"
+#include "demos/reports/error/consistency.h"
+#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/plots.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +14,8 @@
 namespace pushfactor::demos::reports {
 
 namespace {
+
+using namespace error;
 
 constexpr int repeats = 5;  // of each run for the clock
 constexpr const char* frozen_part = "frozen";

@@ -1,7 +1,7 @@
 // What the maps of the atlas have to show, whatever the engine becomes: orderings and closed forms.
-#include "demos/reports/atlas_cells.h"
-#include "demos/reports/atlas_outcomes.h"
-#include "demos/reports/atlas_plot.h"
+#include "demos/reports/atlas/cells.h"
+#include "demos/reports/atlas/outcomes.h"
+#include "demos/reports/atlas/plot.h"
 #include "tests/catch.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <set>
 
 using namespace pushfactor::demos;
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::atlas;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Every solver on every frozen problem of the report, against the direct one.
-#include "demos/reports/converged_forces.h"
-#include "demos/reports/frozen_moments.h"
+#include "demos/reports/error/converged_forces.h"
+#include "demos/reports/error/frozen_moments.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 
@@ -8,7 +8,7 @@
 #include <set>
 
 using namespace pushfactor;
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Frozen problems: what is written reads back as the same problem.
 #include "demos/errors.h"
-#include "demos/reports/frozen_moments.h"
+#include "demos/reports/error/frozen_moments.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 namespace {
 

@@ -1,11 +1,11 @@
-#include "demos/reports/label_places.h"
+#include "demos/reports/error/label_places.h"
 
 #include "tests/catch.h"
 #include "tests/random.h"
 
 #include <cmath>
 
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 TEST_CASE("labels lie inside, beside their points, and never one on the other") {
     pushfactor::tests::Random random(3);

@@ -1,7 +1,7 @@
 // Which solver to choose, as the README says: orderings of errors by work, which is counted in multiply-adds and
 // the same on every machine. The measured numbers stand beside; times are in no test.
-#include "demos/reports/frozen_moments.h"
-#include "demos/reports/sweep_table.h"
+#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/sweep_table.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 
@@ -10,7 +10,7 @@
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "demos/reports/pareto.h"
+#include "demos/reports/error/pareto.h"
 
 #include "tests/catch.h"
 #include "tests/random.h"
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 namespace {
 

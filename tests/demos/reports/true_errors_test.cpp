@@ -1,9 +1,9 @@
 // The errors of the reports: zero for what is exact, known for what is wrong by a known amount.
-#include "demos/reports/true_errors.h"
+#include "demos/reports/error/true_errors.h"
 
-#include "demos/reports/converged_forces.h"
-#include "demos/reports/error_points.h"
-#include "demos/reports/sweep_table.h"
+#include "demos/reports/error/converged_forces.h"
+#include "demos/reports/error/points.h"
+#include "demos/reports/error/sweep_table.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 
@@ -14,7 +14,7 @@
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
-using namespace pushfactor::demos::reports;
+using namespace pushfactor::demos::reports::error;
 
 namespace {
 

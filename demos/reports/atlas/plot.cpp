@@ -1,0 +1,153 @@
+#include "demos/reports/atlas/plot.h"
+
+#include "demos/numbers.h"
+#include "demos/output_file.h"
+#include "demos/palette.h"
+#include "demos/plot.h"
+#include "demos/reports/atlas/outcomes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace pushfactor::demos::reports::atlas {
+
+namespace {
+
+// Where the cells of an axis begin and end: halfway between their numbers, one more than there are.
+std::vector<double> edges_of(const AtlasAxis& axis) {
+    const auto placed = [&axis](double number) { return axis.logarithmic ? std::log(number) : number; };
+    const auto number = [&axis](double place) { return axis.logarithmic ? std::exp(place) : place; };
+    std::vector<double> places, edges;
+    for (const std::string& value : axis.values) places.push_back(placed(axis.shown(value)));
+    const std::size_t last = places.size() - 1;
+    edges.push_back(number(places[0] - 0.5 * (places[1] - places[0])));
+    for (std::size_t i = 0; i < last; ++i) edges.push_back(number(0.5 * (places[i] + places[i + 1])));
+    edges.push_back(number(places[last] + 0.5 * (places[last] - places[last - 1])));
+    return edges;
+}
+
+// For `set xtics (...)`.
+std::string ticks_of(const AtlasAxis& axis) {
+    std::string text;
+    for (const std::string& value : axis.values) {
+        text += fmt::format("{}\"{}\" {}", text.empty() ? "" : ", ", axis.tick(value), axis.shown(value));
+    }
+    return text;
+}
+
+// 0xRRGGBB of a name in the palette or of "#RRGGBB".
+int number_of(std::string_view colour) {
+    const auto byte = [](float part) { return static_cast<int>(part * 255.0f + 0.5f); };
+    if (const auto found = find_colour(colour)) {
+        return (byte(found->red) << 16) + (byte(found->green) << 8) + byte(found->blue);
+    }
+    int number = 0;
+    std::from_chars(colour.data() + 1, colour.data() + colour.size(), number, 16);
+    return number;
+}
+
+// Two blocks, never empty, which gnuplot would not count: the cells, and the theory.
+std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results, const std::vector<double>& xs,
+                    const std::vector<double>& ys) {
+    std::string text = "# x,y,x_low,x_high,y_low,y_high,colour,number,ink\n";
+    const std::size_t width = map.x.values.size();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::size_t column = i % width, row = i / width;
+        const OutcomeLook& look = *find_look(results[i].outcome);
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]),
+                            map.y.shown(map.y.values[row]), xs[column], xs[column + 1], ys[row], ys[row + 1],
+                            number_of(look.colour), short_number(results[i].value), number_of(look.ink));
+    }
+    text += "\n\n# theory: x,y\n";
+    constexpr int points = 400;
+    for (int i = 0; i <= points; ++i) {
+        const double share = static_cast<double>(i) / points;
+        const double x = map.x.logarithmic ? xs.front() * std::pow(xs.back() / xs.front(), share)
+                                           : xs.front() + share * (xs.back() - xs.front());
+        const double y = map.theory ? map.theory->y(x) : std::nan("");
+        text += y >= ys.front() && y <= ys.back() ? fmt::format("{},{}\n", x, y) : "nan,nan\n";
+    }
+    return text;
+}
+
+// What the legend lists: the outcomes that the map has, as words and as colours for gnuplot's word().
+std::pair<std::string, std::string> legend_of(const AtlasMap& map, const std::vector<CellResult>& results) {
+    std::string words, colours;
+    for (const OutcomeLook& look : outcome_looks) {
+        const auto is_this = [&look](const CellResult& result) { return result.outcome == look.outcome; };
+        if (std::none_of(results.begin(), results.end(), is_this)) continue;
+        words += fmt::format("\"{}\" ", look.outcome == name_of(Outcome::moving) ? map.moving : look.words);
+        colours += fmt::format("#{:06x} ", number_of(look.colour));
+    }
+    return {words, colours};
+}
+
+// The command of all cells, with the names of the axes' options for their values.
+std::string pattern_of(const AtlasMap& map) {
+    return command_of({&map, "X", "Y"});
+}
+
+void draw(const AtlasMap& map, const std::vector<CellResult>& results, const std::filesystem::path& folder,
+          Plate& plate) {
+    const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
+    const std::string data = map.name + ".dat";
+    write_file(folder / data, data_of(map, results, xs, ys));
+    plate.files.push_back(data);
+    if (!plots_can_be_drawn()) {
+        plate.caption += std::string(" ") + what_plots_need;
+        return;
+    }
+    const auto [words, colours] = legend_of(map, results);
+    const Plot plot{.script = "atlas",
+                    .data = folder / data,
+                    .name = map.name,
+                    .aspect = 1.5,
+                    .variables = {{"heading", map.title},
+                                  {"x_axis", map.x.label},
+                                  {"y_axis", map.y.label},
+                                  {"x_ticks", ticks_of(map.x)},
+                                  {"y_ticks", ticks_of(map.y)},
+                                  {"x_low", xs.front()},
+                                  {"x_high", xs.back()},
+                                  {"y_low", ys.front()},
+                                  {"y_high", ys.back()},
+                                  {"x_logarithmic", map.x.logarithmic ? 1.0 : 0.0},
+                                  {"y_logarithmic", map.y.logarithmic ? 1.0 : 0.0},
+                                  {"outcomes", words},
+                                  {"colours", colours},
+                                  {"number_words", map.measure.words},
+                                  {"theory", map.theory ? map.theory->label : ""},
+                                  {"command", pattern_of(map)}}};
+    const std::vector<std::string> made = draw_plot(plot, folder);
+    plate.pictures.push_back(made.front());
+    plate.files.insert(plate.files.end(), made.begin(), made.end());
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+    if (value == 0.0) return "0";
+    const double size = std::abs(value);
+    if (size >= 1e-3 && size < 9.95) return fmt::format("{:.2g}", value);
+    if (size >= 9.95 && size < 9999.5) return fmt::format("{:.0f}", value);
+    std::string text = fmt::format("{:.0e}", value);
+    const auto sign = text.find('e') + 1;
+    if (text[sign + 1] == '0') text.erase(sign + 1, 1);
+    if (text[sign] == '+') text.erase(sign, 1);
+    return text;
+}
+
+Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
+                      const std::filesystem::path& folder) {
+    Section section{map.name, map.title, {}};
+    section.plate.caption =
+        fmt::format("{} The numbers: {}, {} of the summary.", map.caption, map.measure.words, map.measure.key);
+    section.plate.commands = {pattern_of(map)};
+    draw(map, results, folder, section.plate);
+    return section;
+}
+
+}  // namespace pushfactor::demos::reports::atlas

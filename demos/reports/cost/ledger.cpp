@@ -1,0 +1,186 @@
+#include "demos/reports/cost/ledger.h"
+
+#include "demos/checkpoint.h"
+#include "demos/observed_run.h"
+#include "demos/reports/cost/allocations.h"
+#include "demos/simulation.h"
+#include "demos/step_division.h"
+#include "engine/collision/broad_phase.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::reports::cost {
+
+namespace {
+
+constexpr int steps_before = 30;  // memory has grown as far as it will, and the caches are warm
+constexpr int steps_counted = 120;
+
+// Counts the solves that did something.
+class CountingSolver : public engine::solvers::Solver {
+  public:
+    explicit CountingSolver(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}
+
+    engine::solvers::SolveCount solve(const engine::SystemEquation& system,
+                                      const engine::solvers::Termination& termination,
+                                      engine::Columns& lambda) override {
+        const engine::solvers::SolveCount count = solver_->solve(system, termination, lambda);
+        if (count.iterations > 0) ++solves_;
+        return count;
+    }
+
+    int solves() const { return solves_; }
+
+  private:
+    std::unique_ptr<Solver> solver_;
+    int solves_ = 0;
+};
+
+// Takes the steps of a run and does nothing else.
+class Walk {
+  public:
+    explicit Walk(const Moment& moment)
+        : scene_(moment.build()), dt_(moment.settings.dt.value()), division_(division_of(moment.settings)) {}
+
+    Scene& scene() { return scene_; }
+
+    // One step of the run; `seen` is told of each engine step. Returns how many there were.
+    template <typename Seen>
+    int step(StageClock* clock, Seen seen) {
+        if (clock) clock->begin();
+        const int parts = division_.divide(scene_.world, dt_);
+        if (clock) clock->rules_ended();
+        for (int i = 0; i < parts; ++i) seen(scene_.world.step(dt_ / parts, clock));
+        return parts;
+    }
+
+    void go(int steps, StageClock* clock = nullptr) {
+        for (int i = 0; i < steps; ++i) step(clock, [](const engine::StepCount&) {});
+    }
+
+  private:
+    StepDivision division_of(const Settings& settings) const {
+        if (settings.substeps) return StepDivision(*settings.substeps);
+        return StepDivision(step_rules(scene_), scene_.substeps_before.value_or(0.0));
+    }
+
+    Scene scene_;
+    double dt_;
+    StepDivision division_;
+};
+
+double pairs_of(const Scene& scene, double margin) {
+    if (!scene.contacts) return 0.0;
+    std::vector<engine::collision::Pose> poses;
+    for (const engine::Body& body : scene.world.bodies) poses.push_back(engine::collision::pose_of(body));
+    engine::collision::BroadPhase broad_phase;
+    return static_cast<double>(
+        broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
+}
+
+double touches_of(const Scene& scene) {
+    if (!scene.contacts) return 0.0;
+    const std::vector<engine::ContactSite> sites = scene.contacts->sites();
+    std::vector<std::pair<int, int>> pairs;
+    for (const engine::ContactSite& site : sites) pairs.emplace_back(site.body_a, site.body_b);
+    std::sort(pairs.begin(), pairs.end());
+    return static_cast<double>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+}
+
+void add_step(const engine::StepCount& step, Counts& sum) {
+    sum.contact_rows += step.rows(engine::RowKind::contact);
+    sum.friction_rows += step.rows(engine::RowKind::friction);
+    sum.distance_rows += step.rows(engine::RowKind::distance);
+    sum.columns += step.columns;
+    sum.sweeps += step.sweeps;
+    sum.row_updates += 1.0 * step.rows() * step.columns * step.sweeps;
+    sum.multiply_adds += step.multiply_adds;
+}
+
+// What there is once a step is divided by the engine steps, the rest by the steps of the run.
+Counts means_of(Counts sum) {
+    for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns}) {
+        *each /= sum.substeps;
+    }
+    for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.solves, &sum.sweeps, &sum.row_updates,
+                         &sum.multiply_adds, &sum.allocations, &sum.allocated_bytes}) {
+        *each /= steps_counted;
+    }
+    return sum;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double time_of_step(const Moment& moment) {
+    Walk walk(moment);
+    walk.go(steps_before);
+    const double before = thread_cpu_us();
+    walk.go(steps_counted);
+    return (thread_cpu_us() - before) / steps_counted;
+}
+
+StageTimes time_of_stages(const Moment& moment, double cost) {
+    Walk walk(moment);
+    walk.go(steps_before);
+    StageClock clock(cost);
+    walk.go(steps_counted, &clock);
+    return clock.times();
+}
+
+}  // namespace
+
+Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check) {
+    Simulation simulation(choices.build(), choices.settings);
+    while (simulation.sample().time < seconds) {
+        check();
+        simulation.advance();
+    }
+    return {resumed(spelled_out(choices), simulation.scene(), simulation.checkpoint()), choices.settings};
+}
+
+Counts count_steps(const Moment& moment) {
+    Walk walk(moment);
+    engine::World& world = walk.scene().world;
+    CountingSolver* solver = nullptr;
+    if (world.solver) {
+        auto counting = std::make_unique<CountingSolver>(std::move(world.solver));
+        solver = counting.get();
+        world.solver = std::move(counting);
+    }
+    walk.go(steps_before);
+    const int solves_before = solver ? solver->solves() : 0;
+    Counts sum;
+    for (int i = 0; i < steps_counted; ++i) {
+        const Allocations before = allocations();
+        sum.substeps += walk.step(nullptr, [&sum](const engine::StepCount& step) { add_step(step, sum); });
+        const Allocations taken = allocations() - before;
+        sum.allocations += static_cast<double>(taken.count);
+        sum.allocated_bytes += static_cast<double>(taken.bytes);
+        sum.pairs += pairs_of(walk.scene(), moment.settings.margin);
+        sum.touches += touches_of(walk.scene());
+    }
+    if (solver) sum.solves = solver->solves() - solves_before;
+    return means_of(sum);
+}
+
+Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check) {
+    const double cost = clock_cost();
+    std::vector<double> steps;
+    std::array<std::vector<double>, stage_names.size()> stages;
+    for (int i = 0; i < repeats; ++i) {
+        check();
+        steps.push_back(time_of_step(moment));
+        check();
+        const StageTimes times = time_of_stages(moment, cost);
+        for (std::size_t k = 0; k < times.size(); ++k) stages[k].push_back(times[k] / steps_counted);
+    }
+    Times result{.step = median(steps)};
+    for (std::size_t k = 0; k < stages.size(); ++k) result.stages[k] = std::max(0.0, median(stages[k]));
+    return result;
+}
+
+}  // namespace pushfactor::demos::reports::cost

@@ -1,0 +1,58 @@
+// The ledger of a scene: what its steps do and what they cost.
+#pragma once
+
+#include "demos/choices.h"
+#include "demos/reports/cost/parts.h"
+#include "demos/reports/cost/stage_clock.h"
+
+#include <functional>
+
+namespace pushfactor::demos::reports::cost {
+
+// A scene at the moment from which its steps are counted; each build of it takes the same steps.
+struct Moment {
+    SceneDescription description;
+    Settings settings;
+
+    Scene build() const { return build_scene(description, settings); }
+};
+
+// Calls `check` now and then, which may throw.
+Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
+
+// Means over the steps that were counted, each a step of the run.
+struct Counts {
+    double substeps = 0.0;
+    double pairs = 0.0;    // whose bounding boxes meet
+    double touches = 0.0;  // pairs with contact points
+    double contact_rows = 0.0, friction_rows = 0.0, distance_rows = 0.0;
+    double columns = 0.0;
+    double solves = 0.0;         // in which the guess was not good enough
+    double sweeps = 0.0;         // iterations of the solver, of whatever kind
+    double row_updates = 0.0;    // rows times columns times sweeps
+    double multiply_adds = 0.0;  // of the solver
+    double allocations = 0.0;
+    double allocated_bytes = 0.0;
+
+    double rows() const { return contact_rows + friction_rows + distance_rows; }
+};
+
+struct Times {
+    double step = 0.0;    // us, with no clock inside
+    StageTimes stages{};  // us
+};
+
+struct Ledger {
+    Parts parts;
+    int bodies = 0;
+    Counts counts;
+    Times times;
+};
+
+// Of the same steps always, so that equal programs give equal counts.
+Counts count_steps(const Moment& moment);
+
+// CPU times of those steps: the median of `repeats` goes of the mean over the steps.
+Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check);
+
+}  // namespace pushfactor::demos::reports::cost

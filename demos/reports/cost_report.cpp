@@ -1,0 +1,110 @@
+#include "demos/reports/cost_report.h"
+
+#include "demos/catalogue.h"
+#include "demos/numbers.h"
+#include "demos/output_file.h"
+#include "demos/progress.h"
+#include "demos/reports/about.h"
+#include "demos/reports/cost/cases.h"
+#include "demos/reports/cost/everything.h"
+#include "demos/reports/cost/plots.h"
+#include "demos/reports/cost/tables.h"
+#include "demos/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pushfactor::demos::reports {
+
+namespace {
+
+using namespace cost;
+
+class CostReport {
+  public:
+    explicit CostReport(const CostRequest& request)
+        : request_(request), made_on_(line_of(about_this())), cases_(wanted_cases()) {
+        make_folder(request_.folder / "everything");
+    }
+
+    void make() {
+        ProgressBar bar("report cost", static_cast<long>(cases_.size()));
+        for (const CostCase& one : cases_) {
+            entries_.push_back(entry_of(one));
+            write_file(request_.folder / "cost.csv", fmt::format("# {}\n{}", made_on_, csv_text(entries_)));
+            write_page(table_sections(entries_));
+            bar.show(static_cast<long>(entries_.size()));
+        }
+        std::vector<Section> sections = table_sections(entries_);
+        add_plots(entries_, made_on_, request_.folder, sections);
+        write_page(sections);
+    }
+
+  private:
+    std::vector<CostCase> wanted_cases() const {
+        std::vector<CostCase> cases = cost_cases(request_.quick);
+        std::erase_if(cases, [this](const CostCase& one) {
+            const auto& parts = request_.parts;
+            return !parts.empty() && std::find(parts.begin(), parts.end(), one.scene) == parts.end();
+        });
+        return cases;
+    }
+
+    void check() const {
+        stop_if_interrupted(fmt::format("{} of {} scenes are in {}", entries_.size(), cases_.size(),
+                                        (request_.folder / "cost.csv").string()));
+    }
+
+    Entry entry_of(const CostCase& one) const {
+        const Choices choices = run_of(one.scene, one.options);
+        const std::string file = "everything/" + one.file_name() + ".json";
+        write_file(request_.folder / file, scene_file_text(with_everything(spelled_out(choices))));
+        const Choices everything = understand((request_.folder / file).string(), {});
+
+        Options run{{"seconds", to_text(one.start)}};
+        Entry entry{.name = one.name, .start = one.start, .as_it_is = {}, .with_everything = {}};
+        entry.with_everything = {ledger_of(everything, one.start), command_text("run", file, run) + " --timing"};
+        run.insert(run.begin(), one.options.begin(), one.options.end());
+        entry.as_it_is = {ledger_of(choices, one.start), command_text("run", one.scene, run) + " --timing"};
+        return entry;
+    }
+
+    Ledger ledger_of(const Choices& choices, double start) const {
+        const auto check_now = [this] { check(); };
+        const Moment moment = moment_at(choices, start, check_now);
+        const Scene scene = moment.build();
+        return {.parts = parts_of(scene, moment.settings),
+                .bodies = static_cast<int>(scene.world.bodies.size()),
+                .counts = count_steps(moment),
+                .times = time_steps(moment, request_.quick ? 3 : 5, check_now)};
+    }
+
+    void write_page(const std::vector<Section>& sections) const {
+        const std::string opening = fmt::format(
+            "What a scene does not need is not constructed, and costs nothing. Counts are the same in every run; "
+            "CPU "
+            "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
+            made_on_, request_.quick ? " This is the quick report: small scenes." : "");
+        write_file(request_.folder / "index.html", page_text("Pushfactor: what a step costs", opening, sections));
+    }
+
+    CostRequest request_;
+    std::string made_on_;
+    std::vector<CostCase> cases_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+std::vector<std::string> cost_parts() {
+    std::vector<std::string> names;
+    for (const SceneEntry& scene : catalogue()) names.emplace_back(scene.name);
+    return names;
+}
+
+void report_cost(const CostRequest& request) {
+    CostReport(request).make();
+}
+
+}  // namespace pushfactor::demos::reports

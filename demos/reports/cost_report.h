@@ -1,0 +1,24 @@
+// The report on cost: what each scene is made of, what a step of it does, and what leaving things out saves.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::reports {
+
+struct CostRequest {
+    std::filesystem::path folder;
+    bool quick = false;              // small scenes, timed three times instead of five
+    std::vector<std::string> parts;  // names of cost_parts(); all when empty
+};
+
+// The scenes of the catalogue.
+std::vector<std::string> cost_parts();
+
+// Writes cost.csv (two lines a scene: as it is, and with everything constructed), plots, index.html, and
+// everything/NAME.json, the scenes with everything. The tables are whole after each scene, so an interrupted report
+// keeps what it had. Throws what errors.h names.
+void report_cost(const CostRequest& request);
+
+}  // namespace pushfactor::demos::reports

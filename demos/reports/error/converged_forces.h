@@ -1,0 +1,35 @@
+// What the solver should have answered: the same system solved until nothing is left of its residual.
+//
+//   e_f = sqrt( (lambda - lambda*)^T A (lambda - lambda*) / (lambda*^T A lambda*) )
+//
+// the relative error of the accelerations that the constraint forces give. Box on box has more contacts than
+// unknown reactions, so lambda* is not unique; A lambda* is, and e_f sees nothing else.
+//
+// Symbols: A = J M^-1 J^T [1/kg], lambda answer and lambda* converged answer [N], e_f [1].
+#pragma once
+
+#include "engine/solvers/solver.h"
+
+#include <optional>
+
+namespace pushfactor::demos::reports::error {
+
+// e_f, the larger of all columns. Nothing when the converged forces do nothing.
+std::optional<double> force_error(const engine::SystemEquation& system, const engine::Columns& lambda,
+                                  const engine::Columns& converged);
+
+class ConvergedSolver {
+  public:
+    static constexpr double residual = 1e-10;  // m/s, natural map: what converged means
+
+    ConvergedSolver();
+
+    // From `guess`. Nothing when no solver that there is gets there.
+    std::optional<engine::Columns> solve(const engine::SystemEquation& system, const engine::Columns& guess);
+
+  private:
+    std::unique_ptr<engine::solvers::Solver> direct_;  // null when there is none
+    std::unique_ptr<engine::solvers::Solver> sweeps_;
+};
+
+}  // namespace pushfactor::demos::reports::error

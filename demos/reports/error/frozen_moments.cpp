@@ -1,0 +1,134 @@
+#include "demos/reports/error/frozen_moments.h"
+
+#include "demos/simulation.h"
+#include "engine/solvers/solver.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace pushfactor::demos::reports::error {
+
+namespace {
+
+// No cube is exactly above the next: symmetry would hide what Jacobi does.
+const Options jitter{{"jitter", "0.01"}, {"seed", "1"}};
+
+Moment stack(const std::string& name, const Options& options) {
+    Moment moment{name, "stack", options};
+    moment.options.insert(moment.options.end(), jitter.begin(), jitter.end());
+    return moment;
+}
+
+// Stacks land in the step in which the topmost cube, which falls through all gaps, meets the one below it.
+Moment landing(const std::string& count, const std::string& seconds) {
+    return stack("stack of " + count + ", landing", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}});
+}
+
+// After some time with many iterations, before a tall stack has leaned.
+Moment settled(const std::string& count, const std::string& seconds) {
+    return stack("stack of " + count + ", settled",
+                 {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}});
+}
+
+// So many substeps that the bars stay whole.
+Moment heavy_chain(const std::string& links, const std::string& substeps) {
+    return {"chain of " + links + ", end 1000 times heavier",
+            "chain",
+            {{"links", links}, {"end-mass", "1000"}, {"substeps", substeps}, {"seconds", "1"}}};
+}
+
+constexpr std::size_t most_rows_of_dense = 200;
+
+std::string colour_of(std::string_view solver) {
+    static const std::map<std::string_view, std::string> colours{
+        {"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}};
+    const auto found = colours.find(solver);
+    return found == colours.end() ? "grey" : found->second;
+}
+
+}  // namespace
+
+std::vector<Moment> hard_moments(bool quick) {
+    std::vector<Moment> moments{
+        landing("5", "0.32"),
+        settled("5", "2"),
+        {"funnel of 20", "funnel", {{"count", "20"}, {"seconds", "5"}}},
+        {"pendulum grid", "pendulum-grid", {{"seconds", quick ? "1" : "5"}}},
+        heavy_chain("20", "32"),
+        {"column of 10 spheres", "sphere_column", {{"seconds", "0.02"}}},
+    };
+    if (quick) return moments;
+    for (const auto& [count, seconds] : {std::pair{"20", "0.64"}, std::pair{"100", "1.42"}}) {
+        moments.push_back(landing(count, seconds));
+    }
+    for (const auto& [count, seconds] : {std::pair{"20", "2"}, std::pair{"100", "0.5"}}) {
+        moments.push_back(settled(count, seconds));
+    }
+    moments.push_back(heavy_chain("5", "16"));
+    moments.push_back({"funnel of 200", "funnel", {{"count", "200"}, {"seconds", "5"}}});
+    return moments;
+}
+
+FrozenProblem freeze(const Moment& moment, const std::function<void()>& check) {
+    const Choices choices = run_of(moment.scene, moment.options);
+    Simulation run(choices.build(), choices.settings);
+    while (run.sample().step < std::max(1L, whole_steps(choices.settings))) {
+        check();
+        run.advance();
+    }
+    return {moment.name, run.scene().world};
+}
+
+std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick) {
+    const std::vector<int> iterations =
+        quick ? std::vector{1, 5, 25, 100} : std::vector{1, 2, 5, 10, 25, 50, 100, 250, 1000};
+    std::vector<FrozenPoint> points;
+    for (const engine::solvers::SolverEntry& entry : engine::solvers::solver_table()) {
+        if (entry.name == "dense" && problem.system().rows.size() > most_rows_of_dense) continue;
+        for (const bool warm : {false, true}) {
+            for (const int most : iterations) {
+                engine::Columns lambda = warm ? problem.guess() : problem.zero();
+                const auto solver = entry.make();
+                // Tolerances of zero: always all iterations.
+                const engine::solvers::SolveCount count = solver->solve(
+                    problem.system(), {.iterations = most, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
+                points.push_back({.problem = problem.name(),
+                                  .method = fmt::format("{}, {}", entry.name, warm ? "warm" : "cold"),
+                                  .iterations = most,
+                                  .residual = natural_residual(problem.system(), lambda),
+                                  .multiply_adds = count.multiply_adds});
+            }
+        }
+    }
+    return points;
+}
+
+std::string csv_text(const std::vector<FrozenPoint>& points) {
+    std::string text = "problem,method,iterations,residual_m_per_s,work_multiply_adds\n";
+    for (const FrozenPoint& point : points) {
+        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", point.problem, point.method, point.iterations,
+                            point.residual, point.multiply_adds);
+    }
+    return text;
+}
+
+std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points) {
+    std::vector<WorkLine> lines;
+    for (const FrozenPoint& point : points) {
+        if (point.method.starts_with("dense")) continue;
+        if (lines.empty() || lines.back().name != point.method) {
+            const bool warm = point.method.ends_with("warm");
+            lines.push_back({.name = point.method,
+                             .colour = colour_of(point.method.substr(0, point.method.find(','))),
+                             .dash = warm ? 1 : 2,
+                             .mark = warm ? 7 : 5,
+                             .points = {}});
+        }
+        lines.back().points.push_back(
+            {.error = point.residual, .work = point.multiply_adds, .label = std::to_string(point.iterations)});
+    }
+    return lines;
+}
+
+}  // namespace pushfactor::demos::reports::error

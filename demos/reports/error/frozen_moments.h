@@ -1,0 +1,43 @@
+// Hard moments of scenes, frozen, and how far each solver gets with each of them: the solver alone, without what
+// its errors do to the run.
+#pragma once
+
+#include "demos/named_run.h"
+#include "demos/reports/error/frozen_problem.h"
+#include "demos/reports/error/work_plot.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::reports::error {
+
+struct Moment {
+    std::string name;   // "stack of 5, landing"
+    std::string scene;  // of the catalogue or of assets/scenes
+    Options options;    // "seconds" is the moment
+};
+
+std::vector<Moment> hard_moments(bool quick);
+
+// Runs the scene up to the moment. `check` is called at each step; what it throws ends the run.
+FrozenProblem freeze(const Moment& moment, const std::function<void()>& check);
+
+struct FrozenPoint {
+    std::string problem, method;
+    int iterations = 0;
+    double residual = 0.0;       // m/s, natural map
+    double multiply_adds = 0.0;  // of the solve
+};
+
+// Every solver that there is, cold and warm, over iterations. `dense` is left out where it has more than 200 rows:
+// it gives the same as `pgs` at a cost of the cube.
+std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick);
+
+// frozen.csv: one line a problem, method and number of iterations.
+std::string csv_text(const std::vector<FrozenPoint>& points);
+
+// What the plot of one problem shows of its points: all but `dense`, whose work would press the others together.
+std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points);
+
+}  // namespace pushfactor::demos::reports::error

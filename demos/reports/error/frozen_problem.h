@@ -1,0 +1,68 @@
+// The system equation of one moment, frozen: what a solver gets, without the scene that made it. As a file it is
+// JSON, so that other programs can solve the same problem:
+//
+//   {
+//     "version": 1,
+//     "name": "stack of 5, landing",
+//     "dt_s": 0.01666,
+//     "bodies": [                      one a body, static ones with zeros
+//       {
+//         "inverse_mass_per_kg": 0.83,
+//         "inverse_inertia_per_kg_m2": [9 numbers],       world frame, row by row
+//         "inverse_inertia_root": [9 numbers],            W with W W^T = the line above
+//         "free_acceleration": [6 numbers]                v1/dt + M^-1 f_ext, m/s^2 and rad/s^2
+//       }, ...
+//     ],
+//     "rows": [                        J, one a constraint row
+//       {
+//         "body_a": 0, "body_b": 1,    indices into bodies
+//         "j_a": [6 numbers], "j_b": [6 numbers],         linear part [1], angular part [m], world frame
+//         "c_min_n": 0, "c_max_n": null,                  null: no bound; forces, or with of_row factors
+//         "of_row": 3,                 only where the bounds are factors of that row's lambda
+//         "b_m_per_s2": [one number a column],            right side of A lambda = b, A = J M^-1 J^T
+//         "guess_n": [one number a column]                where a warm solver starts
+//       }, ...
+//     ]
+//   }
+//
+// Find lambda [N], a column at a time: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
+#pragma once
+
+#include "demos/json.h"
+#include "engine/system_equation.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pushfactor::engine {
+class World;
+}
+
+namespace pushfactor::demos::reports::error {
+
+class FrozenProblem {
+  public:
+    // The system of the world's last step.
+    FrozenProblem(std::string name, const engine::World& world);
+
+    // Throws UsageError that names the file, the place in it, the value and what is allowed.
+    explicit FrozenProblem(const std::filesystem::path& file);
+
+    FrozenProblem(FrozenProblem&& other) noexcept;
+
+    const std::string& name() const { return name_; }
+    const engine::SystemEquation& system() const { return system_; }
+    const engine::Columns& guess() const { return guess_; }  // N, rows x columns
+    engine::Columns zero() const { return engine::Columns::Zero(guess_.rows(), guess_.cols()); }
+
+    std::string text() const;
+
+  private:
+    std::string name_;
+    std::vector<engine::ConstraintRow> rows_;
+    engine::SystemEquation system_;  // its rows are rows_
+    engine::Columns guess_;
+};
+
+}  // namespace pushfactor::demos::reports::error

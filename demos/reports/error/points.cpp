@@ -1,0 +1,116 @@
+#include "demos/reports/error/points.h"
+
+#include "demos/errors.h"
+#include "demos/measurements.h"
+#include "demos/observed_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pushfactor::demos::reports::error {
+
+namespace {
+
+// Fills in all but the times.
+void run_for_errors(const Sweep& sweep, const Choices& choices, const std::function<void()>& check,
+                    ErrorPoint& point) {
+    Simulation run(choices.build(), choices.settings);
+    Measurements measurements(run);
+    const auto error = sweep.error(run);
+    bool finite = true;
+    try {
+        while (run.sample().step < whole_steps(choices.settings)) {
+            check();
+            run.advance();
+            point.multiply_adds += run.sample().count.multiply_adds;
+            measurements.observe(run);
+            error->observe(run);
+        }
+    } catch (const NonFiniteError&) {
+        finite = false;
+    }
+    point.errors = error->result();
+    point.multiply_adds /= run.sample().time;
+    point.outcome = finite ? name_of(measurements.outcome()) : "non-finite";
+}
+
+// CPU time in us of each step, up to the one that was not finite any more.
+std::vector<double> step_times(const Choices& choices, const std::function<void()>& check) {
+    Simulation run(choices.build(), choices.settings, thread_cpu_us);
+    std::vector<double> times;
+    try {
+        while (run.sample().step < whole_steps(choices.settings)) {
+            check();
+            times.push_back(*run.advance().cpu_us);
+        }
+    } catch (const NonFiniteError&) {
+    }
+    return times;
+}
+
+CpuShare time_runs(const Choices& choices, int repeats, const std::function<void()>& check) {
+    const double dt = choices.settings.dt.value();
+    const auto share = [dt](auto from, auto to) {
+        return 1e-6 * std::accumulate(from, to, 0.0) / (dt * static_cast<double>(to - from));
+    };
+    std::vector<double> all, begin, end;
+    for (int i = 0; i < repeats; ++i) {
+        const std::vector<double> times = step_times(choices, check);
+        if (times.empty()) return {};
+        const auto second = std::min<long>(std::lround(1.0 / dt), static_cast<long>(times.size()));
+        const auto two = std::min<long>(2 * second, static_cast<long>(times.size()));
+        all.push_back(share(times.begin(), times.end()));
+        begin.push_back(share(times.begin(), times.begin() + two));
+        end.push_back(share(times.end() - second, times.end()));
+    }
+    return {*std::min_element(all.begin(), all.end()), median(all), percentile_95(all), median(begin), median(end)};
+}
+
+}  // namespace
+
+ErrorPoint run_point(const Sweep& sweep, const Method& method, const std::string& value, int repeats,
+                     const std::function<void()>& check) {
+    Choices choices = run_at(sweep, method, value);
+    ErrorPoint point{.scene = sweep.scene,
+                     .method = method.name,
+                     .differences = differences(sweep, method),
+                     .knob = method.knob,
+                     .value = value,
+                     .moves = method.moves * choices.settings.substeps.value() / choices.settings.dt.value()};
+    run_for_errors(sweep, choices, check, point);
+    if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
+    point.cpu = time_runs(choices, repeats, check);
+    point.failed = point.outcome == "non-finite" || point.outcome == "fall" || point.outcome == "tunnel" ||
+                   (point.outcome == "fly" && !method.flies);
+    return point;
+}
+
+double percentile_95(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto count = static_cast<double>(values.size());
+    return values[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1];
+}
+
+std::string csv_text(const std::vector<ErrorPoint>& points) {
+    std::string text =
+        "scene,method,differs_from_preset,knob,value,error_measure,error,work_multiply_adds_per_simulated_s,"
+        "cpu_s_per_simulated_s_min,cpu_s_per_simulated_s_median,cpu_s_per_simulated_s_p95,"
+        "cpu_s_per_simulated_s_first_two_s,cpu_s_per_simulated_s_last_s,outcome\n";
+    for (const ErrorPoint& point : points) {
+        const CpuShare& cpu = point.cpu;
+        const std::string times =
+            fmt::format("{},{},{},{},{}", cpu.min, cpu.median, cpu.p95, cpu.first_two_seconds, cpu.last_second);
+        for (const NamedError& error : point.errors) {
+            text += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{}\n", point.scene, point.method, point.differences,
+                                point.knob, point.value, error.name,
+                                std::isfinite(error.value) ? fmt::format("{}", error.value) : std::string(),
+                                point.multiply_adds, times, point.outcome);
+        }
+    }
+    return text;
+}
+
+}  // namespace pushfactor::demos::reports::error

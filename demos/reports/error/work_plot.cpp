@@ -1,0 +1,241 @@
+#include "demos/reports/error/work_plot.h"
+
+#include "demos/output_file.h"
+#include "demos/palette.h"
+#include "demos/plot.h"
+#include "demos/reports/error/label_places.h"
+#include "demos/reports/error/pareto.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pushfactor::demos::reports::error {
+
+namespace {
+
+constexpr double least_error = 1e-16;  // rounding: nothing below is told apart
+constexpr double aspect = 1.45;
+// Of the area inside the axes, in widths of a letter of the labels; the script draws them in this size.
+constexpr Place area{110.0, 100.0 / aspect};
+
+// Powers of ten at both ends of an axis.
+struct Decades {
+    double low = 0.0, high = 1.0;
+
+    // 0 at the low end, 1 at the high end.
+    double share(double value) const { return (std::log10(value) - low) / (high - low); }
+    double at(double share) const { return std::pow(10.0, low + share * (high - low)); }
+};
+
+struct Axes {
+    Decades error, work;
+
+    double shown_error(const WorkPoint& point) const {
+        return point.failed ? error.at(1.0) : std::max(point.error, error.at(0.0));
+    }
+    Place place(const WorkPoint& point) const {
+        return {area.x * error.share(shown_error(point)), area.y * work.share(point.work)};
+    }
+};
+
+Decades decades(const std::vector<double>& values) {
+    double least = std::numeric_limits<double>::max(), most = 0.0;
+    for (const double value : values) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    if (most <= 0.0) return {};
+    // Half decades, with room so that no point lies on the border by chance.
+    const double low = 0.5 * std::floor(2.0 * (std::log10(least) - 0.1));
+    const double high = 0.5 * std::ceil(2.0 * (std::log10(most) + 0.1));
+    return {low, std::max(high, low + 1.0)};
+}
+
+// Points that can be drawn at all; those without work cannot stand on a logarithmic axis.
+bool drawable(const WorkPoint& point) {
+    return point.work > 0.0 && (point.failed || std::isfinite(point.error));
+}
+
+Axes axes_of(const WorkPlot& plot) {
+    std::vector<double> errors, works;
+    bool failures = false;
+    for (const WorkLine& line : plot.lines) {
+        for (const WorkPoint& point : line.points) {
+            if (!drawable(point)) continue;
+            works.push_back(point.work);
+            failures |= point.failed;
+            if (!point.failed) errors.push_back(std::max(point.error, least_error));
+        }
+    }
+    Axes axes{decades(errors), decades(works)};
+    if (failures) axes.error.high += 1.0;
+    return axes;
+}
+
+int number_of(const std::string& colour) {
+    const auto byte = [](float part) { return static_cast<int>(part * 255.0f + 0.5f); };
+    const auto found = find_colour(colour);
+    return found ? (byte(found->red) << 16) + (byte(found->green) << 8) + byte(found->blue) : 0x444444;
+}
+
+// One block of the data file. Never empty, which gnuplot would not count.
+std::string block(const std::string& what, const std::string& lines) {
+    return fmt::format("# {}\n{}\n\n", what, lines.empty() ? "nan,nan,,0\n" : lines);
+}
+
+std::string front_block(const WorkPlot& plot, const Axes& axes) {
+    std::vector<Trade> trades;
+    if (!plot.front) return block("no Pareto front", "");
+    for (const WorkLine& line : plot.lines) {
+        for (const WorkPoint& point : line.points) {
+            if (drawable(point) && !point.failed) trades.push_back({axes.shown_error(point), point.work});
+        }
+    }
+    const std::vector<std::size_t> front = pareto_front(trades);
+    std::string lines;
+    double above = axes.work.at(1.0);
+    for (const std::size_t i : front) {
+        lines += fmt::format("{},{}\n{},{}\n", trades[i].error, above, trades[i].error, trades[i].work);
+        above = trades[i].work;
+    }
+    if (!front.empty()) lines += fmt::format("{},{}\n", axes.error.at(1.0), above);
+    return block("Pareto front as steps: error, work", lines);
+}
+
+// The part inside the axes: what leaves the area would be drawn over its margins.
+std::vector<std::pair<double, double>> visible(const TheoryLine& theory, const Axes& axes) {
+    std::vector<std::pair<double, double>> points;
+    for (const auto& [error, work] : theory.points) {
+        const double x = axes.error.share(error), y = axes.work.share(work);
+        if (x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0) points.emplace_back(error, work);
+    }
+    return points;
+}
+
+// Of the points and of the theory lines, at their upper ends.
+class Labels {
+  public:
+    Labels(const WorkPlot& plot, const Axes& axes) : axes_(axes) {
+        for (const WorkLine& line : plot.lines) {
+            const WorkPoint* last = nullptr;
+            for (const WorkPoint& point : line.points) {
+                if (!drawable(point)) continue;
+                add(axes.place(point), point.label, number_of(line.colour));
+                if (last && !point.failed) lines_.push_back({axes.place(*last), axes.place(point)});
+                last = point.failed ? nullptr : &point;
+            }
+        }
+        for (const TheoryLine& theory : plot.theory) {
+            const auto points = visible(theory, axes);
+            const auto upper = std::max_element(points.begin(), points.end(),
+                                                [](const auto& a, const auto& b) { return a.second < b.second; });
+            if (upper == points.end()) continue;
+            add(axes.place({.error = upper->first, .work = upper->second, .label = {}}), theory.label, 0x888888);
+        }
+    }
+
+    std::string block_text() const {
+        const auto places = place_labels(points_, texts_, lines_, area);
+        std::string text;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!places[i]) continue;
+            text += fmt::format("{},{},{},{}\n", axes_.error.at(places[i]->x / area.x),
+                                axes_.work.at(places[i]->y / area.y), texts_[i], colours_[i]);
+        }
+        return block("labels: error, work, text, colour", text);
+    }
+
+  private:
+    // Of points that lie on each other one label is enough where they belong to one line or have the same value.
+    void add(const Place& place, const std::string& text, int colour) {
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const bool same_point = std::hypot(points_[i].x - place.x, points_[i].y - place.y) < 1.0;
+            if (same_point && (colours_[i] == colour || texts_[i] == text)) return;
+        }
+        points_.push_back(place);
+        texts_.push_back(text);
+        colours_.push_back(colour);
+    }
+
+    Axes axes_;
+    std::vector<Place> points_;
+    std::vector<std::string> texts_;
+    std::vector<int> colours_;
+    std::vector<Segment> lines_;
+};
+
+std::string data_text(const WorkPlot& plot, const Axes& axes) {
+    std::string text = fmt::format("# {}\n", plot.machine), failures;
+    for (const WorkLine& line : plot.lines) {
+        std::string lines;
+        for (const WorkPoint& point : line.points) {
+            if (!drawable(point)) continue;
+            std::string& where = point.failed ? failures : lines;
+            where += fmt::format("{},{},{},{}\n", axes.shown_error(point), point.work, point.label,
+                                 number_of(line.colour));
+        }
+        text += block(line.name + ": error, work, knob, colour", lines);
+    }
+    text += front_block(plot, axes);
+    text += Labels(plot, axes).block_text();
+    text += block("failed, at the border: error, work, knob, colour", failures);
+    for (const TheoryLine& theory : plot.theory) {
+        std::string lines;
+        for (const auto& [error, work] : visible(theory, axes)) lines += fmt::format("{},{}\n", error, work);
+        text += block(theory.label + ": error, work", lines);
+    }
+    return text;
+}
+
+std::string in_quotes(const std::string& word) {
+    return "\"" + word + "\" ";
+}
+
+}  // namespace
+
+void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate) {
+    const Axes axes = axes_of(plot);
+    const std::filesystem::path data = folder / (plot.name + ".dat");
+    write_file(data, data_text(plot, axes));
+    plate.files.push_back(plot.name + ".dat");
+    if (!plots_can_be_drawn()) {
+        if (plate.caption.find(what_plots_need) == std::string::npos)
+            plate.caption += std::string(" ") + what_plots_need;
+        return;
+    }
+    std::string names, colours, dashes, marks;
+    bool failures = false;
+    for (const WorkLine& line : plot.lines) {
+        names += in_quotes(line.name);
+        colours += line.colour + " ";
+        dashes += fmt::format("{} ", line.dash);
+        marks += fmt::format("{} ", line.mark);
+        for (const WorkPoint& point : line.points) failures |= point.failed && drawable(point);
+    }
+    const Plot drawing{.script = "error_against_work",
+                       .data = data,
+                       .name = plot.name,
+                       .aspect = aspect,
+                       .variables = {{"names", names},
+                                     {"colours", colours},
+                                     {"dashes", dashes},
+                                     {"marks", marks},
+                                     {"theories", static_cast<double>(plot.theory.size())},
+                                     {"failures", failures ? 1.0 : 0.0},
+                                     {"front", plot.front ? 1.0 : 0.0},
+                                     {"error_axis", plot.error_axis},
+                                     {"work_axis", plot.work_axis},
+                                     {"machine", plot.machine},
+                                     {"error_low", axes.error.at(0.0)},
+                                     {"error_high", axes.error.at(1.0)},
+                                     {"work_low", axes.work.at(0.0)},
+                                     {"work_high", axes.work.at(1.0)}}};
+    for (const std::string& made : draw_plot(drawing, folder)) {
+        (made.ends_with(".png") ? plate.pictures : plate.files).push_back(made);
+    }
+}
+
+}  // namespace pushfactor::demos::reports::error

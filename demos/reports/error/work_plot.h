@@ -1,0 +1,47 @@
+// Work against error, double logarithmic: lower left is better. The plot of all reports that compare methods.
+#pragma once
+
+#include "demos/page.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pushfactor::demos::reports::error {
+
+struct WorkPoint {
+    double error = 0.0;  // drawn at the left border where it is below what the axis shows
+    double work = 0.0;
+    std::string label;    // the value of the knob
+    bool failed = false;  // drawn hollow at the right border
+};
+
+struct WorkLine {
+    std::string name;
+    std::string colour;  // name in the palette
+    int dash = 1;        // gnuplot's dash type
+    int mark = 7;        // gnuplot's point type
+    std::vector<WorkPoint> points;
+};
+
+// What is known beforehand: a thin grey line.
+struct TheoryLine {
+    std::string label;
+    std::vector<std::pair<double, double>> points;  // error, work
+};
+
+struct WorkPlot {
+    std::string name;  // of the files
+    std::string error_axis, work_axis;
+    std::string machine;  // small, below
+    std::vector<WorkLine> lines;
+    std::vector<TheoryLine> theory;
+    bool front = true;  // mark the Pareto front; lines that are not alternatives have none
+};
+
+// Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg. Adds the files to the plate;
+// without gnuplot its caption says what to install.
+void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate);
+
+}  // namespace pushfactor::demos::reports::error

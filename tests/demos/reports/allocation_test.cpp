@@ -1,0 +1,66 @@
+// Memory: that it is counted, and that settled steps take none.
+#include "demos/reports/cost/allocations.h"
+#include "demos/reports/cost/cases.h"
+#include "demos/reports/cost/ledger.h"
+#include "engine/math.h"
+#include "tests/catch.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+#include <thread>
+#include <vector>
+
+using namespace pushfactor;
+using namespace pushfactor::demos::reports::cost;
+
+namespace {
+
+// What `act` took.
+template <typename Act>
+Allocations taken_by(Act act) {
+    const Allocations before = allocations();
+    act();
+    return allocations() - before;
+}
+
+}  // namespace
+
+TEST_CASE("memory is counted whoever asks for it, thread by thread") {
+    if (!allocations_are_counted()) return;  // sanitizers bring a malloc of their own
+    std::vector<double> standard;
+    const Allocations of_standard = taken_by([&] { standard.resize(100); });
+    CHECK(of_standard.count == 1);
+    CHECK(of_standard.bytes == 800);
+
+    engine::VectorX eigen;
+    const Allocations of_eigen = taken_by([&] { eigen.resize(50); });
+    CHECK(of_eigen.count == 1);
+    CHECK(of_eigen.bytes == 400);
+
+    const Allocations of_kept = taken_by([&] { standard.resize(10); });
+    CHECK(of_kept.count == 0);
+
+    Allocations elsewhere;
+    const Allocations here = taken_by([&] {
+        std::thread other([&] { elsewhere = taken_by([] { std::vector<std::unique_ptr<char[]>>(1000); }); });
+        other.join();
+    });
+    CHECK(elsewhere.bytes == 8000);
+    CHECK(here.bytes < 8000);
+}
+
+// `tests "[.allocation]"` prints the figures.
+TEST_CASE("a settled step allocates nothing", "[.allocation]") {
+    if (!allocations_are_counted()) return;  // sanitizers bring a malloc of their own
+    for (const CostCase& one : cost_cases(true)) {
+        if (one.name.ends_with("falling")) continue;
+        const Moment moment = moment_at(demos::run_of(one.scene, one.options), one.start, [] {});
+        const Counts counts = count_steps(moment);
+        WARN(fmt::format("{}: {:.4g} allocations and {:.5g} bytes a step", one.name, counts.allocations,
+                         counts.allocated_bytes));
+        CHECK(counts.allocations == 0.0);
+        CHECK(counts.allocated_bytes == 0.0);
+    }
+}
