@@ -23,21 +23,25 @@ bool rests_on_static(const collision::Touch& touch, std::span<const Body> bodies
 
 }  // namespace
 
+bool ContactOrder::before(const Key& a, const Key& b) {
+    if (a.height != b.height) return a.height < b.height;
+    return a.on_movable != b.on_movable ? b.on_movable : a.touch < b.touch;
+}
+
 std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
                                                 std::span<const Body> bodies) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
-    keys_.clear();
-    for (int t = 0; t < static_cast<int>(touches.size()); ++t) {
-        const collision::Touch& touch = touches[static_cast<std::size_t>(t)];
-        keys_.push_back(by_height ? Key{height_of(touch, bodies), !rests_on_static(touch, bodies), t}
-                                  : Key{0.0, false, t});
+    // Begins with the order of the last call, from which little changes while bodies rest.
+    if (keys_.size() != touches.size()) {
+        keys_.resize(touches.size());
+        for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].touch = static_cast<int>(i);
     }
-    if (by_height) {
-        std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
-            if (a.height != b.height) return a.height < b.height;
-            return a.on_movable != b.on_movable ? b.on_movable : a.touch < b.touch;
-        });
+    for (Key& key : keys_) {
+        const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
+        key.height = by_height ? height_of(touch, bodies) : 0.0;
+        key.on_movable = by_height && !rests_on_static(touch, bodies);
     }
+    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) std::sort(keys_.begin(), keys_.end(), before);
 
     contacts_.clear();
     for (const Key& key : keys_) {

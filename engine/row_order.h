@@ -35,6 +35,8 @@ class ContactOrder {
         bool on_movable = false;
         int touch = 0;
     };
+    static bool before(const Key& a, const Key& b);
+
     std::vector<Key> keys_;
     std::vector<ContactIndex> contacts_;
 };

@@ -31,7 +31,7 @@ class ExactAnswer {
     int movable_bodies() const { return static_cast<int>(alone_.size()); }
 
     // Plans the factorisation. Comes second, and costs more where there are many pairs.
-    void plan() { matrix_.connect(bodies_, pairs_, alone_); }
+    void plan() { matrix_.connect(moves_.size(), pairs_, alone_); }
     double factor_work() const { return matrix_.factor_work(); }  // multiply-adds
 
     // Improves the forces until the natural residual is at most `tolerance` [m/s] or falls no further, with at most
@@ -40,11 +40,10 @@ class ExactAnswer {
     void solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count);
 
   private:
-    // The bodies of a block of rows, and which of them it can move.
+    // The bodies of a block of rows.
     struct Connection {
         int a = 0, b = 0;
         bool several = false;  // rows
-        bool a_moves = false, b_moves = false;
         friend bool operator==(const Connection&, const Connection&) = default;
     };
 
@@ -63,29 +62,21 @@ class ExactAnswer {
     UnitProblem problem_;
     std::vector<double> y_;
     std::vector<Connection> connections_;  // that the following belongs to
+    std::vector<char> moves_;              // the same, one a body
     std::vector<Connection> found_;
     std::vector<std::pair<int, int>> pairs_;
     std::vector<int> alone_;  // movable bodies, in a pair or not
     int all_pairs_ = 0;
     bool couple_ = false;
-    std::size_t bodies_ = 0;
 };
 
 template <int columns>
 void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
     found_.clear();
-    for (const auto& block : rows.blocks) {
-        Connection connection{block.a, block.b, block.count > 1};
-        for (int j = block.begin; j < block.begin + block.count; ++j) {
-            const Jacobian& unit = *rows.rows[static_cast<std::size_t>(j)].unit;
-            connection.a_moves = connection.a_moves || !unit.a.isZero(0.0);
-            connection.b_moves = connection.b_moves || !unit.b.isZero(0.0);
-        }
-        found_.push_back(connection);
-    }
-    if (found_ == connections_ && bodies_ == rows.velocity.size()) return;
+    for (const auto& block : rows.blocks) found_.push_back({block.a, block.b, block.count > 1});
+    if (found_ == connections_ && moves_ == rows.moves) return;
     connections_.swap(found_);
-    bodies_ = rows.velocity.size();
+    moves_ = rows.moves;
     find_pairs();
 }
 
@@ -94,24 +85,24 @@ inline void ExactAnswer::find_pairs() {
     pairs_.clear();
     alone_.clear();
     couple_ = false;
-    std::vector<char> moves(bodies_, 0);
-    for (const Connection& connection : connections_) {
-        const auto& [a, b, several, a_moves, b_moves] = connection;
-        for (const auto& [body, has_axis] : {std::pair{a, a_moves}, std::pair{b, b_moves}}) {
-            if (!has_axis) continue;
-            couple_ = couple_ || several || moves[static_cast<std::size_t>(body)];
-            moves[static_cast<std::size_t>(body)] = 1;
+    std::vector<char> held(moves_.size(), 0);
+    for (const auto& [a, b, several] : connections_) {
+        const bool a_moves = moves_[static_cast<std::size_t>(a)], b_moves = moves_[static_cast<std::size_t>(b)];
+        for (const auto& [body, body_moves] : {std::pair{a, a_moves}, std::pair{b, b_moves}}) {
+            if (!body_moves) continue;
+            couple_ = couple_ || several || held[static_cast<std::size_t>(body)];
+            held[static_cast<std::size_t>(body)] = 1;
         }
-        if ((a_moves || b_moves) && a != b) pairs_.push_back(std::minmax(a, b));
+        if (a_moves || b_moves) pairs_.push_back(std::minmax(a, b));
     }
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     all_pairs_ = static_cast<int>(pairs_.size());
     std::erase_if(pairs_, [&](const auto& pair) {
-        return !moves[static_cast<std::size_t>(pair.first)] || !moves[static_cast<std::size_t>(pair.second)];
+        return !moves_[static_cast<std::size_t>(pair.first)] || !moves_[static_cast<std::size_t>(pair.second)];
     });
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        if (moves[i]) alone_.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        if (held[i]) alone_.push_back(static_cast<int>(i));
     }
 }
 

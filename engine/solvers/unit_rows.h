@@ -58,6 +58,8 @@ class UnitRows {
             add_to_block(static_cast<int>(j));
         }
         velocity.resize(system.inverse_mass.size());
+        moves.resize(system.inverse_mass.size());
+        for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = system.inverse_mass[i].linear > 0.0;
         follow();
     }
 
@@ -199,6 +201,7 @@ class UnitRows {
     std::vector<Row> rows;
     std::vector<Block> blocks;           // of all rows, in their order
     std::vector<BodyVelocity> velocity;  // x, one a body
+    std::vector<char> moves;             // whether a body can, one a body
 
   private:
     bool coupled_ = false;
