@@ -64,6 +64,7 @@ class ExactAnswer {
     std::vector<Connection> connections_;  // that the following belongs to
     std::vector<char> moves_;              // the same, one a body
     std::vector<Connection> found_;
+    std::vector<char> held_;  // movable bodies in a pair
     std::vector<std::pair<int, int>> pairs_;
     std::vector<int> alone_;  // movable bodies, in a pair or not
     int all_pairs_ = 0;
@@ -85,13 +86,13 @@ inline void ExactAnswer::find_pairs() {
     pairs_.clear();
     alone_.clear();
     couple_ = false;
-    std::vector<char> held(moves_.size(), 0);
+    held_.assign(moves_.size(), 0);
     for (const auto& [a, b, several] : connections_) {
         const bool a_moves = moves_[static_cast<std::size_t>(a)], b_moves = moves_[static_cast<std::size_t>(b)];
         for (const auto& [body, body_moves] : {std::pair{a, a_moves}, std::pair{b, b_moves}}) {
             if (!body_moves) continue;
-            couple_ = couple_ || several || held[static_cast<std::size_t>(body)];
-            held[static_cast<std::size_t>(body)] = 1;
+            couple_ = couple_ || several || held_[static_cast<std::size_t>(body)];
+            held_[static_cast<std::size_t>(body)] = 1;
         }
         if (a_moves || b_moves) pairs_.push_back(std::minmax(a, b));
     }
@@ -101,8 +102,8 @@ inline void ExactAnswer::find_pairs() {
     std::erase_if(pairs_, [&](const auto& pair) {
         return !moves_[static_cast<std::size_t>(pair.first)] || !moves_[static_cast<std::size_t>(pair.second)];
     });
-    for (std::size_t i = 0; i < held.size(); ++i) {
-        if (held[i]) alone_.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+        if (held_[i]) alone_.push_back(static_cast<int>(i));
     }
 }
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -204,12 +205,11 @@ class UnitRows {
     std::vector<char> moves;             // whether a body can, one a body
 
   private:
-    bool coupled_ = false;
-
     void load_row(const SystemEquation& system, const Columns& guess, Eigen::Index j) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         Row& row = rows[static_cast<std::size_t>(j)];
         row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
+        assert(source.body_a != source.body_b);
         row.a = source.body_a;
         row.b = source.body_b;
         row.scale = system.scale[j];
@@ -247,6 +247,8 @@ class UnitRows {
         const double scale = rows[static_cast<std::size_t>(row)].scale;
         return scale > 0.0 ? scale : 1.0;
     }
+
+    bool coupled_ = false;  // whether the blocks have their couplings
 };
 
 }  // namespace pushfactor::engine::solvers
