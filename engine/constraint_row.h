@@ -45,6 +45,9 @@ struct RowLabel {
 };
 
 struct ConstraintRow {
+    // Not defaulted: a vector would fill the whole row with zeros before its members get their values.
+    ConstraintRow() {}  // NOLINT(modernize-use-equals-default)
+
     int body_a = 0;  // indices into the bodies of the world
     int body_b = 0;
     Jacobian jacobian;

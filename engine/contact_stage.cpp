@@ -60,6 +60,7 @@ const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
 
 // What the contact points of one touch have in common as far as friction is concerned.
 struct ContactStage::TouchFriction {
+    FrictionBound bound;
     Vector3 belt;           // m/s
     RelativeMotion motion;  // at the start of the step
     double least_sliding;   // m/s
@@ -69,11 +70,14 @@ struct ContactStage::TouchFriction {
 ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
                                                       double dt) const {
     const Vector3 belt = belt_of(touch, pair);
-    return {
-        .belt = belt,
-        .motion = RelativeMotion(pair, belt),
-        .least_sliding = sliding_share * touch.size / dt,
-        .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), touch.manifold.normal)};
+    const Vector3& normal = touch.manifold.normal;
+    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+    return {.bound = friction_->bound(
+                {.bodies = pair, .normal = normal, .friction = touch.friction, .points = touch.manifold.count}),
+            .belt = belt,
+            .motion = RelativeMotion(pair, motions_[a], motions_[b], belt),
+            .least_sliding = sliding_share * touch.size / dt,
+            .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
 void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
@@ -89,18 +93,14 @@ void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const 
     row.guess = forces_[contacts_[index].force].normal;
 }
 
-void ContactStage::append_friction(std::size_t index, const BodyPair& pair, const PairPoint& at,
-                                   const TouchFriction& shared, std::vector<ConstraintRow>& rows) {
+void ContactStage::append_friction(std::size_t index, const PairPoint& at, const TouchFriction& shared,
+                                   std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
     const collision::ContactPoint& point = point_of(index);
     const Vector3& normal = touch.manifold.normal;
     Contact& contact = contacts_[index];
 
-    const Bounds bounds = friction_->bounds({.bodies = pair,
-                                             .normal = normal,
-                                             .friction = touch.friction,
-                                             .points = touch.manifold.count,
-                                             .normal_row = static_cast<int>(first_row_) + contact.normal_row});
+    const Bounds bounds = shared.bound.at(static_cast<int>(first_row_) + contact.normal_row);
     contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal),
                                          shared.least_sliding, shared.resting);
     contact.friction_row = static_cast<int>(rows.size() - first_row_);
@@ -117,7 +117,7 @@ void ContactStage::append_friction(std::size_t index, const BodyPair& pair, cons
 void ContactStage::find_contacts(std::span<const Body> bodies, double dt) {
     touches_ = detector_.detect(colliders_, bodies, choices_.detection);
     if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
-    order_contacts(choices_.order, touches_, bodies, order_);
+    order_ = ordering_.put(choices_.order, touches_, bodies);
 
     first_force_.clear();
     std::size_t points = 0;
@@ -125,22 +125,38 @@ void ContactStage::find_contacts(std::span<const Body> bodies, double dt) {
         first_force_.push_back(points);
         points += static_cast<std::size_t>(touch.manifold.count);
     }
-    forces_.assign(points, {});
-    if (cache_) cache_->recall(touches_, forces_);
+    if (cache_) {
+        cache_->recall(touches_, forces_);
+    } else {
+        forces_.assign(points, {});
+    }
 
     contacts_.resize(order_.size());
     runs_.clear();
     for (std::size_t i = 0; i < order_.size(); ++i) {
-        contacts_[i] = {};
         contacts_[i].force =
             first_force_[static_cast<std::size_t>(order_[i].touch)] + static_cast<std::size_t>(order_[i].point);
+        contacts_[i].friction_row = -1;
         if (i == 0 || order_[i].touch != order_[i - 1].touch) runs_.push_back({i, i});
         runs_.back().end = i + 1;
     }
 }
 
+// As motion_of() has them, with the rotations that the detector has made.
+void ContactStage::find_motions(std::span<const Body> bodies) {
+    motions_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Body& body = bodies[i];
+        if (body.is_static()) continue;
+        const Matrix3& rotation = detector_.poses()[i].rotation;
+        const Vector3 in_body = rotation.transpose() * body.angular_momentum;
+        motions_[i] = {velocity(body), rotation * body.inverse_inertia.cwiseProduct(in_body)};
+    }
+}
+
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
     find_contacts(bodies, dt);
+    if (friction_) find_motions(bodies);
     first_row_ = rows.size();
     const bool interleaved = choices_.order != RowOrder::normals_first;
     const auto append = [&](const Run& run, bool normals, bool tangents) {
@@ -151,7 +167,7 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
         for (std::size_t i = run.begin; i < run.end; ++i) {
             const PairPoint at(pair, point_of(i).position);
             if (normals) append_normal(i, pair, at, dt, rows);
-            if (tangents) append_friction(i, pair, at, *shared, rows);
+            if (tangents) append_friction(i, at, *shared, rows);
         }
     };
     for (const Run& run : runs_) append(run, true, friction_ && interleaved);
@@ -168,10 +184,11 @@ std::vector<ContactSite> ContactStage::sites() const {
                          .position = point_of(i).position,
                          .normal = touch_of(i).manifold.normal,
                          .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
-                         .tangents = contact.tangents,
                          .swept = touch_of(i).meeting != nullptr};
-        if (contact.friction_row >= 0)
+        if (contact.friction_row >= 0) {
             site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
+            site.tangents = contact.tangents;
+        }
         sites.push_back(site);
     }
     return sites;

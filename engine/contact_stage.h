@@ -64,8 +64,8 @@ class ContactStage : public ConstraintSource {
     struct Contact {
         std::size_t force = 0;  // into forces_
         int normal_row = 0;     // relative to the first row of the stage
-        int friction_row = -1;  // the first of two; below zero without friction
-        std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
+        int friction_row = -1;  // the first of two; below zero without friction, which has no tangents
+        std::array<Vector3, 2> tangents;
     };
 
     // Contacts of one touch that stand together in order_: from `begin` up to `end`.
@@ -76,9 +76,10 @@ class ContactStage : public ConstraintSource {
     struct TouchFriction;
 
     void find_contacts(std::span<const Body> bodies, double dt);
+    void find_motions(std::span<const Body> bodies);
     void append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
                        std::vector<ConstraintRow>& rows);
-    void append_friction(std::size_t index, const BodyPair& pair, const PairPoint& at, const TouchFriction& shared,
+    void append_friction(std::size_t index, const PairPoint& at, const TouchFriction& shared,
                          std::vector<ConstraintRow>& rows);
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
@@ -95,7 +96,9 @@ class ContactStage : public ConstraintSource {
     // Of the current step.
     collision::Detector detector_;
     std::span<const collision::Touch> touches_;
-    std::vector<ContactIndex> order_;
+    std::vector<Motion> motions_;  // by body, at the start of the step; for friction
+    ContactOrder ordering_;
+    std::span<const ContactIndex> order_;
     std::vector<Run> runs_;                 // of order_
     std::vector<Contact> contacts_;         // in the order of order_
     std::vector<ContactForce> forces_;      // in the order of the touches and their points

@@ -45,18 +45,16 @@ void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, s
         const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
         const double error = length - distance.length;
 
-        ConstraintRow row;
-        row.body_a = distance.body_a;
-        row.body_b = distance.body_b;
-        row.jacobian = {.a = point_axis(bodies[static_cast<std::size_t>(distance.body_a)], p_a, -n),
-                        .b = point_axis(bodies[static_cast<std::size_t>(distance.body_b)], p_b, n)};
+        const BodyPair pair{distance.body_a, distance.body_b, bodies[static_cast<std::size_t>(distance.body_a)],
+                            bodies[static_cast<std::size_t>(distance.body_b)]};
+        ConstraintRow& row = rows.emplace_back();
+        PairPoint(pair, p_a, p_b).place(row, n);
         row.push = distance_push(distance, error, correction_, dt);
         row.bounds = distance_bounds(distance);
         row.label = {.kind = RowKind::distance,
                      .point = static_cast<int>(i),
                      .gap = is_loose(distance, error) ? 0.0 : error};
         if (cached_) row.guess = forces_[i];
-        rows.push_back(row);
     }
 }
 

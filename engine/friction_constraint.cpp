@@ -4,27 +4,24 @@
 
 namespace pushfactor::engine {
 
-Bounds WeightFriction::bounds(const FrictionSite& site) const {
+FrictionBound WeightFriction::bound(const FrictionSite& site) const {
     double mass = 0.0;
     for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
         if (!body->is_static()) mass += body->mass();
     }
-    const double limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points;
-    return {.c_min = -limit, .c_max = limit};
+    return {.limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points};
 }
 
-Bounds CoulombFriction::bounds(const FrictionSite& site) const {
-    return {.c_min = -site.friction, .c_max = site.friction, .of_row = site.normal_row};
+FrictionBound CoulombFriction::bound(const FrictionSite& site) const {
+    return {.limit = site.friction, .of_normal_force = true};
 }
 
-RelativeMotion::RelativeMotion(const BodyPair& bodies, const Vector3& belt)
+RelativeMotion::RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt)
     : origin_(bodies.body_a.is_static() ? bodies.body_b.position : bodies.body_a.position) {
-    const Vector3 spin_a = angular_velocity(bodies.body_a);
-    const Vector3 spin_b = angular_velocity(bodies.body_b);
-    const Vector3 velocity_a = velocity(bodies.body_a) + spin_a.cross(origin_ - bodies.body_a.position);
-    const Vector3 velocity_b = velocity(bodies.body_b) + spin_b.cross(origin_ - bodies.body_b.position);
+    const Vector3 velocity_a = a.velocity + a.angular_velocity.cross(origin_ - bodies.body_a.position);
+    const Vector3 velocity_b = b.velocity + b.angular_velocity.cross(origin_ - bodies.body_b.position);
     velocity_ = velocity_b - velocity_a - belt;
-    spin_ = spin_b - spin_a;
+    spin_ = b.angular_velocity - a.angular_velocity;
 }
 
 Vector3 RelativeMotion::sliding(const Vector3& point, const Vector3& normal) const {

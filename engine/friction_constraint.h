@@ -12,33 +12,45 @@
 #pragma once
 
 #include "engine/constraint_row.h"
+#include "engine/motion.h"
 #include "engine/point_jacobian.h"
 
 #include <array>
 
 namespace pushfactor::engine {
 
-// What a rule may look at to bound the friction at one contact point.
+// What a rule may look at to bound the friction between two bodies.
 struct FrictionSite {
     const BodyPair& bodies;
     const Vector3& normal;  // unit length
     double friction = 0.0;  // mu
     int points = 1;         // contact points of the pair
-    int normal_row = 0;     // index of the contact row of this point in the rows of the step
+};
+
+// A bound, the same for all contact points of a pair: a force [N], or a factor [1] of the force in the point's own
+// contact row.
+struct FrictionBound {
+    double limit = 0.0;
+    bool of_normal_force = false;
+
+    // At a point whose contact row has this index in the rows of the step.
+    Bounds at(int normal_row) const {
+        return {.c_min = -limit, .c_max = limit, .of_row = of_normal_force ? normal_row : -1};
+    }
 };
 
 // How friction is bounded. A scene without friction has no rule.
 class FrictionRule {
   public:
     virtual ~FrictionRule() = default;
-    virtual Bounds bounds(const FrictionSite& site) const = 0;
+    virtual FrictionBound bound(const FrictionSite& site) const = 0;
 };
 
 // The paper's bound: a plain number, so the problem stays convex.
 class WeightFriction : public FrictionRule {
   public:
     explicit WeightFriction(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
-    Bounds bounds(const FrictionSite& site) const override;
+    FrictionBound bound(const FrictionSite& site) const override;
 
   private:
     Vector3 gravity_;
@@ -47,14 +59,14 @@ class WeightFriction : public FrictionRule {
 // Coulomb's bound: mu lambda of the point's own contact row, in the same column.
 class CoulombFriction : public FrictionRule {
   public:
-    Bounds bounds(const FrictionSite& site) const override;
+    FrictionBound bound(const FrictionSite& site) const override;
 };
 
 // How the surface of body b runs over that of body a, for all points at which they touch. World frame.
 class RelativeMotion {
   public:
     // `belt` [m/s] is how much faster the surface of a runs than that of b by itself; zero but for conveyors.
-    RelativeMotion(const BodyPair& bodies, const Vector3& belt);
+    RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt);
 
     // Across `normal` (unit length) at `point` [m]; m/s.
     Vector3 sliding(const Vector3& point, const Vector3& normal) const;

@@ -10,6 +10,11 @@ struct Motion {
     Vector3 angular_velocity = Vector3::Zero();  // rad/s, world frame
 };
 
+// Of `body` as it is.
+inline Motion motion_of(const Body& body) {
+    return {velocity(body), angular_velocity(body)};
+}
+
 // Of `body` in a step of `dt` [s], with its external forces and `constraint_force` (N and N m, world frame).
 inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_force = Vector6::Zero()) {
     if (body.is_static()) return {};

@@ -6,11 +6,15 @@
 
 namespace pushfactor::engine {
 
-// [d, r x d] for `direction` d [1] at `point` [m], world frame, r the offset from the centre of mass. Zero for a
-// static body: the simplification at the end of 5.3.
-inline Vector6 point_axis(const Body& body, const Vector3& point, const Vector3& direction) {
-    if (body.is_static()) return Vector6::Zero();
-    return stacked(direction, (point - body.position).cross(direction));
+// Writes [d, r x d] for the direction d = (x, y, z) [1], r the offset from the centre of mass [m], world frame.
+// Number by number: read back as packets, what was written as numbers would have to be waited for.
+inline void place_axis(double x, double y, double z, const Vector3& r, Vector6& axis) {
+    axis[0] = x;
+    axis[1] = y;
+    axis[2] = z;
+    axis[3] = r.y() * z - r.z() * y;
+    axis[4] = r.z() * x - r.x() * z;
+    axis[5] = r.x() * y - r.y() * x;
 }
 
 // The bodies of a row with their indices.
@@ -21,19 +25,23 @@ struct BodyPair {
     const Body& body_b;
 };
 
-// A point at which the bodies of a pair act on each other. The rows of a contact share it.
+// Where the bodies of a pair act on each other. The rows of a contact share it.
 class PairPoint {
   public:
-    // `position` in metres, world frame.
-    PairPoint(const BodyPair& bodies, const Vector3& position)
+    // At one point [m, world frame].
+    PairPoint(const BodyPair& bodies, const Vector3& position) : PairPoint(bodies, position, position) {}
+
+    // At a point of each body [m, world frame].
+    PairPoint(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b)
         : a_(bodies.a),
           b_(bodies.b),
-          r_a_(position - bodies.body_a.position),
-          r_b_(position - bodies.body_b.position),
+          r_a_(on_a - bodies.body_a.position),
+          r_b_(on_b - bodies.body_b.position),
           a_moves_(!bodies.body_a.is_static()),
           b_moves_(!bodies.body_b.is_static()) {}
 
-    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero.
+    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero (the
+    // simplification at the end of 5.3).
     Jacobian along(const Vector3& direction) const {
         ConstraintRow row;
         place(row, direction);
@@ -44,14 +52,8 @@ class PairPoint {
     void place(ConstraintRow& row, const Vector3& direction) const {
         row.body_a = a_;
         row.body_b = b_;
-        if (a_moves_) {
-            row.jacobian.a.head<3>() = -direction;
-            row.jacobian.a.tail<3>() = direction.cross(r_a_);
-        }
-        if (b_moves_) {
-            row.jacobian.b.head<3>() = direction;
-            row.jacobian.b.tail<3>() = r_b_.cross(direction);
-        }
+        if (a_moves_) place_axis(-direction.x(), -direction.y(), -direction.z(), r_a_, row.jacobian.a);
+        if (b_moves_) place_axis(direction.x(), direction.y(), direction.z(), r_b_, row.jacobian.b);
     }
 
   private:

@@ -23,22 +23,29 @@ bool rests_on_static(const collision::Touch& touch, std::span<const Body> bodies
 
 }  // namespace
 
-void order_contacts(RowOrder order, std::span<const collision::Touch> touches, std::span<const Body> bodies,
-                    std::vector<ContactIndex>& contacts) {
+std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
+                                                std::span<const Body> bodies) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
-    std::vector<std::tuple<double, bool, int>> keys;
+    keys_.clear();
     for (int t = 0; t < static_cast<int>(touches.size()); ++t) {
         const collision::Touch& touch = touches[static_cast<std::size_t>(t)];
-        keys.emplace_back(by_height ? height_of(touch, bodies) : 0.0, by_height && !rests_on_static(touch, bodies),
-                          t);
+        keys_.push_back(by_height ? Key{height_of(touch, bodies), !rests_on_static(touch, bodies), t}
+                                  : Key{0.0, false, t});
     }
-    if (by_height) std::sort(keys.begin(), keys.end());
+    if (by_height) {
+        std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
+            if (a.height != b.height) return a.height < b.height;
+            return a.on_movable != b.on_movable ? b.on_movable : a.touch < b.touch;
+        });
+    }
 
-    contacts.clear();
-    for (const auto& [height, on_movable, t] : keys) {
-        for (int p = 0; p < touches[static_cast<std::size_t>(t)].manifold.count; ++p) contacts.push_back({t, p});
+    contacts_.clear();
+    for (const Key& key : keys_) {
+        const int points = touches[static_cast<std::size_t>(key.touch)].manifold.count;
+        for (int p = 0; p < points; ++p) contacts_.push_back({key.touch, p});
     }
-    if (order == RowOrder::reverse) std::reverse(contacts.begin(), contacts.end());
+    if (order == RowOrder::reverse) std::reverse(contacts_.begin(), contacts_.end());
+    return contacts_;
 }
 
 }  // namespace pushfactor::engine

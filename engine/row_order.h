@@ -22,9 +22,21 @@ struct ContactIndex {
     int point = 0;
 };
 
-// Writes all points of `touches` (ascending order of creation, as the detector gives them) in the named order.
-// Height is measured along world y.
-void order_contacts(RowOrder order, std::span<const collision::Touch> touches, std::span<const Body> bodies,
-                    std::vector<ContactIndex>& contacts);
+class ContactOrder {
+  public:
+    // All points of `touches` (ascending order of creation, as the detector gives them) in the named order; good
+    // until the next call. Height is measured along world y.
+    std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
+                                      std::span<const Body> bodies);
+
+  private:
+    struct Key {
+        double height = 0.0;
+        bool on_movable = false;
+        int touch = 0;
+    };
+    std::vector<Key> keys_;
+    std::vector<ContactIndex> contacts_;
+};
 
 }  // namespace pushfactor::engine

@@ -7,49 +7,87 @@ namespace pushfactor::engine {
 
 namespace {
 
-InverseMass inverse_mass_of(const Body& body) {
-    InverseMass result;
-    if (body.is_static()) return result;
+void find_inverse_mass(const Body& body, InverseMass& result) {
+    if (body.is_static()) {
+        result = {};
+        return;
+    }
     result.linear = body.inverse_mass;
     result.linear_root = std::sqrt(body.inverse_mass);
+    const Vector3& moments = body.inverse_inertia;
+    if (moments.x() == moments.y() && moments.y() == moments.z()) {
+        // The same about every axis, however the body is turned.
+        result.angular = moments.asDiagonal();
+        result.angular_root = moments.cwiseSqrt().asDiagonal();
+        return;
+    }
     const Matrix3 rotation = body.orientation.toRotationMatrix();
-    result.angular = rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
-    result.angular_root = rotation * body.inverse_inertia.cwiseSqrt().asDiagonal();
-    return result;
+    result.angular = rotation * moments.asDiagonal() * rotation.transpose();
+    result.angular_root = rotation * moments.cwiseSqrt().asDiagonal();
 }
 
 // v1/dt + M^-1 f_ext of one body.
-Vector6 free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt) {
-    const Vector6 velocity =
-        stacked(body.inverse_mass * body.linear_momentum, inverse_mass.angular * body.angular_momentum);
-    return velocity / dt + accelerate(inverse_mass, stacked(body.force, body.torque));
+void find_free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt, Vector6& result) {
+    if (body.is_static()) {
+        result.setZero();
+        return;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis] = inverse_mass.linear * (body.linear_momentum[axis] / dt + body.force[axis]);
+    }
+    const Vector3 torque = body.angular_momentum / dt + body.torque;
+    const Matrix3& angular = inverse_mass.angular;
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis + 3] =
+            angular(axis, 0) * torque[0] + angular(axis, 1) * torque[1] + angular(axis, 2) * torque[2];
+    }
 }
 
-// M^(-1/2)^T j for one body. Its parts stay apart: written as scalars and read back as packets they would have to
-// wait for each other.
+// M^(-1/2)^T j for one body, number by number: read back as packets, what was written as numbers would have to be
+// waited for.
 struct WeightedAxis {
     WeightedAxis(const InverseMass& inverse_mass, const Vector6& j)
-        : linear(inverse_mass.linear_root * j.head<3>()),
-          angular(inverse_mass.angular_root.transpose() * j.tail<3>()) {}
+        : x(inverse_mass.linear_root * j[0]),
+          y(inverse_mass.linear_root * j[1]),
+          z(inverse_mass.linear_root * j[2]),
+          u(turned(inverse_mass.angular_root, 0, j)),
+          v(turned(inverse_mass.angular_root, 1, j)),
+          w(turned(inverse_mass.angular_root, 2, j)) {}
 
-    double squared() const { return linear.squaredNorm() + angular.squaredNorm(); }
-    void write(double factor, Vector6& axis) const {
-        axis.head<3>() = factor * linear;
-        axis.tail<3>() = factor * angular;
+    static double turned(const Matrix3& root, int axis, const Vector6& j) {
+        return root(0, axis) * j[3] + root(1, axis) * j[4] + root(2, axis) * j[5];
     }
 
-    Vector3 linear, angular;
+    // Of a body that no force moves.
+    WeightedAxis() : x(0), y(0), z(0), u(0), v(0), w(0) {}
+
+    double squared() const { return (x * x + y * y + z * z) + (u * u + v * v + w * w); }
+    void write(double factor, Vector6& axis) const {
+        axis[0] = factor * x;
+        axis[1] = factor * y;
+        axis[2] = factor * z;
+        axis[3] = factor * u;
+        axis[4] = factor * v;
+        axis[5] = factor * w;
+    }
+
+    double x, y, z, u, v, w;
 };
 
 // A_jj, its root, and the unit axis of row j.
 inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& system) {
-    const WeightedAxis a(system.inverse_mass[static_cast<std::size_t>(row.body_a)], row.jacobian.a);
-    const WeightedAxis b(system.inverse_mass[static_cast<std::size_t>(row.body_b)], row.jacobian.b);
+    const auto weighted = [&](int body, const Vector6& axis) {
+        const InverseMass& inverse_mass = system.inverse_mass[static_cast<std::size_t>(body)];
+        return inverse_mass.linear > 0.0 ? WeightedAxis(inverse_mass, axis) : WeightedAxis();
+    };
+    const WeightedAxis a = weighted(row.body_a, row.jacobian.a);
+    const WeightedAxis b = weighted(row.body_b, row.jacobian.b);
     const double diagonal = a.squared() + b.squared();
     const double scale = std::sqrt(diagonal);
     const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
     system.diagonal[static_cast<Eigen::Index>(j)] = diagonal;
     system.scale[static_cast<Eigen::Index>(j)] = scale;
+    system.inverse_scale[static_cast<Eigen::Index>(j)] = to_unit;
     a.write(to_unit, system.unit_axes[j].a);
     b.write(to_unit, system.unit_axes[j].b);
 }
@@ -58,6 +96,7 @@ void size_axes(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
     system.diagonal.resize(count);
     system.scale.resize(count);
+    system.inverse_scale.resize(count);
     system.unit_axes.resize(system.rows.size());
 }
 
@@ -85,8 +124,8 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
     std::vector<Vector6>& free = system.free_acceleration;
     free.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        system.inverse_mass[i] = inverse_mass_of(bodies[i]);
-        free[i] = free_acceleration(bodies[i], system.inverse_mass[i], dt);
+        find_inverse_mass(bodies[i], system.inverse_mass[i]);
+        find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     }
 
     size_axes(system);
@@ -106,10 +145,20 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces) {
     forces.assign(system.inverse_mass.size(), Vector6::Zero());
-    for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-        forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * lambda(j, column);
-        forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * lambda(j, column);
+    for (Eigen::Index j = 0; j < system.row_count();) {
+        const ConstraintRow& first = system.rows[static_cast<std::size_t>(j)];
+        Vector6& on_a = forces[static_cast<std::size_t>(first.body_a)];
+        Vector6& on_b = forces[static_cast<std::size_t>(first.body_b)];
+        Vector6 sum_a = on_a, sum_b = on_b;
+        // Taken from memory once for all rows of a pair, which stand together.
+        for (; j < system.row_count(); ++j) {
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            if (row.body_a != first.body_a || row.body_b != first.body_b) break;
+            sum_a += row.jacobian.a * lambda(j, column);
+            sum_b += row.jacobian.b * lambda(j, column);
+        }
+        on_a = sum_a;
+        on_b = sum_b;
     }
 }
 

@@ -35,6 +35,7 @@ struct SystemEquation {
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
     VectorX diagonal;                        // A_jj, 1/kg; 0 for a row that cannot move anything
     VectorX scale;                           // s_j, its root
+    VectorX inverse_scale;                   // 1 / s_j, 0 for such a row
     std::vector<Jacobian> unit_axes;         // J M^(-1/2) / s, of unit length; angular parts in body axes
     Columns b;                               // m/s^2, rows x columns
 
@@ -47,7 +48,7 @@ struct SystemEquation {
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 
-// The part of build_system that depends on J and M^-1 alone: `diagonal`, `scale`, `unit_axes`.
+// The part of build_system that depends on J and M^-1 alone: `diagonal`, its roots, `unit_axes`.
 void weigh_rows(SystemEquation& system);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).

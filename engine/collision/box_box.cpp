@@ -70,13 +70,13 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
 
 // A corner of the polygon that is left of the incident face, in the frame of the reference face.
 struct Corner {
-    double u = 0.0, v = 0.0;  // m along the two edges of the reference face
-    double height = 0.0;      // m above it
-    unsigned edge = 0;        // label of the edge to the next corner: 0..3 of the face, 4..7 cut by that side
+    double u, v;    // m along the two edges of the reference face
+    double height;  // m above it
+    unsigned edge;  // label of the edge to the next corner: 0..3 of the face, 4..7 cut by that side
 };
 
 struct Polygon {
-    std::array<Corner, 8> corners;
+    std::array<Corner, 8> corners;  // of which `count` are there
     int count = 0;
 
     void add(const Corner& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
@@ -92,7 +92,7 @@ Corner between(const Corner& from, const Corner& to, double share) {
 
 // Sutherland-Hodgman against one side of the reference face: keeps what is at most `limit` along +-u or +-v.
 void clip(Polygon& polygon, unsigned side, double limit) {
-    std::array<double, 8> beyond{};
+    std::array<double, 8> beyond;  // of each corner
     bool cuts = false;
     for (int i = 0; i < polygon.count; ++i) {
         const Corner& corner = polygon.at(i);

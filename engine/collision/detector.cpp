@@ -17,18 +17,21 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 
 }  // namespace
 
-Touch touch_of(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies) {
+void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch) {
     const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
     const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
-    Touch touch;
     touch.pair = pair;
     touch.body_a = a.body;
     touch.body_b = b.body;
     touch.size =
         size_of_pair(a, bodies[static_cast<std::size_t>(a.body)], b, bodies[static_cast<std::size_t>(b.body)]);
+}
+
+void combine_surfaces(std::span<const Collider> colliders, Touch& touch) {
+    const Collider& a = colliders[static_cast<std::size_t>(touch.pair.a)];
+    const Collider& b = colliders[static_cast<std::size_t>(touch.pair.b)];
     touch.friction = std::sqrt(a.friction * b.friction);
     touch.restitution = std::max(a.restitution, b.restitution);
-    return touch;
 }
 
 std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
@@ -38,14 +41,19 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
 
     touches_.clear();
     for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin)) {
-        Touch& touch = touches_.emplace_back(touch_of(pair, colliders, bodies));
+        Touch& touch = touches_.emplace_back();
+        name_pair(pair, colliders, bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
                 colliders[static_cast<std::size_t>(pair.b)].shape, pose_b, detection.margin * touch.size,
                 touch.manifold);
+        if (touch.manifold.count == 0) {
+            touches_.pop_back();
+            continue;
+        }
         if (detection.reduce_to_four_points) reduce_to_four(touch.manifold, pose_a.rotation);
-        if (touch.manifold.count == 0) touches_.pop_back();
+        combine_surfaces(colliders, touch);
     }
     return touches_;
 }

@@ -17,6 +17,9 @@ struct MeetingBodies {
 
 // Two colliders that touch or nearly do.
 struct Touch {
+    // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+    Touch() {}  // NOLINT(modernize-use-equals-default)
+
     Pair pair;       // collider indices
     int body_a = 0;  // body indices
     int body_b = 0;
@@ -27,8 +30,11 @@ struct Touch {
     const MeetingBodies* meeting = nullptr;  // only of a pair that is to meet in the course of the step
 };
 
-// All but the manifold.
-Touch touch_of(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies);
+// Names the pair in `touch`: its colliders, bodies and size.
+void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch);
+
+// What the surfaces of the named pair make of a contact: friction and restitution.
+void combine_surfaces(std::span<const Collider> colliders, Touch& touch);
 
 struct Detection {
     double margin = 0.0;                // fraction of the size; points with a smaller gap count
@@ -40,6 +46,8 @@ class Detector {
     // All touches in ascending order of the pair. The result is good until the next call.
     std::span<const Touch> detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                   const Detection& detection);
+
+    std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
 
   private:
     BroadPhase broad_phase_;

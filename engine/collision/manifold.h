@@ -10,16 +10,16 @@
 namespace pushfactor::engine::collision {
 
 struct ContactPoint {
-    Vector3 position;           // m, world frame, midway between the two surfaces
-    double gap = 0.0;           // m along the normal; below zero is penetration (d = -gap)
-    std::uint32_t feature = 0;  // names the faces, edges or vertices that made the point, from step to step
+    Vector3 position;       // m, world frame, midway between the two surfaces
+    double gap;             // m along the normal; below zero is penetration (d = -gap)
+    std::uint32_t feature;  // names the faces, edges or vertices that made the point, from step to step
 };
 
 struct Manifold {
     static constexpr int max_points = 8;  // two quadrilaterals meet in an octagon at most
 
     Vector3 normal = Vector3::UnitY();  // unit length, world frame, from shape a to shape b
-    std::array<ContactPoint, max_points> storage;
+    std::array<ContactPoint, max_points> storage;  // of which `count` are there
     int count = 0;
 
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }

@@ -124,7 +124,9 @@ bool Sweep::any_thrown(std::span<const Vector6> forces, const Step& step) {
 bool Sweep::add_meeting(const Pair& pair, const Step& step, Found& found) const {
     const Moving a = moving(pair.a, step);
     const Moving b = moving(pair.b, step);
-    Touch touch = touch_of(pair, step.colliders, step.bodies);
+    Touch touch;
+    name_pair(pair, step.colliders, step.bodies, touch);
+    combine_surfaces(step.colliders, touch);
     const double margin = step.detection.margin * touch.size;
     std::optional<Meeting> meeting = find_meeting(a, b, step.dt, nearness * touch.size, margin);
     if (!meeting) return false;

@@ -1,9 +1,8 @@
 #include "engine/solvers/body_matrix.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -121,13 +120,34 @@ void BodyMatrix::add(int a, const Vector6& u_a, int b, const Vector6& u_b, doubl
     }
 }
 
+// Replaces the lower triangle of a symmetric positive definite matrix by the inverse of its Cholesky factor, and
+// what is above by zeros. With the inverse every further step is a product, without divisions that wait for each
+// other.
+void BodyMatrix::invert_factor(Matrix6& matrix) {
+    Matrix6 inverse = Matrix6::Zero();
+    for (int column = 0; column < 6; ++column) {
+        for (int k = 0; k < column; ++k) {
+            for (int row = column; row < 6; ++row) matrix(row, column) -= matrix(row, k) * matrix(column, k);
+        }
+        const double to_unit = 1.0 / std::sqrt(matrix(column, column));
+        for (int row = column; row < 6; ++row) matrix(row, column) *= to_unit;
+        inverse(column, column) = to_unit;
+        for (int k = 0; k < column; ++k) {
+            double sum = 0.0;
+            for (int i = k; i < column; ++i) sum += matrix(column, i) * inverse(i, k);
+            inverse(column, k) = -to_unit * sum;
+        }
+    }
+    matrix = inverse;
+}
+
 void BodyMatrix::factor() {
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const Node& node = nodes_[k];
-        Eigen::LLT<Eigen::Ref<Matrix6>> diagonal(blocks_[k]);  // in place: the lower triangle is the factor
+        invert_factor(blocks_[k]);
         for (const int block : node.blocks) {
             Matrix6& below = blocks_[static_cast<std::size_t>(block)];
-            blocks_[k].triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+            below = (below * blocks_[k].transpose()).eval();
         }
         for (const Update& update : node.updates) {
             blocks_[static_cast<std::size_t>(update.target)].noalias() -=
@@ -141,7 +161,7 @@ void BodyMatrix::solve(std::vector<Vector6>& x) const {
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const Node& node = nodes_[k];
         Vector6& own = x[static_cast<std::size_t>(node.body)];
-        blocks_[k].triangularView<Eigen::Lower>().solveInPlace(own);
+        own = (blocks_[k] * own).eval();
         for (std::size_t i = 0; i < node.below.size(); ++i) {
             const int body = nodes_[static_cast<std::size_t>(node.below[i])].body;
             x[static_cast<std::size_t>(body)].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
@@ -155,7 +175,7 @@ void BodyMatrix::solve(std::vector<Vector6>& x) const {
             own.noalias() -=
                 blocks_[static_cast<std::size_t>(node.blocks[i])].transpose() * x[static_cast<std::size_t>(body)];
         }
-        blocks_[k].triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+        own = (blocks_[k].transpose() * own).eval();
     }
 }
 

@@ -29,7 +29,7 @@ class BodyMatrix {
     // Adds weight u u^T for u = (u_a at body a, u_b at body b); a body without a block is skipped (below zero).
     void add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight);
 
-    // Replaces the matrix by its factor.
+    // Replaces the matrix by its factor; the diagonal blocks of that by their inverses.
     void factor();
 
     // Solves for a vector with six entries a body, in place; entries of bodies without a block stay.
@@ -48,6 +48,7 @@ class BodyMatrix {
         std::vector<Update> updates;
     };
 
+    static void invert_factor(Matrix6& matrix);
     void order_nodes(std::vector<std::vector<int>> neighbours);
     void plan();
     int block_between(int earlier, int later) const;

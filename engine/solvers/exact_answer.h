@@ -23,7 +23,7 @@ inline constexpr int least_for_interior_point = 10;
 
 class ExactAnswer {
   public:
-    // Finds out which bodies the rows connect. Comes first.
+    // Finds out which bodies the rows connect, if they are not those of the last call. Comes first.
     template <int columns>
     void find_pairs(const UnitRows<columns>& rows);
     int pairs() const { return all_pairs_; }      // static partners included
@@ -40,6 +40,15 @@ class ExactAnswer {
     void solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count);
 
   private:
+    // The bodies of a block of rows, and which of them it can move.
+    struct Connection {
+        int a = 0, b = 0;
+        bool several = false;  // rows
+        bool a_moves = false, b_moves = false;
+        friend bool operator==(const Connection&, const Connection&) = default;
+    };
+
+    void find_pairs();
     template <int columns>
     void sweep_bounds(UnitRows<columns>& rows, double tolerance, SolveCount& count);
     template <int columns>
@@ -53,6 +62,8 @@ class ExactAnswer {
     InteriorPoint interior_{matrix_};
     UnitProblem problem_;
     std::vector<double> y_;
+    std::vector<Connection> connections_;  // that the following belongs to
+    std::vector<Connection> found_;
     std::vector<std::pair<int, int>> pairs_;
     std::vector<int> alone_;  // movable bodies, in a pair or not
     int all_pairs_ = 0;
@@ -62,21 +73,36 @@ class ExactAnswer {
 
 template <int columns>
 void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
+    found_.clear();
+    for (const auto& block : rows.blocks) {
+        Connection connection{block.a, block.b, block.count > 1};
+        for (int j = block.begin; j < block.begin + block.count; ++j) {
+            const Jacobian& unit = *rows.rows[static_cast<std::size_t>(j)].unit;
+            connection.a_moves = connection.a_moves || !unit.a.isZero(0.0);
+            connection.b_moves = connection.b_moves || !unit.b.isZero(0.0);
+        }
+        found_.push_back(connection);
+    }
+    if (found_ == connections_ && bodies_ == rows.velocity.size()) return;
+    connections_.swap(found_);
+    bodies_ = rows.velocity.size();
+    find_pairs();
+}
+
+// Of the connections as they are now.
+inline void ExactAnswer::find_pairs() {
     pairs_.clear();
     alone_.clear();
     couple_ = false;
-    std::vector<char> moves(rows.velocity.size(), 0);
-    for (const auto& row : rows.rows) {
-        const bool a_moves = !row.unit->a.isZero(0.0);
-        const bool b_moves = !row.unit->b.isZero(0.0);
-        const std::pair pair{static_cast<int>(std::min(row.a, row.b)), static_cast<int>(std::max(row.a, row.b))};
-        for (const auto& [body, has_axis] : {std::pair{row.a, a_moves}, std::pair{row.b, b_moves}}) {
+    std::vector<char> moves(bodies_, 0);
+    for (const Connection& connection : connections_) {
+        const auto& [a, b, several, a_moves, b_moves] = connection;
+        for (const auto& [body, has_axis] : {std::pair{a, a_moves}, std::pair{b, b_moves}}) {
             if (!has_axis) continue;
-            couple_ = couple_ || moves[body];
-            moves[body] = 1;
+            couple_ = couple_ || several || moves[static_cast<std::size_t>(body)];
+            moves[static_cast<std::size_t>(body)] = 1;
         }
-        if ((a_moves || b_moves) && row.a != row.b && (pairs_.empty() || pairs_.back() != pair))
-            pairs_.push_back(pair);
+        if ((a_moves || b_moves) && a != b) pairs_.push_back(std::minmax(a, b));
     }
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
@@ -87,7 +113,6 @@ void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
         if (moves[i]) alone_.push_back(static_cast<int>(i));
     }
-    bodies_ = moves.size();
 }
 
 template <int columns>
@@ -98,8 +123,8 @@ void ExactAnswer::take(const UnitRows<columns>& rows, int column) {
     y_.resize(rows.rows.size());
     for (std::size_t j = 0; j < rows.rows.size(); ++j) {
         const auto& row = rows.rows[j];
-        problem_.rows[j] = {.a = static_cast<int>(row.a),
-                            .b = static_cast<int>(row.b),
+        problem_.rows[j] = {.a = row.a,
+                            .b = row.b,
                             .unit = row.unit,
                             .t = row.t[c],
                             .low = row.low,

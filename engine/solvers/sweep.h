@@ -9,22 +9,36 @@ namespace pushfactor::engine::solvers {
 
 // 7.1.1 row after row, each from the newest values of the others. Returns the largest change of a row's velocity
 // [m/s].
+//
+// The rows of a block take their errors from the same velocities, and take off by u_i . u_k what the rows before
+// them have changed since: the same as one row after the other.
 template <int columns>
-double sweep(UnitRows<columns>& system) {
-    double largest = 0.0;
-    for (auto& row : system.rows) {
-        for (int c = 0; c < columns; ++c) {
-            const double y = row.y[system.at(c)] + system.error(row, c);
-            const double change = system.set(row, c, system.clamped(row, c, y));
-            largest = std::max(largest, row.scale * std::abs(change));
-        }
-    }
-    return largest;
+[[gnu::flatten]] double sweep(UnitRows<columns>& system) {
+    using Value = typename UnitRows<columns>::Value;
+    using Block = typename UnitRows<columns>::Block;
+    system.couple();
+    Value largest{};
+    system.for_each_block([&](const Block& block, auto count) {
+        auto* row = system.rows_of(block);
+        Velocity x[columns];
+        unrolled<columns>([&](auto c) { x[c] = system.at_bodies(block, c); });
+        Value wanted[count], changes[count];
+        unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
+        unrolled<count>([&](auto i) {
+            unrolled<i>([&](auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; });
+            const Value moved = system.clamped(row[i], wanted[i]);
+            changes[i] = moved - Lanes<columns>::of(row[i].y);
+            Lanes<columns>::write(moved, row[i].y);
+            largest = larger(largest, row[i].scale * magnitude(changes[i]));
+        });
+        system.template push<count>(block, changes);
+    });
+    return Lanes<columns>::largest(largest);
 }
 
 // Whether the guess is good enough to be kept (6.2.3).
 template <int columns>
-bool keeps_guess(const UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
+bool keeps_guess(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
     if (termination.tolerance_high <= 0.0) return false;
     count.multiply_adds += rows.look_work();
     return rows.residual() <= termination.tolerance_high;

@@ -93,7 +93,9 @@ class BestForces {
     bool look(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
               const std::vector<double>& r) {
         const double now = solvers::residual(problem, y, r);
-        if (!(now < residual_) || objective(problem, y, x) > allowed_) return false;
+        // Written so that a y that is not finite, whose residual may look small, is none.
+        const bool better = now < residual_ && objective(problem, y, x) <= allowed_;
+        if (!better) return false;
         y_ = y;
         residual_ = now;
         return true;

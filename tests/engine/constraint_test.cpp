@@ -98,7 +98,7 @@ TEST_CASE("the paper's friction bound is mu m |g n| over the points, whichever w
     const WeightFriction rule(Vector3(0, -10, 0));
     const auto bound = [&](const Body& a, const Body& b, const Vector3& n) {
         const BodyPair pair{0, 1, a, b};
-        return rule.bounds({.bodies = pair, .normal = n, .friction = 0.5, .points = 4, .normal_row = 0});
+        return rule.bound({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0);
     };
     CHECK(bound(ground, one, Vector3::UnitY()).c_max == Approx(2.5));
     CHECK(bound(ground, one, -Vector3::UnitY()).c_max == Approx(2.5));
@@ -114,7 +114,7 @@ TEST_CASE("Coulomb's bound names the contact row of the point") {
     const BodyPair pair{0, 1, ground, box};
     const Vector3 up = Vector3::UnitY();
     const Bounds bounds =
-        CoulombFriction().bounds({.bodies = pair, .normal = up, .friction = 0.3, .points = 4, .normal_row = 17});
+        CoulombFriction().bound({.bodies = pair, .normal = up, .friction = 0.3, .points = 4}).at(17);
     CHECK(bounds.c_min == -0.3);
     CHECK(bounds.c_max == 0.3);
     CHECK(bounds.of_row == 17);
@@ -126,8 +126,8 @@ TEST_CASE("the first tangent lies along the sliding direction, or fixed in body 
     const BodyPair pair{0, 1, ground, box};
     const Vector3 up = Vector3::UnitY();
     const auto tangents = [&](const Vector3& belt) {
-        return friction_tangents(up, RelativeMotion(pair, belt).sliding(Vector3::Zero(), up), 1e-3,
-                                 Vector3::UnitX());
+        const RelativeMotion motion(pair, motion_of(ground), motion_of(box), belt);
+        return friction_tangents(up, motion.sliding(Vector3::Zero(), up), 1e-3, Vector3::UnitX());
     };
     CHECK(tangents(Vector3::Zero())[0] == Vector3::UnitX());
     box.linear_momentum = {6, -14, 8};

@@ -23,10 +23,9 @@ struct Tower {
 
     // "0a 0b 2a ..." : touch and point.
     std::string order(RowOrder by) const {
-        std::vector<ContactIndex> contacts;
-        order_contacts(by, touches, bodies, contacts);
+        ContactOrder contacts;
         std::string text;
-        for (const ContactIndex& c : contacts) {
+        for (const ContactIndex& c : contacts.put(by, touches, bodies)) {
             text += std::to_string(c.touch) + (c.point == 0 ? "a " : "b ");
         }
         return text;
