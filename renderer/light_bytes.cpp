@@ -1,5 +1,6 @@
 #include "renderer/light_bytes.h"
 
+#include <glm/common.hpp>
 #include <glm/gtc/color_space.hpp>
 #include <glm/vec3.hpp>
 

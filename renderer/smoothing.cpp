@@ -93,6 +93,12 @@ void mix(const std::uint8_t* pixel, const std::uint8_t* neighbour, float share, 
     }
 }
 
+void copy_colours(const std::uint8_t* rgba, int count, std::uint8_t* rgb) {
+    for (int i = 0; i < count; ++i) {
+        for (int channel = 0; channel < 3; ++channel) rgb[3 * i + channel] = rgba[4 * i + channel];
+    }
+}
+
 // Puts the smoothed pixel to `to`, if there is anything to smooth.
 void smooth_pixel(const Edge& edge, std::ptrdiff_t row, const glm::ivec2& place, const glm::ivec2& size,
                   std::uint8_t* to) {
@@ -114,16 +120,17 @@ void smooth_edges(std::span<const std::uint8_t> rgba, std::span<const PixelArea>
     const glm::ivec2 size(image.width, image.height);
     const std::ptrdiff_t row = size.x;
     for (const PixelArea& area : areas) {
+        const int first = std::max(area.x, border) - area.x;
+        const int end = std::min(area.x + area.width, size.x - border) - area.x;
         for (int y = area.y; y < area.y + area.height; ++y) {
             const std::uint8_t* pixel = &rgba[static_cast<std::size_t>(4 * (row * y + area.x))];
             std::uint8_t* to = &image.rgb[static_cast<std::size_t>(3 * (row * (size.y - 1 - y) + area.x))];
-            for (int x = area.x; x < area.x + area.width; ++x, pixel += 4, to += 3) {
-                to[0] = pixel[0];
-                to[1] = pixel[1];
-                to[2] = pixel[2];
-                if (std::min({x, y, size.x - 1 - x, size.y - 1 - y}) < border) continue;
-                const int near = pixel[3] | pixel[-1] | pixel[7] | pixel[3 + 4 * row] | pixel[3 - 4 * row];
-                if (near != 0) smooth_pixel(Edge(pixel, row), row, {x, y}, size, to);
+            copy_colours(pixel, area.width, to);
+            if (y < border || y >= size.y - border) continue;
+            for (int i = first; i < end; ++i) {
+                const std::uint8_t* const here = pixel + 4 * i;
+                const int near = here[3] | here[-1] | here[7] | here[3 + 4 * row] | here[3 - 4 * row];
+                if (near != 0) smooth_pixel(Edge(here, row), row, {area.x + i, y}, size, to + 3 * i);
             }
         }
     }

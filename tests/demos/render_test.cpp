@@ -165,7 +165,7 @@ TEST_CASE("both kinds of OpenGL give the same files, and the config file remembe
     check_refused("render stack --at 0 --gl vulkan", "--gl vulkan: must be osmesa or egl");
 }
 
-TEST_CASE("--timing says how long each stage took, and changes no frame") {
+TEST_CASE("with --timing render says how long each stage took, and changes no frame") {
     const Folder folder;
     const Ended timed = render(folder, "stack --seconds 0.2 --fps 10 --timing");
     REQUIRE(timed.status == 0);
