@@ -94,6 +94,11 @@ bool set_compare(FrameChoices& choices, std::string_view text) {
     return true;
 }
 
+bool set_gl(FrameChoices& choices, std::string_view text) {
+    choices.gl = text;
+    return text == "osmesa" || text == "egl";
+}
+
 std::string get_compare(const FrameChoices& choices) {
     if (!choices.compare) return {};
     return fmt::format("{}={}", choices.compare->option, fmt::join(choices.compare->values, ","));
@@ -132,6 +137,8 @@ const std::array options{
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
                 fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare},
+    FrameOption{"gl", "osmesa|egl", "the OpenGL that draws [osmesa, or egl where that is not installed]",
+                "osmesa or egl", set_gl, [](const FrameChoices& c) { return c.gl; }},
 };
 
 // The rates nearest to `fps` that fall on steps when the film runs at `speed`; whole ones where there are any.

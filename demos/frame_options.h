@@ -29,6 +29,7 @@ struct FrameChoices {
     bool caption = true;  // scene, options and time, below
     std::vector<OverlayItem> overlay{};
     std::optional<Comparison> compare{};
+    std::string gl{};  // what draws: osmesa or egl; empty is the first that there is
 
     Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames a second of the film
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 
@@ -12,7 +13,8 @@ namespace pushfactor::demos {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> interrupt_came = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set nothing else");
 
 }  // namespace
 
@@ -44,11 +46,15 @@ void ProgressBar::show(long done) {
 }
 
 void note_interrupts() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupt_came = true; });
+}
+
+bool interrupted() {
+    return interrupt_came;
 }
 
 void stop_if_interrupted(const std::string& what_is_left) {
-    if (interrupted) throw RunError("interrupted: " + what_is_left);
+    if (interrupted()) throw RunError("interrupted: " + what_is_left);
 }
 
 }  // namespace pushfactor::demos

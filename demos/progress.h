@@ -29,6 +29,9 @@ class ProgressBar {
 // From now on SIGINT and SIGTERM are only noted.
 void note_interrupts();
 
+// Whether one came. May be asked from any thread.
+bool interrupted();
+
 // Throws RunError when one came; `what_is_left` says what the run leaves behind.
 void stop_if_interrupted(const std::string& what_is_left);
 

@@ -2,71 +2,44 @@
 
 #include "renderer/bodies.h"
 #include "renderer/picture.h"
+#include "renderer/tiles.h"
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace pushfactor::renderer {
 
-// A rectangle of the frame in pixels, from its lower left corner, as GL counts.
-struct Rectangle {
-    int x;
-    int y;
-    int width;
-    int height;
+// How one drawing of a frame sees the world.
+struct FrameView {
+    int width;   // pixels
+    int height;  // pixels
+    glm::mat4 world_to_clip;
+    glm::vec3 towards_sun;  // unit length
+    float texel;            // side of a texel of the shadow map, m
+    float pixel;            // side of a pixel at a distance of 1 m from the eye, m
 };
 
-// Which square tiles of a frame something is in, or might be.
-class Tiles {
-  public:
-    static constexpr int side = 32;  // pixels
+// The tiles in which bodies and panels may be seen.
+Tiles occupied_tiles(const FrameView& view, std::span<const Instance> bodies, std::span<const Panel> panels);
 
-    // The frame's size, pixels; nothing is in it yet.
-    Tiles(int width, int height);
+// The tiles in which shadows of the bodies may fall on the ground; none when the sun does not light it.
+Tiles shadowed_tiles(const FrameView& view, std::span<const Instance> bodies, const Ground& ground);
 
-    int columns() const { return columns_; }
-    int rows() const { return rows_; }
-    bool has(int column, int row) const { return marked_[index(column, row)]; }
+// The tiles in which bodies may darken the ground by their nearness.
+Tiles touched_tiles(const FrameView& view, std::span<const Instance> bodies, const Ground& ground);
 
-    // Adds all tiles in which the camera sees a part of a ball, world frame, m.
-    void add_ball(const glm::mat4& world_to_clip, const glm::vec3& centre, float radius);
+// The tiles in which shadows of the bodies may fall on anything down to `distance` m from them.
+Tiles swept_tiles(const FrameView& view, std::span<const Instance> bodies, float distance);
 
-    // Adds all tiles in which the camera sees a part of a convex polygon, and some around them.
-    void add_polygon(const glm::mat4& world_to_clip, const std::vector<glm::vec3>& corners);
-
-  private:
-    std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(column);
-    }
-    // In clip space divided by w: what is drawn has both coordinates in -1..1.
-    void add(const glm::vec2& low, const glm::vec2& high);
-
-    int width_;
-    int height_;
-    int columns_;
-    int rows_;
-    std::vector<bool> marked_;
-};
-
-// How the parts of a frame have to be drawn. Few of its pixels show the edge of a body or a shadow, and only
-// there are several samples a pixel and lookups of the shadow worth their time, which is most of a frame's.
+// The areas of a frame that are drawn, by what the ground in them needs: lookups of the shadow are most of its
+// time. Each pixel of the tiles is in one of them.
 struct FramePlan {
-    // The rectangles of one kind cover each of its pixels once.
-    struct Part {
-        std::vector<Rectangle> lit;       // where no shadow falls on the ground
-        std::vector<Rectangle> shadowed;  // where one may
-    };
-    Part bare;   // nothing but ground and background
-    Part edged;  // bodies and panels may be seen
+    std::vector<PixelArea> lit;       // no shadow falls on the ground
+    std::vector<PixelArea> shadowed;  // one may
 };
-
-// The plan of a frame of this size in pixels. `texel` is that of the shadow map, m; `towards_sun` has unit length.
-FramePlan plan_frame(int width, int height, const glm::mat4& world_to_clip, const Bodies& bodies,
-                     const Picture& picture, const glm::vec3& towards_sun, float texel);
+FramePlan plan_frame(const Tiles& drawn, const Tiles& shadowed);
 
 }  // namespace pushfactor::renderer

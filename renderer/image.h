@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace pushfactor::renderer {
@@ -18,9 +17,5 @@ struct Image {
 
     bool operator==(const Image&) const = default;
 };
-
-// An image of what GL reads back: four bytes a pixel, of which the last is dropped, rows from bottom to top.
-// `rgba` holds 4 * width * height bytes.
-Image image_from_bottom_up_rgba(int width, int height, std::span<const std::uint8_t> rgba);
 
 }  // namespace pushfactor::renderer

@@ -26,6 +26,7 @@ InstancedMesh::InstancedMesh(const Gl& gl, const Mesh& mesh)
     describe_attribute(gl, 4, 4, sizeof(Instance), offsetof(Instance, orientation), 1);
     describe_attribute(gl, 5, 3, sizeof(Instance), offsetof(Instance, half_extents), 1);
     describe_attribute(gl, 6, 3, sizeof(Instance), offsetof(Instance, colour), 1);
+    describe_attribute(gl, 7, 1, sizeof(Instance), offsetof(Instance, number), 1);
 }
 
 void InstancedMesh::set_instances(std::span<const Instance> instances) {

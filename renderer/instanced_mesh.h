@@ -18,6 +18,7 @@ struct Instance {
     glm::vec4 orientation;  // unit quaternion x, y, z, w, body to world
     glm::vec3 half_extents;
     glm::vec3 colour;  // linear light, 0..1
+    float number;      // in the picture's list of its kind, from 0
 };
 
 // A mesh on the GPU and the instances of it that a frame shows.

@@ -32,7 +32,8 @@ std::vector<Instance> box_instances(std::span<const Box> boxes) {
              .bevel = bevel * std::min({half.x, half.y, half.z}),
              .orientation = {box.orientation.x, box.orientation.y, box.orientation.z, box.orientation.w},
              .half_extents = half,
-             .colour = glm::convertSRGBToLinear(box.colour)});
+             .colour = glm::convertSRGBToLinear(box.colour),
+             .number = static_cast<float>(instances.size())});
     }
     return instances;
 }
@@ -46,7 +47,8 @@ std::vector<Instance> sphere_instances(std::span<const Sphere> spheres) {
                              .bevel = sphere.radius,
                              .orientation = {turn.x, turn.y, turn.z, turn.w},
                              .half_extents = glm::vec3(sphere.radius),
-                             .colour = glm::convertSRGBToLinear(sphere.colour)});
+                             .colour = glm::convertSRGBToLinear(sphere.colour),
+                             .number = static_cast<float>(instances.size())});
     }
     return instances;
 }
@@ -61,7 +63,8 @@ std::vector<Instance> bar_instances(std::span<const Bar> bars) {
                              .bevel = bar.radius,
                              .orientation = turn_from_y(direction),
                              .half_extents = {bar.radius, 0.5f * length + bar.radius, bar.radius},
-                             .colour = glm::convertSRGBToLinear(bar.colour)});
+                             .colour = glm::convertSRGBToLinear(bar.colour),
+                             .number = static_cast<float>(instances.size())});
     }
     return instances;
 }
@@ -71,7 +74,13 @@ Instance ground_instance(const Ground& ground, const glm::vec3& centre, float ha
             .bevel = 0.0f,
             .orientation = {0.0f, 0.0f, 0.0f, 1.0f},
             .half_extents = {half_side, 0.0f, half_side},
-            .colour = glm::vec3(0.42f, 0.425f, 0.435f)};
+            .colour = glm::vec3(0.42f, 0.425f, 0.435f),
+            .number = 0.0f};
+}
+
+float contact_reach(const Instance& body) {
+    const glm::vec3& half = body.half_extents;
+    return glm::length(half) + std::min({half.x, half.y, half.z});
 }
 
 std::vector<Instance> touching(const Ground& ground, std::span<const Instance> bodies) {

@@ -27,10 +27,6 @@ Mesh box_mesh();
 // of `sides` vertices each, and one vertex on top.
 Mesh dome_mesh(int sides, int rings);
 
-// A rod along y with round ends, for instances whose half extents are {bevel, half length with the ends,
-// bevel}.
-Mesh capsule_mesh();
-
 // A horizontal square that faces up.
 Mesh square_mesh();
 

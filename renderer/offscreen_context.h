@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pushfactor::renderer {
@@ -23,12 +24,16 @@ class OffscreenContext {
     // non-null address: the context's version is what says whether a function can be called.
     virtual void* function(const char* name) = 0;
 
-    // The backend, for messages: "OSMesa".
+    // The backend, for messages: "OSMesa" or "EGL".
     virtual std::string description() const = 0;
 };
 
-// Opens the offscreen context of this machine and makes it current. Throws RendererError when there is none;
-// the message names the package to install.
-std::unique_ptr<OffscreenContext> open_offscreen_context();
+// What can open one.
+enum class ContextKind { osmesa, egl };
+
+// Opens a context of that kind, or of the first kind that this machine has, and makes it current. Both give the
+// same pictures, to the byte, when they are of the same Mesa. Throws RendererError when there is none; the message
+// names the packages to install.
+std::unique_ptr<OffscreenContext> open_offscreen_context(std::optional<ContextKind> kind = std::nullopt);
 
 }  // namespace pushfactor::renderer

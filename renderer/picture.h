@@ -14,6 +14,8 @@ struct Camera {
     glm::vec3 eye{0.0f, 5.0f, 20.0f};
     glm::vec3 target{0.0f};
     float vertical_field_of_view_degrees = 38.0f;  // in (0, 180)
+
+    bool operator==(const Camera&) const = default;
 };
 
 // A box with slightly bevelled edges.
@@ -48,12 +50,16 @@ struct Panel {
     std::vector<glm::vec3> corners{};  // at least 3, world frame, m
     glm::vec3 colour{0.6f};            // sRGB, each 0..1
     float opacity = 0.3f;              // of the front, 0 (only the lines are seen) to 1
+
+    bool operator==(const Panel&) const = default;
 };
 
 // An endless horizontal plane, seen from above only. Its lines are 1 m apart and every fifth is stronger;
 // from a distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
 struct Ground {
     float height = 0.0f;  // y, m
+
+    bool operator==(const Ground&) const = default;
 };
 
 // Arrows and dots are drawn flat, over everything else and as wide on the screen wherever they are, so that what is

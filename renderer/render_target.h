@@ -1,34 +1,29 @@
 #pragma once
 
-#include "renderer/frame_plan.h"
 #include "renderer/gl.h"
 #include "renderer/gl_object.h"
-#include "renderer/image.h"
+#include "renderer/tiles.h"
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace pushfactor::renderer {
 
-// What a frame is drawn into (linear light in, sRGB stored): an image without depth, and samples with depth, up to
-// four a pixel, for those parts of it that need them.
+// What a frame is drawn into: linear light in, sRGB stored, with depth. The fourth channel tells surfaces whose
+// edges are to be smoothed (not 0) from all that is smooth as it is drawn.
 class RenderTarget {
   public:
     // Throws RendererError when GL refuses the size (pixels).
     RenderTarget(const Gl& gl, int width, int height);
 
-    // Directs drawing to the image.
-    void bind_image() const;
+    // Directs drawing here.
+    void bind() const;
 
-    // Directs drawing to the samples.
-    void bind_samples() const;
+    // Copies the colours of these areas from another target of the same size. This one must be bound.
+    void copy_colour(const RenderTarget& from, std::span<const PixelArea> areas) const;
 
-    // Puts the mean of each pixel's samples into these parts of the image.
-    void resolve(std::span<const Rectangle> parts) const;
-
-    // The finished frame.
-    Image read();
+    // Copies these areas into `rgba`, which holds the whole frame: rows from bottom to top, four bytes a pixel.
+    void read(std::span<const PixelArea> areas, std::span<std::uint8_t> rgba) const;
 
   private:
     const Gl& gl_;
@@ -36,10 +31,7 @@ class RenderTarget {
     int height_;
     GlObject colour_;
     GlObject depth_;
-    GlObject samples_;  // the framebuffer with several samples a pixel
-    GlObject image_colour_;
-    GlObject image_;  // the framebuffer read from, and drawn into where one sample is enough
-    std::vector<std::uint8_t> rgba_;
+    GlObject framebuffer_;
 };
 
 }  // namespace pushfactor::renderer

@@ -2,9 +2,7 @@
 
 #include <glm/trigonometric.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace pushfactor::renderer {
@@ -43,33 +41,6 @@ Mesh dome_mesh(int sides, int rings) {
                 add_triangle(mesh, low, low_next, top);
             } else {
                 add_triangle(mesh, low, low_next, low + sides);
-                add_triangle(mesh, low_next, low_next + sides, low + sides);
-            }
-        }
-    }
-    return mesh;
-}
-
-Mesh capsule_mesh() {
-    constexpr int sides = 16;
-    constexpr std::array<float, 6> latitudes{-90.0f, -45.0f, 0.0f, 0.0f, 45.0f, 90.0f};  // degrees
-    Mesh mesh;
-    for (std::size_t ring = 0; ring < latitudes.size(); ++ring) {
-        const float latitude = glm::radians(latitudes[ring]);
-        const glm::vec3 end(0.0f, ring < latitudes.size() / 2 ? -1.0f : 1.0f, 0.0f);
-        for (int side = 0; side < sides; ++side) {
-            const float longitude = angle(side, sides);
-            mesh.vertices.push_back({end, glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                                                    std::cos(latitude) * std::cos(longitude))});
-        }
-    }
-    for (int ring = 0; ring + 1 < static_cast<int>(latitudes.size()); ++ring) {
-        for (int side = 0; side < sides; ++side) {
-            const int low = ring * sides + side;
-            const int low_next = ring * sides + (side + 1) % sides;
-            // At a pole a ring is a single point, and one of the two triangles has no area.
-            if (ring > 0) add_triangle(mesh, low, low_next, low + sides);
-            if (ring + 2 < static_cast<int>(latitudes.size())) {
                 add_triangle(mesh, low_next, low_next + sides, low + sides);
             }
         }

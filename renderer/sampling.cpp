@@ -1,11 +1,11 @@
 #include "renderer/sampling.h"
 
+#include "renderer/light_bytes.h"
+
 #include <glm/geometric.hpp>
-#include <glm/gtc/color_space.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -13,24 +13,6 @@
 
 namespace pushfactor::renderer {
 namespace {
-
-// Linear light of `level` 255ths of full brightness in sRGB.
-float linear(float level) {
-    return glm::convertSRGBToLinear(glm::vec3(level / 255.0f)).x;
-}
-
-const std::array<float, 256> light_of_byte = [] {
-    std::array<float, 256> light{};
-    for (std::size_t i = 0; i < light.size(); ++i) light[i] = linear(static_cast<float>(i));
-    return light;
-}();
-
-// Element i is the light from which on a byte is rounded up from i to i + 1.
-const std::array<float, 255> next_byte = [] {
-    std::array<float, 255> light{};
-    for (std::size_t i = 0; i < light.size(); ++i) light[i] = linear(static_cast<float>(i) + 0.5f);
-    return light;
-}();
 
 float fraction(double x) {
     return static_cast<float>(x - std::floor(x));
@@ -62,20 +44,35 @@ SampleMean::SampleMean(int width, int height)
       height_(height),
       sums_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-void SampleMean::add(const Image& image) {
-    assert(image.rgb.size() == sums_.size());
-    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += light_of_byte[image.rgb[i]];
-    ++count_;
+template <typename Visit>
+void SampleMean::each_row(std::span<const PixelArea> areas, const Visit& visit) const {
+    for (const PixelArea& area : areas) {
+        for (int y = area.y; y < area.y + area.height; ++y) {
+            const auto row = static_cast<std::size_t>(height_ - 1 - y) * static_cast<std::size_t>(width_);
+            const std::size_t first = 3 * (row + static_cast<std::size_t>(area.x));
+            visit(first, first + 3 * static_cast<std::size_t>(area.width));
+        }
+    }
 }
 
-Image SampleMean::mean() const {
-    assert(count_ > 0);
-    Image image{width_, height_, std::vector<std::uint8_t>(sums_.size())};
-    std::ranges::transform(sums_, image.rgb.begin(), [this](float sum) {
-        const auto byte = std::ranges::upper_bound(next_byte, sum / static_cast<float>(count_)) - next_byte.begin();
-        return static_cast<std::uint8_t>(byte);
+void SampleMean::clear(std::span<const PixelArea> areas) {
+    each_row(areas, [this](std::size_t first, std::size_t end) {
+        std::fill(&sums_[first], &sums_[first] + (end - first), 0.0f);
     });
-    return image;
+}
+
+void SampleMean::add(const Image& image, std::span<const PixelArea> areas) {
+    assert(image.rgb.size() == sums_.size());
+    each_row(areas, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) sums_[i] += light_of_byte(image.rgb[i]);
+    });
+}
+
+void SampleMean::put(int count, std::span<const PixelArea> areas, Image& mean) const {
+    assert(count > 0 && mean.rgb.size() == sums_.size());
+    each_row(areas, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) mean.rgb[i] = byte_of_light(sums_[i] / static_cast<float>(count));
+    });
 }
 
 }  // namespace pushfactor::renderer

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "renderer/image.h"
+#include "renderer/tiles.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <span>
 #include <vector>
 
 namespace pushfactor::renderer {
@@ -25,16 +27,23 @@ class SampleMean {
     // All images have this size, pixels.
     SampleMean(int width, int height);
 
-    void add(const Image& image);
+    // Forgets what was added in these areas.
+    void clear(std::span<const PixelArea> areas);
 
-    // The mean of the images added, of which there is at least one.
-    Image mean() const;
+    // Adds these areas of an image; every image must be added with the same areas.
+    void add(const Image& image, std::span<const PixelArea> areas);
+
+    // Puts the mean of `count` images that were added into these areas of `mean`.
+    void put(int count, std::span<const PixelArea> areas, Image& mean) const;
 
   private:
+    // Calls `visit(first, end)` with indices of the bytes of each row of each area.
+    template <typename Visit>
+    void each_row(std::span<const PixelArea> areas, const Visit& visit) const;
+
     int width_;
     int height_;
-    int count_ = 0;
-    std::vector<float> sums_;  // linear light, in the order of the image's bytes
+    std::vector<float> sums_;  // linear light, in the order of an image's bytes
 };
 
 }  // namespace pushfactor::renderer

@@ -26,9 +26,14 @@ ShadowMap::ShadowMap(const Gl& gl)
     gl.ReadBuffer(GL_NONE);
 }
 
-void ShadowMap::begin(int width, int height) const {
-    bind_texture();
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+void ShadowMap::begin(int width, int height) {
+    if (width != width_ || height != height_) {
+        bind_texture();
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                       nullptr);
+        width_ = width;
+        height_ = height;
+    }
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     check_framebuffer(gl_, "a shadow map");
     gl_.Viewport(0, 0, width, height);

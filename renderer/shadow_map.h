@@ -14,7 +14,7 @@ class ShadowMap {
 
     // Directs drawing to a new, empty map of this size in texels, each side 1..max_side. Throws
     // RendererError when GL refuses it.
-    void begin(int width, int height) const;
+    void begin(int width, int height);
 
     // Makes the map the texture of unit 0.
     void bind_texture() const;
@@ -23,6 +23,8 @@ class ShadowMap {
     const Gl& gl_;
     GlObject texture_;
     GlObject framebuffer_;
+    int width_ = 0;   // texels
+    int height_ = 0;  // texels
 };
 
 }  // namespace pushfactor::renderer

@@ -59,13 +59,17 @@ SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<c
     low = glm::clamp(low, target - range, target + range);
     high = glm::clamp(high, target - range, target + range);
 
-    // About two pixels of a 720p frame, for soft edges; larger when the bodies need it.
-    const float finest_texel = scale / 700.0f;
+    // About two pixels of a 720p frame, for soft edges; larger, in small steps, when the bodies need it.
     constexpr float border = 3.0f;  // texels around the bodies, for the filter
+    constexpr float step = 32.0f;   // texels between the places where the view may end
+    const float room = static_cast<float>(max_side) - 2.0f * (step + border);
     const float extent = std::max(high.x - low.x, high.y - low.y);
-    const float texel = std::max(finest_texel, extent / (static_cast<float>(max_side) - 2.0f * border - 2.0f));
-    const glm::vec3 first = glm::floor(low / texel) - border;
-    const glm::vec3 last = glm::ceil(high / texel) + border;
+    float texel = scale / 700.0f;
+    if (extent > room * texel) {
+        texel *= std::exp2(std::ceil(32.0f * std::log2(extent / (room * texel))) / 32.0f);
+    }
+    const glm::vec3 first = step * glm::floor((low / texel - border) / step);
+    const glm::vec3 last = step * glm::ceil((high / texel + border) / step);
     // The sun looks along its -z axis.
     const glm::mat4 sun_to_clip = glm::ortho(texel * first.x, texel * last.x, texel * first.y, texel * last.y,
                                              -texel * last.z, -texel * first.z);

@@ -29,10 +29,13 @@ struct SunView {
     int width;    // texels
     int height;   // texels
     float texel;  // side of one texel in the world, m
+
+    bool operator==(const SunView&) const = default;
 };
 
-// A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side.
-// It moves by whole texels, so that the shadows of resting bodies keep still while others move.
+// A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side. It
+// changes only now and then while bodies move, and by whole texels, so that the shadows of the resting ones keep
+// still.
 SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<const Instance> bodies,
                  int max_side);
 

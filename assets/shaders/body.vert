@@ -8,9 +8,9 @@ layout(location = 3) in float bevel;            // m
 layout(location = 4) in vec4 body_orientation;  // unit quaternion, body to world
 layout(location = 5) in vec3 half_extents;      // m
 layout(location = 6) in vec3 body_colour;
+layout(location = 7) in float number;           // in the list of bodies
 
 uniform mat4 world_to_clip;
-uniform float least_bevel;  // m at a distance of 1 m: keeps bars wider than a pixel; 0 for all else
 
 out vec3 position;  // world frame, m
 out vec3 normal;
@@ -19,16 +19,10 @@ out vec3 colour;
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
 void main() {
-    vec3 core = corner * (half_extents - bevel);
-    float drawn_bevel = bevel;
-    if (least_bevel > 0.0) {
-        vec4 clip = world_to_clip * vec4(body_position + rotated(body_orientation, core), 1.0);
-        drawn_bevel = max(bevel, least_bevel * clip.w);  // w is the distance; 1 in parallel light
-    }
-    position = body_position + rotated(body_orientation, core + corner_normal * drawn_bevel);
+    position = body_position + rotated(body_orientation, corner * (half_extents - bevel) + corner_normal * bevel);
     normal = rotated(body_orientation, corner_normal);
     colour = body_colour;
     gl_Position = world_to_clip * vec4(position, 1.0);
     // Bodies inside each other may share a face; there one of them is in front everywhere, not by turns.
-    gl_Position.z -= 4e-6 * float(gl_InstanceID & 15) * gl_Position.w;
+    gl_Position.z -= 4e-6 * mod(number, 16.0) * gl_Position.w;
 }

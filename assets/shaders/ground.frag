@@ -17,5 +17,5 @@ void main() {
     vec2 point = position.xz / line_spacing;
     float darkening = max(0.30 * lines(point, 0.025), 0.45 * lines(0.2 * point, 0.009));
     vec3 albedo = colour * (1.0 - darkening);
-    pixel = vec4(through_haze(lit(albedo, 0.04, position, normal), position), 1.0);
+    pixel = vec4(through_haze(lit(albedo, 0.04, position, normal), position), 0.0);
 }

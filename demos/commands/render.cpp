@@ -6,6 +6,7 @@
 #include "demos/output_file.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
+#include "demos/producer.h"
 #include "demos/progress.h"
 
 #include <fmt/format.h>
@@ -68,33 +69,90 @@ std::string summary_of(const Job& job, std::vector<ObservedRun>& runs) {
     return summary.dump(2) + "\n";
 }
 
-void render_job(const Job& job, const Request& request, pictures::Studio& studio) {
-    const FrameChoices& choices = job.panels.front().choices.frames;
+// Steps the runs of a job to the moments of its frames and to the end, and passes on what they show. Ends early
+// when nobody wants more, or when the program is interrupted.
+class Shooting {
+  public:
+    Shooting(const Job& job, std::vector<ObservedRun>& runs, const pictures::Film& film,
+             pictures::StageTimes* times)
+        : job_(job), runs_(runs), film_(film), times_(times) {}
+
+    void operator()(Channel<pictures::Moment>& moments) {
+        const pictures::ThreadWatch thread(times_);
+        const std::vector<Frame>& frames = job_.frames.front();
+        for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+            pictures::StageWatch watch(times_);
+            for (std::size_t i = 0; i < runs_.size(); ++i) {
+                if (!advance(i, job_.frames[i][frame].step, moments)) return;
+            }
+            watch.end("simulate");
+            pictures::Moment moment = film_.look(frames[frame].name);
+            watch.end("look");
+            if (!moments.send(std::move(moment))) return;
+        }
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            if (!advance(i, whole_steps(job_.panels[i].choices.settings), moments)) return;
+        }
+    }
+
+  private:
+    bool advance(std::size_t run, long step, const Channel<pictures::Moment>& moments) {
+        while (runs_[run].simulation().sample().step < step) {
+            if (interrupted() || moments.is_closed()) return false;
+            runs_[run].advance();
+        }
+        return true;
+    }
+
+    const Job& job_;
+    std::vector<ObservedRun>& runs_;
+    const pictures::Film& film_;
+    pictures::StageTimes* times_;
+};
+
+// Simulates on one thread, draws on this one, and encodes on others. Whatever goes wrong on one of them ends all.
+void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, const pictures::Film& film,
+                 pictures::StageTimes* times) {
+    const Rational rate = job.panels.front().choices.frames.film_rate();
+    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times);
+    const std::size_t count = job.frames.front().size();
+    ProgressBar bar(job.scene(), static_cast<long>(count));
+    constexpr std::size_t ahead = 2;
+    Producer<pictures::Moment> moments(ahead, Shooting(job, runs, film, times));
+    long drawn = 0;
+    while (const auto moment = moments.next()) {
+        renderer::Image image = writer.blank();
+        film.draw(*moment, image);
+        writer.write(moment->name, std::move(image));
+        bar.show(++drawn);
+    }
+    writer.flush();
+    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.written(), count, job.folder.string()));
+    writer.finish();
+}
+
+void render_job(const Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
     const pictures::Film film(studio, job.panels, simulations, job.frames);
-
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
-    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.film_rate());
-    const std::size_t count = job.frames.front().size();
-    ProgressBar bar(job.scene(), static_cast<long>(count));
-    std::size_t done = 0;
-    const auto advance_to = [&](ObservedRun& run, long step) {
-        while (run.simulation().sample().step < step) {
-            stop_if_interrupted(fmt::format("{} of {} frames are in {}", done, count, job.folder.string()));
-            run.advance();
-        }
-    };
-    while (done < count) {
-        for (std::size_t i = 0; i < runs.size(); ++i) advance_to(runs[i], job.frames[i][done].step);
-        writer.write(job.frames.front()[done].name, film.shoot());
-        bar.show(static_cast<long>(++done));
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) advance_to(runs[i], whole_steps(job.panels[i].choices.settings));
-    writer.finish();
+    make_frames(job, request, runs, film, times);
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
+}
+
+// On standard error, because data may be on standard output.
+void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times) {
+    long frames = 0;
+    for (const Job& job : jobs) frames += static_cast<long>(job.frames.front().size());
+    const FrameChoices& choices = jobs.front().panels.front().choices.frames;
+    fmt::print(stderr, "{}", times.table(frames));
+    const pictures::StageTime least = pictures::time_of_empty_frame({choices.width, choices.height}, choices.gl);
+    const pictures::StageTime encode = times.sum("encode");
+    const pictures::StageTime write = times.sum("write");
+    fmt::print(stderr, "the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time a frame\n",
+               1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
 }
 
 // What makes one file cannot be shared by several scenes or panels.
@@ -133,8 +191,12 @@ void render(const Request& request) {
         }
     }
     for (const Job& job : jobs) make_folder(job.folder);
-    pictures::Studio studio;
-    for (const Job& job : jobs) render_job(job, request, studio);
+    std::optional<pictures::StageTimes> times;
+    if (request.timing) times.emplace();
+    pictures::StageTimes* const watch = times ? &*times : nullptr;
+    pictures::Studio studio(jobs.front().panels.front().choices.frames.gl, watch);
+    for (const Job& job : jobs) render_job(job, request, studio, watch);
+    if (times) print_times(jobs, *times);
 }
 
 }  // namespace pushfactor::demos::commands

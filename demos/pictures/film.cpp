@@ -70,11 +70,17 @@ View Film::place_camera(const Scene& scene, double across) const {
     return choices_.camera.fit ? fitted(view, survey_.reached, aspect) : widened(view, across, aspect);
 }
 
-renderer::Image Film::draw(std::size_t panel) const {
+renderer::Picture Film::look(std::size_t panel) const {
     const Simulation& run = *runs_[panel];
     renderer::Picture picture = draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
     for (const Scale& scale : scales_) add_overlay(run.scene(), scale.kind, scale.units_a_metre, picture);
-    return studio_.draw(picture, layout_.cell, choices_.samples);
+    return picture;
+}
+
+Moment Film::look(const std::string& name) const {
+    Moment moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}};
+    for (std::size_t i = 0; i < runs_.size(); ++i) moment.pictures.push_back(look(i));
+    return moment;
 }
 
 std::vector<LegendLine> Film::legend(const View& view) const {
@@ -97,7 +103,7 @@ std::vector<LegendLine> Film::legend(const View& view) const {
     return lines;
 }
 
-void Film::write(renderer::Image& sheet) const {
+void Film::write(renderer::Image& sheet, double time) const {
     const Lettering& lettering = studio_.lettering();
     const float size = letter_size(sheet.height);
     const renderer::Rectangle all{0.0f, 0.0f, static_cast<float>(sheet.width), static_cast<float>(sheet.height)};
@@ -105,8 +111,7 @@ void Film::write(renderer::Image& sheet) const {
         if (!labels_[i].empty()) lettering.name(sheet, layout_.place(i), labels_[i], size);
     }
     if (choices_.caption) {
-        const std::string time = fmt::format("t = {:.2f} s", runs_.front()->sample().time);
-        lettering.caption(sheet, all, time + "   " + caption_, size);
+        lettering.caption(sheet, all, fmt::format("t = {:.2f} s   {}", time, caption_), size);
     }
     if (scales_.empty()) return;
     // An arrow of the legend is as long as one at the camera's target; where the panels' cameras differ, each has
@@ -120,12 +125,18 @@ void Film::write(renderer::Image& sheet) const {
     }
 }
 
-renderer::Image Film::shoot() const {
-    std::vector<renderer::Image> images;
-    for (std::size_t i = 0; i < runs_.size(); ++i) images.push_back(draw(i));
-    renderer::Image sheet = assemble(layout_, images);
-    write(sheet);
-    return sheet;
+void Film::draw(const Moment& moment, renderer::Image& sheet) const {
+    if (moment.pictures.size() == 1) {
+        studio_.draw(moment.pictures.front(), layout_.cell, choices_.samples, sheet);
+    } else {
+        std::vector<renderer::Image> images(moment.pictures.size());
+        for (std::size_t i = 0; i < images.size(); ++i) {
+            studio_.draw(moment.pictures[i], layout_.cell, choices_.samples, images[i], i);
+        }
+        sheet = assemble(layout_, images);
+    }
+    write(sheet, moment.time);
+    studio_.end("captions");
 }
 
 }  // namespace pushfactor::demos::pictures

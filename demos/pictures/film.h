@@ -9,6 +9,13 @@
 
 namespace pushfactor::demos::pictures {
 
+// What the panels of a film show at one moment.
+struct Moment {
+    std::string name;   // of the frame's file
+    double time = 0.0;  // s
+    std::vector<renderer::Picture> pictures;
+};
+
 class Film {
   public:
     // `runs` are those of the panels, in the same order, at their start; they must outlive the film. `frames` are
@@ -16,8 +23,12 @@ class Film {
     Film(Studio& studio, const std::vector<Panel>& panels, std::vector<const Simulation*> runs,
          const std::vector<std::vector<Frame>>& frames);
 
-    // What the runs show now. Throws renderer::RendererError for what cannot be drawn.
-    renderer::Image shoot() const;
+    // What the runs show now. It is all that is taken from them, so that they may go on while it is drawn.
+    Moment look(const std::string& name) const;
+
+    // Puts a moment on a sheet, with all that is written on it; what the sheet held before is used for its memory
+    // only. Throws renderer::RendererError for what cannot be drawn.
+    void draw(const Moment& moment, renderer::Image& sheet) const;
 
   private:
     struct Scale {
@@ -26,9 +37,9 @@ class Film {
     };
 
     View place_camera(const Scene& scene, double across) const;
-    renderer::Image draw(std::size_t panel) const;
+    renderer::Picture look(std::size_t panel) const;
     std::vector<LegendLine> legend(const View& view) const;
-    void write(renderer::Image& sheet) const;
+    void write(renderer::Image& sheet, double time) const;
 
     Studio& studio_;
     FrameChoices choices_;

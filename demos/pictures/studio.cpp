@@ -1,18 +1,62 @@
 #include "demos/pictures/studio.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace pushfactor::demos::pictures {
 
+namespace {
+
+std::optional<renderer::ContextKind> kind_of(const std::string& gl) {
+    if (gl == "osmesa") return renderer::ContextKind::osmesa;
+    if (gl == "egl") return renderer::ContextKind::egl;
+    return std::nullopt;
+}
+
+}  // namespace
+
+Studio::Studio(const std::string& gl, StageTimes* times)
+    : times_(times), context_(renderer::open_offscreen_context(kind_of(gl))) {
+    if (times_) times_->end_drawing("set up");
+}
+
 renderer::Image Studio::draw(const renderer::Picture& picture, const Size& size, int samples) {
+    renderer::Image image;
+    draw(picture, size, samples, image);
+    return image;
+}
+
+void Studio::draw(const renderer::Picture& picture, const Size& size, int samples, renderer::Image& image,
+                  std::size_t seat) {
+    if (times_) times_->begin_drawing();
+    if (seats_.size() <= seat) seats_.resize(seat + 1);
+    auto& [made_for, renderer] = seats_[seat];
     const std::tuple wanted{size.width, size.height, samples};
-    if (!renderer_ || wanted != made_for_) {
-        renderer_.reset();
-        renderer_ = std::make_unique<renderer::Renderer>(
-            *context_, size.width, size.height, std::filesystem::path(PUSHFACTOR_ASSET_DIR) / "shaders", samples);
-        made_for_ = wanted;
+    if (!renderer || wanted != made_for) {
+        renderer.reset();
+        renderer = std::make_unique<renderer::Renderer>(*context_, size.width, size.height,
+                                                        std::filesystem::path(PUSHFACTOR_ASSET_DIR) / "shaders",
+                                                        samples, times_);
+        made_for = wanted;
+        end("set up");
     }
-    return renderer_->render(picture);
+    renderer->render(picture, image);
+}
+
+StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
+    constexpr int frames = 20;
+    Studio studio(gl);
+    renderer::Image image;
+    StageTime start;
+    for (int frame = 0; frame <= frames; ++frame) {
+        if (frame == 1) start = process_time();  // the first one compiles shaders
+        // From elsewhere, so that nothing of the last one can be kept.
+        renderer::Picture picture{.camera = {}, .spheres = {{.radius = 0.2f}}};
+        picture.camera.eye.x = 0.1f * static_cast<float>(frame);
+        studio.draw(picture, size, 1, image);
+    }
+    const StageTime end = process_time();
+    return {.wall = (end.wall - start.wall) / frames, .cpu = (end.cpu - start.cpu) / frames};
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -173,6 +173,7 @@ TEST_CASE("the last good state lies beside the outputs, and replaces nothing") {
     const tests::Ended rendered = shell(folder, "pushfactor render my.json --at 0,1 --size 64x36 --out frames");
     CHECK(rendered.status == 5);
     CHECK_THAT(rendered.err, Catch::Contains("is in frames/runaway-last-good.json"));
+    CHECK(folder.read("frames/at_0s.png").ends_with(std::string("IEND\xAE\x42\x60\x82")));
 
     const tests::Ended nowhere = shell(folder, "pushfactor run my.json --summary none/summary.json");
     CHECK(nowhere.status == 5);

@@ -120,3 +120,76 @@ TEST_CASE("an ffmpeg that fails ends the run with its own words and leaves no vi
     CHECK(!std::filesystem::exists(folder / "film.mp4"));
     CHECK(!std::filesystem::exists(folder / "film.partial.mp4"));
 }
+
+TEST_CASE("every frame of a film is the still of its time, drawn by itself") {
+    // Bodies that fall and come to rest, a camera that turns, walls, bars, several drawings a picture, two panels.
+    for (const std::string scene :
+         {"stack --count 2 --gap 0.05 --seconds 1 --fps 20", "stack --seconds 0.5 --fps 20 --camera orbit:40",
+          "funnel --solver pgs --count 5 --seconds 1.5 --fps 10", "pendulum-grid --seconds 0.3 --fps 30",
+          "pendulum-wave --seconds 0.2 --fps 30 --samples 2",
+          "intersecting-stack --seconds 0.6 --fps 10 --compare push=none,persistent"}) {
+        const Folder folder;
+        INFO(scene);
+        REQUIRE(render(folder, scene).status == 0);
+        for (const auto& [frame, at] : {std::pair{"frame_000003.png", 3}, std::pair{"frame_000005.png", 5}}) {
+            const bool thirty = scene.find("--fps 30") != std::string::npos;
+            const bool twenty = scene.find("--fps 20") != std::string::npos;
+            const std::string time = std::to_string(at) + "/" + (thirty ? "30" : twenty ? "20" : "10");
+            const Folder alone;
+            const Ended still = render(alone, scene + " --at " + time);
+            INFO(still.err);
+            REQUIRE(still.status == 0);
+            for (const std::string& name : alone.files()) {
+                if (name.ends_with(".png")) CHECK(alone.read(name) == folder.read(std::string("frames/") + frame));
+            }
+        }
+    }
+}
+
+TEST_CASE("both kinds of OpenGL give the same files, and the config file remembers which it was") {
+    const Folder folder;
+    const std::string options = "stack --seconds 0.5 --at 0.5 --size 160x90 ";
+    REQUIRE(shell(folder, "pushfactor render " + options + "--gl osmesa --out osmesa").status == 0);
+    const Ended egl = shell(folder, "pushfactor render " + options + "--gl egl --out egl");
+    if (egl.err.find("cannot load EGL") != std::string::npos) {
+        WARN("EGL is not installed, so it is not tested: " << egl.err);
+        return;
+    }
+    INFO(egl.err);
+    REQUIRE(egl.status == 0);
+    CHECK(folder.read("egl/at_0.5s.png") == folder.read("osmesa/at_0.5s.png"));
+    CHECK(folder.read("egl/config.json").find("\"gl\": \"egl\"") != std::string::npos);
+    REQUIRE(shell(folder, "pushfactor render --config egl/config.json --out again").status == 0);
+    CHECK(folder.read("again/config.json") == folder.read("egl/config.json"));
+    CHECK(folder.read("again/at_0.5s.png") == folder.read("egl/at_0.5s.png"));
+    check_refused("render stack --at 0 --gl vulkan", "--gl vulkan: must be osmesa or egl");
+}
+
+TEST_CASE("with --timing render says how long each stage took, and changes no frame") {
+    const Folder folder;
+    const Ended timed = render(folder, "stack --seconds 0.2 --fps 10 --timing");
+    REQUIRE(timed.status == 0);
+    for (const char* stage : {"simulate", "shadow map", "ground", "bodies", "read back", "smooth edges", "encode",
+                              "write", "3 frames: ", "the floor"}) {
+        INFO(stage);
+        CHECK(timed.err.find(stage) != std::string::npos);
+    }
+    const Folder plain;
+    CHECK(render(plain, "stack --seconds 0.2 --fps 10").err.empty());
+    CHECK(plain.read("frames/frame_000002.png") == folder.read("frames/frame_000002.png"));
+}
+
+TEST_CASE("a frame that cannot be written ends the film: one message, and all frames before it are whole") {
+    const Folder folder;
+    std::filesystem::create_directories(folder / "frames/frame_000005.png");
+    const Ended ended = render(folder, "stack --seconds 2 --fps 20");
+    CHECK(ended.status == 4);
+    CHECK(ended.err == "pushfactor: frames/frame_000005.png: Is a directory\n");
+    CHECK(folder.files() == std::vector<std::string>{"frames/config.json", "frames/frame_000000.png",
+                                                     "frames/frame_000001.png", "frames/frame_000002.png",
+                                                     "frames/frame_000003.png", "frames/frame_000004.png"});
+    for (int i = 0; i < 5; ++i) {
+        const std::string bytes = folder.read("frames/frame_00000" + std::to_string(i) + ".png");
+        CHECK(bytes.substr(bytes.size() - 8, 4) == "IEND");
+    }
+}

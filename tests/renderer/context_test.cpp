@@ -1,25 +1,56 @@
+#include "renderer/egl_context.h"
 #include "renderer/gl.h"
+#include "renderer/offscreen_context.h"
 #include "renderer/osmesa_context.h"
 #include "renderer/renderer_error.h"
 #include "tests/catch.h"
+#include "tests/renderer/sample_pictures.h"
 
+#include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 using namespace pushfactor::renderer;
 
-TEST_CASE("Without OSMesa the error names the package to install") {
+namespace {
+
+using Open = std::unique_ptr<OffscreenContext>(const std::vector<std::string>& libraries);
+
+// That a context whose library is missing is refused with one line that names these packages.
+void check_missing(Open open, const std::vector<const char*>& packages) {
     try {
-        open_osmesa_context({"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
+        open({"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
         FAIL("a library that does not exist was loaded");
     } catch (const RendererError& error) {
         const std::string message = error.what();
-        CHECK(message.find("libosmesa6") != std::string::npos);
+        for (const char* package : packages) CHECK_THAT(message, Catch::Contains(package));
         CHECK(message.find('\n') == std::string::npos);
     }
 }
 
-TEST_CASE("A library that is not OSMesa is refused") {
+// Only where EGL is not installed at all its tests have nothing to say.
+bool egl_is_installed() {
+    try {
+        open_egl_context();
+    } catch (const RendererError& error) {
+        if (std::string(error.what()).find("cannot load EGL") == std::string::npos) throw;
+        WARN("EGL is not installed, so it is not tested: " << error.what());
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("Without the libraries the error names the packages to install") {
+    check_missing(open_osmesa_context, {"libosmesa6"});
+    check_missing(open_egl_context, {"libegl1", "libegl-mesa0", "libgl1-mesa-dri"});
+}
+
+TEST_CASE("A library that is neither OSMesa nor EGL is refused") {
     CHECK_THROWS_AS(open_osmesa_context({"libm.so.6"}), RendererError);
+    CHECK_THROWS_AS(open_egl_context({"libm.so.6"}), RendererError);
 }
 
 TEST_CASE("A context offers GL 3.3 or later") {
@@ -41,4 +72,22 @@ TEST_CASE("Contexts may be closed in any order") {
     first.reset();
     third->make_current();
     CHECK(load_gl(*third).GetString(GL_VERSION) != nullptr);
+}
+
+TEST_CASE("The kind that is wanted is opened, and the first one otherwise") {
+    CHECK(open_offscreen_context(ContextKind::osmesa)->description() == "OSMesa");
+    CHECK(open_offscreen_context()->description() == "OSMesa");
+    if (egl_is_installed()) CHECK(open_offscreen_context(ContextKind::egl)->description() == "EGL");
+}
+
+TEST_CASE("OSMesa and EGL give the same frames, to the byte") {
+    if (!egl_is_installed()) return;
+    std::vector<Image> frames;
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl}) {
+        const auto context = open_offscreen_context(kind);
+        Renderer renderer(*context, 320, 180, shader_directory);
+        renderer.render(stack_of_cubes(4));
+        frames.push_back(renderer.render(all_kinds()));
+    }
+    CHECK(frames[0] == frames[1]);
 }

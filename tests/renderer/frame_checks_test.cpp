@@ -99,13 +99,13 @@ TEST_CASE("An error of OpenGL is named") {
     Renderer renderer(context, 16, 16, shader_directory);
     const Image image = renderer.render(stack_of_cubes(1));
     errors = {GL_OUT_OF_MEMORY};
-    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(1)), Contains("out of memory"));
+    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(2)), Contains("out of memory"));
     errors = {GL_INVALID_OPERATION, GL_CONTEXT_LOST};
-    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(1)), Contains("invalid operation, context lost"));
+    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(2)), Contains("invalid operation, context lost"));
     errors = {0x1234};
-    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(1)), Contains("0x1234"));
+    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(2)), Contains("0x1234"));
     errors = std::vector<GLenum>(1000, GL_CONTEXT_LOST);
-    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(1)), Contains("context lost"));
+    CHECK_THROWS_WITH(renderer.render(stack_of_cubes(2)), Contains("context lost"));
     errors.clear();
     CHECK(renderer.render(stack_of_cubes(1)) == image);
 
@@ -116,7 +116,7 @@ TEST_CASE("An error of OpenGL is named") {
 TEST_CASE("A framebuffer that cannot be drawn into is named") {
     FailingContext context;
     statuses = {GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE};
-    CHECK_THROWS_WITH(Renderer(context, 16, 16, shader_directory), Contains("samples of this size: unequal"));
+    CHECK_THROWS_WITH(Renderer(context, 16, 16, shader_directory), Contains("an image of this size: unequal"));
     statuses = {GL_FRAMEBUFFER_COMPLETE, GL_FRAMEBUFFER_UNSUPPORTED};
     CHECK_THROWS_WITH(Renderer(context, 16, 16, shader_directory), Contains("an image of this size: unsupported"));
     Renderer renderer(context, 16, 16, shader_directory);

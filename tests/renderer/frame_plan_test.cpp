@@ -16,36 +16,40 @@ namespace {
 constexpr int width = 320;   // pixels
 constexpr int height = 180;  // pixels
 
-// What a plan says of each pixel, rows from the bottom: how often it is in each kind of part.
-struct Counts {
-    std::vector<int> bare = std::vector<int>(width * height);
-    std::vector<int> edged = std::vector<int>(width * height);
-    std::vector<int> shadowed = std::vector<int>(width * height);
-};
-
-void count(std::vector<int>& pixels, const std::vector<Rectangle>& parts) {
-    for (const Rectangle& part : parts) {
-        for (int y = part.y; y < part.y + part.height; ++y) {
-            for (int x = part.x; x < part.x + part.width; ++x) ++pixels.at(static_cast<std::size_t>(y * width + x));
+// How many of the areas each pixel is in, rows from the bottom.
+std::vector<int> count(const std::vector<PixelArea>& areas) {
+    std::vector<int> pixels(width * height);
+    for (const PixelArea& area : areas) {
+        for (int y = area.y; y < area.y + area.height; ++y) {
+            for (int x = area.x; x < area.x + area.width; ++x) ++pixels.at(static_cast<std::size_t>(y * width + x));
         }
     }
-}
-
-Counts counts_of(const FramePlan& plan) {
-    Counts counts;
-    for (const auto* parts : {&plan.bare.lit, &plan.bare.shadowed}) count(counts.bare, *parts);
-    for (const auto* parts : {&plan.edged.lit, &plan.edged.shadowed}) count(counts.edged, *parts);
-    for (const auto* parts : {&plan.bare.shadowed, &plan.edged.shadowed}) count(counts.shadowed, *parts);
-    return counts;
+    return pixels;
 }
 
 glm::mat4 view_of(const Camera& camera) {
     return camera_view(camera, static_cast<float>(width) / static_cast<float>(height), 1000.0f);
 }
 
-FramePlan plan_of(const Picture& picture) {
-    return plan_frame(width, height, view_of(picture.camera), visible_bodies(picture, 1e6f), picture,
-                      glm::normalize(picture.towards_sun), 0.01f);
+FrameView frame_view(const Picture& picture) {
+    return {.width = width,
+            .height = height,
+            .world_to_clip = view_of(picture.camera),
+            .towards_sun = glm::normalize(picture.towards_sun),
+            .texel = 0.01f,
+            .pixel = 0.001f};
+}
+
+std::vector<Instance> bodies_of(const Picture& picture) {
+    return visible_bodies(picture, 1e6f).all();
+}
+
+Tiles occupied(const Picture& picture) {
+    return occupied_tiles(frame_view(picture), bodies_of(picture), picture.panels);
+}
+
+Tiles shadowed(const Picture& picture) {
+    return shadowed_tiles(frame_view(picture), bodies_of(picture), *picture.ground);
 }
 
 // How many of the points are in view but in none of the counted parts.
@@ -85,22 +89,35 @@ std::vector<glm::vec3> surface_points(const Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("A frame's plan has each pixel once, and few of them where little is to be seen") {
-    for (const Picture& picture :
-         {all_kinds(), stack_of_cubes(1), Picture{.camera = {}, .ground = Ground{}}, Picture{}}) {
-        const Counts counts = counts_of(plan_of(picture));
-        int wrong = 0;
-        for (std::size_t i = 0; i < counts.bare.size(); ++i) wrong += counts.bare[i] + counts.edged[i] == 1 ? 0 : 1;
-        CHECK(wrong == 0);
+TEST_CASE("A plan has each pixel of the tiles once, and shadows are looked up only where some may be") {
+    for (const Picture& picture : {all_kinds(), stack_of_cubes(1), Picture{.camera = {}, .ground = Ground{}}}) {
+        Tiles all(width, height);
+        all.add_all();
+        for (const Tiles& drawn : {all, occupied(picture)}) {
+            const FramePlan plan = plan_frame(drawn, shadowed(picture));
+            const std::vector<int> lit = count(plan.lit);
+            const std::vector<int> dark = count(plan.shadowed);
+            const std::vector<int> wanted = count(drawn.areas());
+            const std::vector<int> reached = count(shadowed(picture).areas());
+            int wrong = 0;
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                wrong += lit[i] + dark[i] == wanted[i] && dark[i] <= reached[i] ? 0 : 1;
+            }
+            CHECK(wrong == 0);
+        }
     }
-    CHECK(plan_of({.camera = {}, .ground = Ground{}}).edged.lit.empty());
-    CHECK(plan_of({.camera = {}, .ground = Ground{}}).bare.shadowed.empty());
-    const Counts counts = counts_of(plan_of(stack_of_cubes(2)));
-    CHECK(std::ranges::count(counts.edged, 1) < width * height / 4);
-    CHECK(std::ranges::count(counts.shadowed, 1) < width * height / 4);
+    CHECK(shadowed({.camera = {}, .ground = Ground{}}).none());
+    CHECK(std::ranges::count(count(occupied(stack_of_cubes(2)).areas()), 1) < width * height / 4);
+    CHECK(std::ranges::count(count(shadowed(stack_of_cubes(2)).areas()), 1) < width * height / 4);
 }
 
-TEST_CASE("All that is seen of bodies and of their shadows is in the parts for it") {
+TEST_CASE("Tiles that form a rectangle are one area") {
+    Tiles tiles(width, height);
+    tiles.add_all();
+    CHECK(tiles.areas() == std::vector<PixelArea>{{0, 0, width, height}});
+}
+
+TEST_CASE("All that is seen of bodies and of their shadows is in the tiles for it") {
     for (const glm::vec3 eye : {glm::vec3(11.0f, 12.0f, 24.0f), glm::vec3(0.0f, 3.0f, 4.0f),
                                 glm::vec3(-2.0f, 0.5f, 1.0f), glm::vec3(0.0f, 90.0f, 0.0f)}) {
         Picture picture = all_kinds();
@@ -112,13 +129,44 @@ TEST_CASE("All that is seen of bodies and of their shadows is in the parts for i
         const glm::mat4 world_to_clip = view_of(picture.camera);
         for (const glm::vec3 towards_sun : {picture.towards_sun, glm::vec3(1.0f, 0.15f, -0.3f)}) {
             picture.towards_sun = towards_sun;
-            const Counts counts = counts_of(plan_of(picture));
-            CHECK(missed(counts.edged, world_to_clip, points) == 0);
-            std::vector<glm::vec3> shadows;
-            for (const glm::vec3& point : points) shadows.push_back(point - point.y / towards_sun.y * towards_sun);
-            CHECK(missed(counts.shadowed, world_to_clip, shadows) == 0);
-            for (const Panel& panel : picture.panels)
-                CHECK(missed(counts.edged, world_to_clip, panel.corners) == 0);
+            const std::vector<int> seen = count(occupied(picture).areas());
+            CHECK(missed(seen, world_to_clip, points) == 0);
+            for (const Panel& panel : picture.panels) CHECK(missed(seen, world_to_clip, panel.corners) == 0);
+
+            std::vector<glm::vec3> shadows, passed;
+            for (const glm::vec3& point : points) {
+                shadows.push_back(point - point.y / towards_sun.y * towards_sun);
+                for (const float part : {0.0f, 0.13f, 0.6f, 1.0f}) {
+                    passed.push_back(point - 15.0f * part * glm::normalize(towards_sun));
+                }
+            }
+            CHECK(missed(count(shadowed(picture).areas()), world_to_clip, shadows) == 0);
+            const Tiles swept = swept_tiles(frame_view(picture), bodies_of(picture), 15.0f);
+            CHECK(missed(count(swept.areas()), world_to_clip, passed) == 0);
+        }
+    }
+}
+
+TEST_CASE("Tiles know their neighbours and whether they show a ball") {
+    Tiles tiles(width, height);
+    const glm::mat4 world_to_clip = view_of(from_the_front);
+    tiles.add_ball(world_to_clip, glm::vec3(0.0f), 0.1f);
+    CHECK(tiles.has(width / 2 / Tiles::side, height / 2 / Tiles::side));
+    CHECK_FALSE(tiles.has(1, 1));
+    CHECK(tiles.show_ball(world_to_clip, glm::vec3(0.0f), 0.2f));
+    CHECK_FALSE(tiles.show_ball(world_to_clip, glm::vec3(4.0f, 0.0f, 0.0f), 0.2f));
+    const Tiles grown = tiles.with_neighbours();
+    for (int row = 0; row < tiles.rows(); ++row) {
+        for (int column = 0; column < tiles.columns(); ++column) {
+            bool beside = false;
+            for (int i = -1; i <= 1; ++i) {
+                for (int k = -1; k <= 1; ++k) {
+                    const bool inside =
+                        column + i >= 0 && column + i < tiles.columns() && row + k >= 0 && row + k < tiles.rows();
+                    beside = beside || (inside && tiles.has(column + i, row + k));
+                }
+            }
+            CHECK(grown.has(column, row) == beside);
         }
     }
 }

@@ -4,10 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <glm/trigonometric.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -66,22 +63,6 @@ TEST_CASE("A dome is half of a sphere that faces outwards") {
     }
     // The bottom that is missing lies in a plane through the origin and would add nothing.
     CHECK(volume(mesh, glm::vec3(2.0f), 2.0f) == Approx(16.0f / 3.0f * glm::pi<float>()).epsilon(0.01));
-}
-
-TEST_CASE("A capsule is a cylinder with round ends that faces outwards") {
-    const float radius = 0.1f;
-    const float length = 20.0f;
-    const glm::vec3 half_extents(radius, 0.5f * length + radius, radius);
-    const Mesh mesh = capsule_mesh();
-    float top = 0.0f;
-    for (const Vertex& vertex : mesh.vertices) {
-        CHECK(glm::length(vertex.normal) == Approx(1.0f));
-        top = std::max(top, point(vertex, half_extents, radius).y);
-    }
-    CHECK(top == Approx(half_extents.y));
-    // Its section is a regular polygon of 16 corners, 2.6 % smaller than the circle.
-    const float cylinder = length * 8.0f * std::sin(glm::radians(22.5f)) * radius * radius;
-    CHECK(volume(mesh, half_extents, radius) == Approx(cylinder).epsilon(0.01));
 }
 
 TEST_CASE("The square faces up") {

@@ -67,15 +67,33 @@ TEST_CASE("Offsets cover the pixel and the sun's disc evenly, and a single one i
 
 TEST_CASE("The mean of images is taken in linear light") {
     SampleMean mean(2, 1);
+    const std::vector<PixelArea> all{{0, 0, 2, 1}};
+    Image image{2, 1, std::vector<std::uint8_t>(6)};
     const Image first{2, 1, {0, 0, 255, 17, 200, 1}};
-    mean.add(first);
-    CHECK(mean.mean() == first);
-    mean.add({2, 1, {255, 0, 255, 17, 201, 2}});
-    const Image image = mean.mean();
+    mean.add(first, all);
+    mean.put(1, all, image);
+    CHECK(image == first);
+    mean.add({2, 1, {255, 0, 255, 17, 201, 2}}, all);
+    mean.put(2, all, image);
     CHECK(image.rgb[0] == 188);  // half of the light, not 128
     CHECK(image.rgb[1] == 0);
     CHECK(image.rgb[2] == 255);
     CHECK(image.rgb[3] == 17);
+}
+
+TEST_CASE("The mean of a part leaves the rest as it was") {
+    SampleMean mean(2, 2);
+    const std::vector<PixelArea> all{{0, 0, 2, 2}};
+    const std::vector<PixelArea> lower_right{{1, 0, 1, 1}};
+    const Image grey{2, 2, std::vector<std::uint8_t>(12, 100)};
+    mean.add(grey, all);
+    mean.clear(lower_right);
+    mean.add({2, 2, std::vector<std::uint8_t>(12, 7)}, lower_right);
+    Image image{2, 2, std::vector<std::uint8_t>(12, 55)};
+    mean.put(1, lower_right, image);
+    CHECK(image.rgb == std::vector<std::uint8_t>{55, 55, 55, 55, 55, 55, 55, 55, 55, 7, 7, 7});
+    mean.put(1, all, image);
+    CHECK(image.rgb == std::vector<std::uint8_t>{100, 100, 100, 100, 100, 100, 100, 100, 100, 7, 7, 7});
 }
 
 TEST_CASE("One sample is the plain image, and the same number of samples gives the same bytes") {

@@ -1,0 +1,128 @@
+#include "demos/pictures/stage_times.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+
+#include <algorithm>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+double seconds(clockid_t clock) {
+    std::timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+StageTime between(const StageTime& from, const StageTime& to) {
+    return {.wall = to.wall - from.wall, .cpu = to.cpu - from.cpu};
+}
+
+std::string name_of(renderer::Stage stage) {
+    switch (stage) {
+        case renderer::Stage::plan:
+            return "plan";
+        case renderer::Stage::shadow:
+            return "shadow map";
+        case renderer::Stage::ground:
+            return "ground";
+        case renderer::Stage::bodies:
+            return "bodies";
+        case renderer::Stage::read:
+            return "read back";
+        case renderer::Stage::smooth:
+            return "smooth edges";
+        case renderer::Stage::marks:
+            break;
+    }
+    return "marks";
+}
+
+}  // namespace
+
+StageTime process_time() {
+    return {.wall = seconds(CLOCK_MONOTONIC), .cpu = seconds(CLOCK_PROCESS_CPUTIME_ID)};
+}
+
+StageTimes::StageTimes() : drawn_until_(process_time()), start_(drawn_until_) {}
+
+void StageTimes::add(const std::string& stage, const StageTime& time) {
+    const std::lock_guard lock(mutex_);
+    if (std::find(names_.begin(), names_.end(), stage) == names_.end()) names_.push_back(stage);
+    sums_[stage].wall += time.wall;
+    sums_[stage].cpu += time.cpu;
+}
+
+double StageTimes::drawing_cpu() const {
+    const std::lock_guard lock(mutex_);
+    double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - ended_cpu_;
+    for (const clockid_t clock : watched_) cpu -= seconds(clock);
+    return cpu;
+}
+
+void StageTimes::begin_drawing() {
+    drawn_until_ = {.wall = seconds(CLOCK_MONOTONIC), .cpu = drawing_cpu()};
+}
+
+void StageTimes::end(renderer::Stage stage) {
+    end_drawing(name_of(stage));
+}
+
+void StageTimes::end_drawing(const std::string& stage) {
+    const StageTime now{.wall = seconds(CLOCK_MONOTONIC), .cpu = drawing_cpu()};
+    add(stage, between(drawn_until_, now));
+    drawn_until_ = now;
+}
+
+StageTime StageTimes::sum(const std::string& stage) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = sums_.find(stage);
+    return found == sums_.end() ? StageTime{} : found->second;
+}
+
+std::string StageTimes::table(long frames) const {
+    const std::lock_guard lock(mutex_);
+    const double scale = 1e3 / static_cast<double>(frames);
+    const StageTime all = between(start_, process_time());
+    std::string text = fmt::format("{:<24}{:>12}{:>12}\n", "ms a frame", "CPU", "wall");
+    const auto line = [&](const std::string& name, const StageTime& time) {
+        text += fmt::format("{:<24}{:>12.2f}{:>12.2f}\n", name, scale * time.cpu, scale * time.wall);
+    };
+    for (const std::string& name : names_) line(name, sums_.at(name));
+    line("all, start included", all);
+    text += fmt::format("{} frames: {:.1f} a second; {:.1f} for each core that they keep busy\n", frames,
+                        static_cast<double>(frames) / all.wall, static_cast<double>(frames) / all.cpu);
+    return text;
+}
+
+ThreadWatch::ThreadWatch(StageTimes* times) : times_(times) {
+    if (!times_) return;
+    pthread_getcpuclockid(pthread_self(), &clock_);
+    const std::lock_guard lock(times_->mutex_);
+    times_->watched_.push_back(clock_);
+}
+
+ThreadWatch::~ThreadWatch() {
+    if (!times_) return;
+    const std::lock_guard lock(times_->mutex_);
+    std::erase(times_->watched_, clock_);
+    times_->ended_cpu_ += seconds(clock_);
+}
+
+StageWatch::StageWatch(StageTimes* times) : times_(times) {
+    skip();
+}
+
+void StageWatch::end(const std::string& stage) {
+    if (!times_) return;
+    const StageTime last = last_;
+    skip();
+    times_->add(stage, between(last, last_));
+}
+
+void StageWatch::skip() {
+    if (times_) last_ = {.wall = seconds(CLOCK_MONOTONIC), .cpu = seconds(CLOCK_THREAD_CPUTIME_ID)};
+}
+
+}  // namespace pushfactor::demos::pictures
