@@ -18,7 +18,7 @@ struct ContactPoint {
 struct Manifold {
     static constexpr int max_points = 8;  // two quadrilaterals meet in an octagon at most
 
-    Vector3 normal = Vector3::UnitY();  // unit length, world frame, from shape a to shape b
+    Vector3 normal = Vector3::UnitY();             // unit length, world frame, from shape a to shape b
     std::array<ContactPoint, max_points> storage;  // of which `count` are there
     int count = 0;
 
