@@ -209,7 +209,6 @@ class UnitRows {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         Row& row = rows[static_cast<std::size_t>(j)];
         row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
-        assert(source.body_a != source.body_b);
         row.a = source.body_a;
         row.b = source.body_b;
         row.scale = system.scale[j];
@@ -219,6 +218,7 @@ class UnitRows {
             row.low = row.high = 0.0;
             return;
         }
+        assert(row.a != row.b);
         const double to_y = system.dt * row.scale;
         const double to_t = system.dt * system.inverse_scale[j];
         const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
