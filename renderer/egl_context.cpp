@@ -1,10 +1,10 @@
 #include "renderer/egl_context.h"
 
 #include "renderer/renderer_error.h"
+#include "renderer/shared_library.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
 
 #include <array>
 #include <cstdlib>
@@ -28,32 +28,18 @@ struct EglLibrary {
     decltype(&eglGetCurrentContext) current_context = nullptr;
 };
 
-template <typename Function>
-void find(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (function == nullptr) throw RendererError(std::string("this libEGL has no ") + name);
-}
-
 EglLibrary load_egl(const std::vector<std::string>& names) {
-    void* library = nullptr;
-    for (const std::string& name : names) {
-        // Never closed: Mesa's threads and exit handlers live in it.
-        library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (library != nullptr) break;
-    }
-    if (library == nullptr) {
-        throw RendererError(std::string("cannot load EGL, which draws without a display: ") + packages);
-    }
+    const SharedLibrary library(names, "EGL", packages);
     EglLibrary egl;
-    find(library, "eglGetProcAddress", egl.function);
-    find(library, "eglGetPlatformDisplay", egl.platform_display);
-    find(library, "eglQueryString", egl.query_string);
-    find(library, "eglInitialize", egl.initialise);
-    find(library, "eglBindAPI", egl.bind_api);
-    find(library, "eglCreateContext", egl.create_context);
-    find(library, "eglDestroyContext", egl.destroy_context);
-    find(library, "eglMakeCurrent", egl.make_current);
-    find(library, "eglGetCurrentContext", egl.current_context);
+    library.find("eglGetProcAddress", egl.function);
+    library.find("eglGetPlatformDisplay", egl.platform_display);
+    library.find("eglQueryString", egl.query_string);
+    library.find("eglInitialize", egl.initialise);
+    library.find("eglBindAPI", egl.bind_api);
+    library.find("eglCreateContext", egl.create_context);
+    library.find("eglDestroyContext", egl.destroy_context);
+    library.find("eglMakeCurrent", egl.make_current);
+    library.find("eglGetCurrentContext", egl.current_context);
     return egl;
 }
 

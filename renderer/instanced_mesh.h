@@ -32,6 +32,8 @@ class InstancedMesh {
     void draw() const;
 
   private:
+    void begin_with(GLsizei instance) const;
+
     const Gl& gl_;
     GlObject attributes_;
     GlObject vertices_;

@@ -1,9 +1,9 @@
 #include "renderer/osmesa_context.h"
 
 #include "renderer/renderer_error.h"
+#include "renderer/shared_library.h"
 
 #include <GL/osmesa.h>
-#include <dlfcn.h>
 
 #include <array>
 #include <cstdint>
@@ -11,8 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The part of OSMesa that is used, found at run time: a program that only simulates starts without Mesa, and
-// the GL symbols that libOSMesa exports clash with nobody's.
+// The part of OSMesa that is used, found at run time.
 struct OsmesaLibrary {
     decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
     decltype(&OSMesaDestroyContext) destroy_context = nullptr;
@@ -21,28 +20,14 @@ struct OsmesaLibrary {
     decltype(&OSMesaGetProcAddress) function = nullptr;
 };
 
-template <typename Function>
-void find(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (function == nullptr) throw RendererError(std::string("this libOSMesa has no ") + name);
-}
-
 OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
-    void* library = nullptr;
-    for (const std::string& name : names) {
-        // Never closed: Mesa's threads and exit handlers live in it.
-        library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (library != nullptr) break;
-    }
-    if (library == nullptr) {
-        throw RendererError("cannot load OSMesa, which draws without a display: install the package libosmesa6");
-    }
+    const SharedLibrary library(names, "OSMesa", "install the package libosmesa6");
     OsmesaLibrary osmesa;
-    find(library, "OSMesaCreateContextAttribs", osmesa.create_context);
-    find(library, "OSMesaDestroyContext", osmesa.destroy_context);
-    find(library, "OSMesaMakeCurrent", osmesa.make_current);
-    find(library, "OSMesaGetCurrentContext", osmesa.current_context);
-    find(library, "OSMesaGetProcAddress", osmesa.function);
+    library.find("OSMesaCreateContextAttribs", osmesa.create_context);
+    library.find("OSMesaDestroyContext", osmesa.destroy_context);
+    library.find("OSMesaMakeCurrent", osmesa.make_current);
+    library.find("OSMesaGetCurrentContext", osmesa.current_context);
+    library.find("OSMesaGetProcAddress", osmesa.function);
     return osmesa;
 }
 

@@ -58,6 +58,17 @@ std::vector<Instance> seen_in(const Tiles& tiles, const FrameView& view, std::ve
     return bodies;
 }
 
+bool reaches_below(const Ground& ground, const Scene& scene) {
+    const auto is_below = [&](const glm::vec3& point, float radius) { return point.y - radius < ground.height; };
+    const std::vector<Instance> bodies = scene.bodies.all();
+    return std::ranges::any_of(
+               bodies, [&](const Instance& body) { return is_below(body.position, bounding_radius(body)); }) ||
+           std::ranges::any_of(scene.picture.panels, [&](const Panel& panel) {
+               return std::ranges::any_of(panel.corners,
+                                          [&](const glm::vec3& corner) { return is_below(corner, 0.0f); });
+           });
+}
+
 }  // namespace
 
 Painter::Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages)
@@ -166,7 +177,7 @@ void Painter::draw_floor(const Scene& scene, const Tiles& tiles, const RenderTar
     }
     gl_.Enable(GL_DEPTH_TEST);
     within(all, [&] { gl_.Clear(GL_DEPTH_BUFFER_BIT); });
-    if (ground) draw_ground_depth(scene, all);
+    if (ground && reaches_below(*ground, scene)) draw_ground_depth(scene, all);
 }
 
 void Painter::draw_backdrop(const Scene& scene, const std::vector<PixelArea>& cleared,
@@ -212,7 +223,7 @@ void Painter::draw_ground(const Scene& scene, const ShaderProgram& program, cons
     within(areas, [&] { ground_.draw(); });
 }
 
-// Bodies may reach below the ground.
+// Hides what bodies and panels have below the ground.
 void Painter::draw_ground_depth(const Scene& scene, const std::vector<PixelArea>& areas) {
     shadow_program_.use();
     shadow_program_.set("world_to_clip", scene.view.world_to_clip);

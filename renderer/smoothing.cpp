@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
+#include <vector>
 
 namespace pushfactor::renderer {
 namespace {
@@ -19,15 +21,20 @@ constexpr int least_share = 16;  // one part in so many
 // Pixels so near to the edge of the image lack neighbours, and stay as they are.
 constexpr int border = 2;
 
+// How far a step is followed, and then how far the edge must run on beyond it, pixels.
+constexpr int longest_walk = 12;
+constexpr int most_run_on = 3;
+static_assert(longest_walk + most_run_on < smoothing_reach);
+
+// Of a pixel, 0..255.
+constexpr std::uint8_t brightness(const std::uint8_t* rgba) {
+    return static_cast<std::uint8_t>((77 * rgba[0] + 150 * rgba[1] + 29 * rgba[2]) >> 8);
+}
+
 // One pixel and what is around it. Places are steps in memory, of one pixel: `row` leads to the one above.
 class Edge {
   public:
     Edge(const std::uint8_t* pixel, std::ptrdiff_t row) : pixel_(pixel), row_(row) {}
-
-    bool is_seen() const {
-        const auto [least, most] = std::minmax({at(0), at(1), at(-1), at(row_), at(-row_)});
-        return most - least >= std::max(least_contrast, most / least_share);
-    }
 
     // Whether the edge runs more along the row than across it.
     bool is_level() const {
@@ -38,11 +45,7 @@ class Edge {
                2 * bend(0, 1) + bend(row_, 1) + bend(-row_, 1);
     }
 
-    // Brightness, 0..255.
-    int at(std::ptrdiff_t place) const {
-        const std::uint8_t* pixel = pixel_ + 4 * place;
-        return (77 * pixel[0] + 150 * pixel[1] + 29 * pixel[2]) >> 8;
-    }
+    int at(std::ptrdiff_t place) const { return brightness(pixel_ + 4 * place); }
 
     bool is_marked(std::ptrdiff_t place) const { return pixel_[4 * place + 3] != 0; }
 
@@ -55,35 +58,63 @@ class Edge {
 };
 
 struct Walk {
-    float length;  // pixels, to where the step ends
-    int turn;  // which side goes on there: 1 the neighbour's, -1 the pixel's own, 0 neither: a corner, or too far
+    int length;  // pixels, to the first one beyond the end of the step
+    int turn;    // which side goes on there: 1 the neighbour's, -1 the pixel's own, 0 neither: a corner, or too far
+
+    float to_end() const { return static_cast<float>(length) - 0.5f; }
 };
 
-// Follows the step between a pixel and its neighbour `across`, `along` it, for at most `most` pixels.
-Walk follow(const Edge& edge, std::ptrdiff_t along, std::ptrdiff_t across, int most) {
-    const int own = edge.at(0);
-    const int rise = edge.at(across) - own;
-    const auto is_own = [&](std::ptrdiff_t place) { return 2 * std::abs(edge.at(place) - own) < std::abs(rise); };
-    for (int length = 1; length <= most; ++length) {
-        const std::ptrdiff_t place = length * along;
-        const int beyond = edge.at(place) + edge.at(place + across) - (2 * own + rise);
-        if (2 * std::abs(beyond) < std::abs(rise)) continue;
-        const float to_end = static_cast<float>(length) - 0.5f;
-        // An edge that runs on has moved by one pixel, and on the other side of that nothing has changed.
-        if ((beyond > 0) == (rise > 0)) return {to_end, is_own(place - across) ? 1 : 0};
-        return {to_end, is_own(place + 2 * across) ? 0 : -1};
+// The step between a pixel and its neighbour `across`.
+class Step {
+  public:
+    Step(const Edge& edge, std::ptrdiff_t across)
+        : edge_(edge), across_(across), own_(edge.at(0)), rise_(edge.at(across) - own_) {}
+
+    // Follows it `along`, for at most `most` pixels.
+    Walk follow(std::ptrdiff_t along, int most) const {
+        for (int length = 1; length <= most; ++length) {
+            const std::ptrdiff_t place = length * along;
+            const int beyond = edge_.at(place) + edge_.at(place + across_) - (2 * own_ + rise_);
+            if (2 * std::abs(beyond) < std::abs(rise_)) continue;
+            // An edge that runs on has moved by one pixel, and on the other side of that nothing has changed.
+            if ((beyond > 0) == (rise_ > 0)) return {length, is_own(place - across_) ? 1 : 0};
+            return {length, is_own(place + 2 * across_) ? 0 : -1};
+        }
+        return {most + 1, 0};
     }
-    return {static_cast<float>(most) + 0.5f, 0};
-}
+
+    // Whether the edge, moved to the pixel's own side at `place`, stays there for so many pixels more.
+    bool runs_on(std::ptrdiff_t place, std::ptrdiff_t along, int pixels) const {
+        for (int i = 1; i <= pixels; ++i) {
+            place += along;
+            if (is_own(place) || !is_own(place - across_)) return false;
+        }
+        return true;
+    }
+
+  private:
+    bool is_own(std::ptrdiff_t place) const { return 2 * std::abs(edge_.at(place) - own_) < std::abs(rise_); }
+
+    const Edge& edge_;
+    std::ptrdiff_t across_;
+    int own_;   // brightness
+    int rise_;  // of the neighbour above it
+};
 
 // How much of the pixel belongs to its neighbour `across`, 0 to 0.5, for an edge along `along`. There are `before`
 // and `after` pixels of the image to its two sides.
 float share_of_neighbour(const Edge& edge, std::ptrdiff_t along, std::ptrdiff_t across, int before, int after) {
-    const Walk back = follow(edge, -along, across, std::min(before, smoothing_reach - 2));
-    const Walk forth = follow(edge, along, across, std::min(after, smoothing_reach - 2));
-    const Walk& nearer = back.length < forth.length ? back : forth;
+    const Step step(edge, across);
+    const Walk back = step.follow(-along, std::min(before - most_run_on, longest_walk));
+    const Walk forth = step.follow(along, std::min(after - most_run_on, longest_walk));
+    const bool is_back = back.length < forth.length;
+    const Walk& nearer = is_back ? back : forth;
     if (nearer.turn <= 0) return 0.0f;
-    return std::max(0.5f - nearer.length / (back.length + forth.length), 0.0f);
+    // Where a long straight edge ends in a short bevel it does not lean that way.
+    const std::ptrdiff_t onward = is_back ? -along : along;
+    const int run_on = std::min((back.length + forth.length) / 4, most_run_on);
+    if (!step.runs_on(nearer.length * onward, onward, run_on)) return 0.0f;
+    return std::max(0.5f - nearer.to_end() / (back.to_end() + forth.to_end()), 0.0f);
 }
 
 void mix(const std::uint8_t* pixel, const std::uint8_t* neighbour, float share, std::uint8_t* to) {
@@ -93,16 +124,67 @@ void mix(const std::uint8_t* pixel, const std::uint8_t* neighbour, float share, 
     }
 }
 
+// Four bytes at a time, of which the next pixel replaces the last.
 void copy_colours(const std::uint8_t* rgba, int count, std::uint8_t* rgb) {
-    for (int i = 0; i < count; ++i) {
-        for (int channel = 0; channel < 3; ++channel) rgb[3 * i + channel] = rgba[4 * i + channel];
-    }
+    for (int i = 0; i < count - 1; ++i) std::memcpy(rgb + 3 * i, rgba + 4 * i, 4);
+    if (count > 0) std::memcpy(rgb + 3 * (count - 1), rgba + 4 * (count - 1), 3);
 }
+
+// Finds the pixels of an area at which an edge is seen and marked, or next to a marked one. All pixels around the
+// area have to be of the image. It does the same for all pixels of a row, as fast as they can be read.
+class EdgeFinder {
+  public:
+    EdgeFinder(const std::uint8_t* rgba, std::ptrdiff_t row, const PixelArea& area)
+        : width_(area.width), stride_(area.width + 2) {
+        const auto count = static_cast<std::size_t>(stride_ * (area.height + 2));
+        levels_.resize(count);
+        marks_.resize(count);
+        found_.resize(static_cast<std::size_t>(width_));
+        for (int y = -1; y <= area.height; ++y) {
+            const std::uint8_t* const pixels = rgba + 4 * (row * (area.y + y) + area.x - 1);
+            split(pixels, stride_, &levels_[start_of(y)], &marks_[start_of(y)]);
+        }
+    }
+
+    // One for each pixel of the area's row: not 0 where there is one.
+    std::span<const std::uint8_t> in_row(int y) {
+        find(&levels_[start_of(y) + 1], &marks_[start_of(y) + 1], stride_, width_, found_.data());
+        return found_;
+    }
+
+  private:
+    std::size_t start_of(int y) const { return static_cast<std::size_t>(stride_ * (y + 1)); }
+
+    static void split(const std::uint8_t* rgba, int count, std::uint8_t* levels, std::uint8_t* marks) {
+        for (int i = 0; i < count; ++i) {
+            levels[i] = brightness(rgba + 4 * i);
+            marks[i] = rgba[4 * i + 3];
+        }
+    }
+
+    static void find(const std::uint8_t* levels, const std::uint8_t* marks, int stride, int count,
+                     std::uint8_t* found) {
+        for (int i = 0; i < count; ++i) {
+            const std::uint8_t* const level = levels + i;
+            const std::uint8_t* const mark = marks + i;
+            const int least = std::min({level[0], level[-1], level[1], level[-stride], level[stride]});
+            const int most = std::max({level[0], level[-1], level[1], level[-stride], level[stride]});
+            const int near = mark[0] | mark[-1] | mark[1] | mark[-stride] | mark[stride];
+            const bool seen = most - least >= std::max(least_contrast, most / least_share);
+            found[i] = static_cast<std::uint8_t>(seen ? near : 0);
+        }
+    }
+
+    int width_;
+    int stride_;  // of levels and marks, which have one pixel more to each side
+    std::vector<std::uint8_t> levels_;
+    std::vector<std::uint8_t> marks_;
+    std::vector<std::uint8_t> found_;
+};
 
 // Puts the smoothed pixel to `to`, if there is anything to smooth.
 void smooth_pixel(const Edge& edge, std::ptrdiff_t row, const glm::ivec2& place, const glm::ivec2& size,
                   std::uint8_t* to) {
-    if (!edge.is_seen()) return;
     const bool level = edge.is_level();
     const std::ptrdiff_t along = level ? 1 : row;
     const std::ptrdiff_t up = level ? row : 1;
@@ -114,23 +196,35 @@ void smooth_pixel(const Edge& edge, std::ptrdiff_t row, const glm::ivec2& place,
     if (share > 0.0f) mix(edge.bytes(0), edge.bytes(across), share, to);
 }
 
+// The part of an area that is not too near to the edge of the image.
+PixelArea inner_part(const PixelArea& area, const glm::ivec2& size) {
+    const int x = std::max(area.x, border);
+    const int y = std::max(area.y, border);
+    return {.x = x,
+            .y = y,
+            .width = std::max(std::min(area.x + area.width, size.x - border) - x, 0),
+            .height = std::max(std::min(area.y + area.height, size.y - border) - y, 0)};
+}
+
 }  // namespace
 
 void smooth_edges(std::span<const std::uint8_t> rgba, std::span<const PixelArea> areas, Image& image) {
     const glm::ivec2 size(image.width, image.height);
     const std::ptrdiff_t row = size.x;
+    const auto from = [&](int x, int y) { return rgba.data() + 4 * (row * y + x); };
+    const auto to = [&](int x, int y) { return image.rgb.data() + 3 * (row * (size.y - 1 - y) + x); };
     for (const PixelArea& area : areas) {
-        const int first = std::max(area.x, border) - area.x;
-        const int end = std::min(area.x + area.width, size.x - border) - area.x;
-        for (int y = area.y; y < area.y + area.height; ++y) {
-            const std::uint8_t* pixel = &rgba[static_cast<std::size_t>(4 * (row * y + area.x))];
-            std::uint8_t* to = &image.rgb[static_cast<std::size_t>(3 * (row * (size.y - 1 - y) + area.x))];
-            copy_colours(pixel, area.width, to);
-            if (y < border || y >= size.y - border) continue;
-            for (int i = first; i < end; ++i) {
-                const std::uint8_t* const here = pixel + 4 * i;
-                const int near = here[3] | here[-1] | here[7] | here[3 + 4 * row] | here[3 - 4 * row];
-                if (near != 0) smooth_pixel(Edge(here, row), row, {area.x + i, y}, size, to + 3 * i);
+        for (int y = area.y; y < area.y + area.height; ++y)
+            copy_colours(from(area.x, y), area.width, to(area.x, y));
+        const PixelArea inner = inner_part(area, size);
+        if (inner.width == 0 || inner.height == 0) continue;
+        EdgeFinder edges(rgba.data(), row, inner);
+        for (int i = 0; i < inner.height; ++i) {
+            const std::span<const std::uint8_t> found = edges.in_row(i);
+            const int y = inner.y + i;
+            for (int x = inner.x; x < inner.x + inner.width; ++x) {
+                if (found[static_cast<std::size_t>(x - inner.x)] == 0) continue;
+                smooth_pixel(Edge(from(x, y), row), row, {x, y}, size, to(x, y));
             }
         }
     }

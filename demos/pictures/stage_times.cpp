@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pushfactor::demos::pictures {
 
@@ -19,25 +20,9 @@ StageTime between(const StageTime& from, const StageTime& to) {
     return {.wall = to.wall - from.wall, .cpu = to.cpu - from.cpu};
 }
 
-std::string name_of(renderer::Stage stage) {
-    switch (stage) {
-        case renderer::Stage::plan:
-            return "plan";
-        case renderer::Stage::shadow:
-            return "shadow map";
-        case renderer::Stage::ground:
-            return "ground";
-        case renderer::Stage::bodies:
-            return "bodies";
-        case renderer::Stage::read:
-            return "read back";
-        case renderer::Stage::smooth:
-            return "smooth edges";
-        case renderer::Stage::marks:
-            break;
-    }
-    return "marks";
-}
+// In the order of renderer::Stage.
+constexpr std::array<const char*, 7> stage_names{"plan",      "shadow map",   "ground", "bodies",
+                                                 "read back", "smooth edges", "marks"};
 
 }  // namespace
 
@@ -66,7 +51,7 @@ void StageTimes::begin_drawing() {
 }
 
 void StageTimes::end(renderer::Stage stage) {
-    end_drawing(name_of(stage));
+    end_drawing(stage_names.at(static_cast<std::size_t>(stage)));
 }
 
 void StageTimes::end_drawing(const std::string& stage) {

@@ -9,11 +9,11 @@
 #include "demos/reports/cost/everything.h"
 #include "demos/reports/cost/plots.h"
 #include "demos/reports/cost/tables.h"
+#include "demos/reports/parts.h"
 #include "demos/scene_file.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 namespace pushfactor::demos::reports {
 
@@ -44,10 +44,7 @@ class CostReport {
   private:
     std::vector<CostCase> wanted_cases() const {
         std::vector<CostCase> cases = cost_cases(request_.quick);
-        std::erase_if(cases, [this](const CostCase& one) {
-            const auto& parts = request_.parts;
-            return !parts.empty() && std::find(parts.begin(), parts.end(), one.scene) == parts.end();
-        });
+        std::erase_if(cases, [this](const CostCase& one) { return !is_wanted(one.scene, request_.parts); });
         return cases;
     }
 

@@ -6,10 +6,10 @@
 #include "demos/reports/error/consistency.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/reports/error/plots.h"
+#include "demos/reports/parts.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 namespace pushfactor::demos::reports {
 
@@ -43,10 +43,7 @@ class ErrorReport {
     }
 
   private:
-    bool wants(const std::string& part) const {
-        return request_.parts.empty() ||
-               std::find(request_.parts.begin(), request_.parts.end(), part) != request_.parts.end();
-    }
+    bool wants(const std::string& part) const { return is_wanted(part, request_.parts); }
 
     std::vector<Sweep> wanted_sweeps() const {
         std::vector<Sweep> sweeps = error_sweeps(request_.quick);

@@ -6,6 +6,7 @@
 #include "demos/page.h"
 #include "demos/progress.h"
 #include "demos/reports/about.h"
+#include "demos/reports/parts.h"
 #include "demos/reports/stability/gallery.h"
 
 #include <fmt/format.h>
@@ -97,10 +98,7 @@ class StabilityReport {
   private:
     std::vector<Chapter> wanted_chapters() const {
         std::vector<Chapter> wanted = chapters(request_.quick);
-        std::erase_if(wanted, [this](const Chapter& chapter) {
-            const auto& parts = request_.parts;
-            return !parts.empty() && std::find(parts.begin(), parts.end(), chapter.name) == parts.end();
-        });
+        std::erase_if(wanted, [this](const Chapter& chapter) { return !is_wanted(chapter.name, request_.parts); });
         return wanted;
     }
 

@@ -78,4 +78,14 @@ inline void check_refused(const std::string& arguments, const std::string& words
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
+// That a report which is interrupted ends with status 1 and leaves whole files only.
+inline void check_interrupted(const std::string& report) {
+    const Folder folder;
+    const Ended ended =
+        shell(folder, "'" PUSHFACTOR_PROGRAM "' report " + report + " --out . & sleep 0.5; kill -INT $!; wait $!");
+    CHECK(ended.status == 1);
+    CHECK(ended.err.find("interrupted: ") != std::string::npos);
+    for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);
+}
+
 }  // namespace pushfactor::tests

@@ -50,7 +50,12 @@ TEST_CASE("panels, overlays, cameras and captions each change the picture, and e
 
 TEST_CASE("the summary of compared runs has one of each, and their states are those of the runs alone") {
     const Folder folder;
-    REQUIRE(render(folder, "stack --seconds 1 --at 1 --compare push=none,persistent").status == 0);
+    // Two renderers in one process: where the leak checker looks into the memory of the driver's threads that have
+    // ended, it crashes itself.
+    REQUIRE(shell(folder,
+                  "export LSAN_OPTIONS=\"$LSAN_OPTIONS:use_tls=0\"; pushfactor render stack --seconds 1 --at 1 "
+                  "--compare push=none,persistent --out frames --size 320x180")
+                .status == 0);
     const std::string both = folder.read("frames/summary.json");
     for (const char* push : {"none", "persistent"}) {
         const std::string alone = run_program(std::string("run stack --seconds 1 --push ") + push).out;

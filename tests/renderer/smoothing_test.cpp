@@ -85,6 +85,20 @@ TEST_CASE("Level and upright edges stay as they are") {
     CHECK(changed <= 4);  // the corners may be
 }
 
+TEST_CASE("A long edge that ends in a bevel stays straight") {
+    const auto rgba = drawn([](double x, double y) {
+        const double from_corner = std::min(x - 20.0, 44.0 - x) + std::min(y - 16.0, 48.0 - y);
+        return x > 20.0 && x < 44.0 && y > 16.0 && y < 48.0 && from_corner > 2.0;
+    });
+    const Image image = smoothed(rgba);
+    for (int y = 20; y < 44; ++y) {
+        INFO("row " << y);
+        for (const int x : {19, 20, 43, 44}) {
+            CHECK(image.pixel(x, side - 1 - y)[0] == rgba[static_cast<std::size_t>(4 * (y * side + x))]);
+        }
+    }
+}
+
 TEST_CASE("What is not marked stays as crisp as it was drawn") {
     const auto disc = [](double x, double y) { return std::hypot(x - 32.0, y - 32.0) < 20.0; };
     const Image image = smoothed(drawn(disc, false));

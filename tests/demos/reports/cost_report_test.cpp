@@ -151,12 +151,7 @@ TEST_CASE("stages add up in the order of the step, and reading the clock is not 
 }
 
 TEST_CASE("an interrupted cost report ends with status 1 and leaves whole files only") {
-    const Folder folder;
-    const Ended ended =
-        shell(folder, "'" PUSHFACTOR_PROGRAM "' report cost --out . & sleep 0.5; kill -INT $!; wait $!");
-    CHECK(ended.status == 1);
-    CHECK(ended.err.find("interrupted: ") != std::string::npos);
-    for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);
+    check_interrupted("cost");
 }
 
 TEST_CASE("without gnuplot the cost report has its tables, and an unknown scene is refused") {

@@ -81,12 +81,7 @@ TEST_CASE("without gnuplot the report has its tables, and the page says what to 
 }
 
 TEST_CASE("an interrupted report ends with status 1 and leaves whole files only") {
-    const Folder folder;
-    const Ended ended =
-        shell(folder, "'" PUSHFACTOR_PROGRAM "' report error --out . & sleep 0.5; kill -INT $!; wait $!");
-    CHECK(ended.status == 1);
-    CHECK(ended.err.find("interrupted: ") != std::string::npos);
-    for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);
+    check_interrupted("error");
 }
 
 TEST_CASE("reports refuse what they do not know in one line") {
