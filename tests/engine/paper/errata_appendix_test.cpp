@@ -34,8 +34,7 @@ TEST_CASE("12.1: 2 v v' is the rate of the squared length in any dimension; that
         const Vector3 v = random.vector(-2, 2), rate = random.vector(-1, 1);
         const double h = 1e-6;
         const auto measured = [&](auto&& of) { return (of(v + h * rate) - of(v - h * rate)) / (2 * h); };
-        CHECK(measured([](const Vector3& x) { return x.squaredNorm(); }) ==
-              Approx(2.0 * v.dot(rate)).margin(1e-8));
+        CHECK(measured([](const Vector3& x) { return x.squaredNorm(); }) == Approx(2.0 * v.dot(rate)).margin(1e-8));
         CHECK(measured([](const Vector3& x) { return x.norm(); }) == Approx(v.dot(rate) / v.norm()).margin(1e-8));
     }
 }
@@ -49,7 +48,7 @@ TEST_CASE("12.3.2: J has no inverse: v2 is not J^-1 v, and where rows are redund
     const tests::Literal step = tests::step_with(bodies, std::vector{row_along(Vector3::UnitX(), 0.5)}, 0.1);
     MatrixX J(1, 6);
     J.row(0) = step.frozen.rows[0].jacobian.b.transpose();
-    CHECK((J * step.after[1])[0] == Approx(0.5));                          // J v2 = v
+    CHECK((J * step.after[1])[0] == Approx(0.5));                           // J v2 = v
     const VectorX printed = pseudo_inverse(J) * VectorX::Constant(1, 0.5);  // v2 = J^-1 v
     CHECK((printed - step.after[1]).norm() == Approx(1.0));                 // lacks the flight along the bar's side
     CHECK((J * pseudo_inverse(J) - MatrixX::Identity(1, 1)).norm() < 1e-15);
@@ -79,8 +78,8 @@ TEST_CASE("12.5.1: the product in the middle is q itself; [0, w/2] q(t0) is its 
         const Vector3 omega = random.vector(1, 3);
         const auto rate = [&](double t) {
             const double h = 1e-6;
-            return Eigen::Vector4d(
-                (turned(omega, t + h, start).coeffs() - turned(omega, t - h, start).coeffs()) / (2 * h));
+            return Eigen::Vector4d((turned(omega, t + h, start).coeffs() - turned(omega, t - h, start).coeffs()) /
+                                   (2 * h));
         };
         const Quaternion half(0.0, 0.5 * omega.x(), 0.5 * omega.y(), 0.5 * omega.z());
         const Eigen::Vector4d right = (half * start).coeffs();
@@ -112,8 +111,7 @@ TEST_CASE("the table of symbols: v_ab times dt is what the bodies move and turn,
         const Vector3 moved = advance_position(body, body.linear_momentum, dt) - body.position;
         CHECK((moved - velocity(body) * dt).norm() < 1e-15);
         CHECK((moved - velocity(body) * dt * dt).norm() > 0.1);
-        const double angle =
-            rotate_exponential(body, body.angular_momentum, dt).angularDistance(body.orientation);
+        const double angle = rotate_exponential(body, body.angular_momentum, dt).angularDistance(body.orientation);
         CHECK(angle == Approx(angular_velocity(body).norm() * dt));
     }
 }

@@ -67,7 +67,8 @@ TEST_CASE("3.1: matrices with a non-zero diagonal whose energy is negative, that
     }
 }
 
-TEST_CASE("3.1: read as a product of vectors p x r is the angular momentum of the opposite turn, r x p the right one") {
+TEST_CASE(
+    "3.1: read as a product of vectors p x r is the angular momentum of the opposite turn, r x p the right one") {
     Random random(32);
     for (int i = 0; i < 50; ++i) {
         const Cross cross;

@@ -170,7 +170,8 @@ TEST_CASE("6.2.9: within bounds A lambda - b is not zero but points out of them"
     CHECK(leaving.system.b(0, 0) / leaving.system.diagonal[0] == Approx(-3.0 * 2.0 / dt));
 }
 
-TEST_CASE("6.2.4: J v2 is the push with the inertia of the step's start; the next step begins with another velocity") {
+TEST_CASE(
+    "6.2.4: J v2 is the push with the inertia of the step's start; the next step begins with another velocity") {
     std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1.0, {1.0, 0.4, 0.2}, {1, 0, 0})};
     bodies[1].angular_momentum = {0.2, 0.5, -0.3};
     ConstraintRow row = row_along(Vector3::UnitX(), 0.0);
@@ -208,7 +209,9 @@ TEST_CASE("7.2: a row between two static bodies is 0 / 0 as printed and spoils e
     CHECK(std::isnan(solve_as_printed(Frozen(coincide, std::vector{row_along(p_ab, 0.0)}, dt), 1)[0]));
 }
 
-TEST_CASE("9.1: the unit of J is free: a row s times as long has lambda / s, and J v is no work but lambda J v is power") {
+TEST_CASE(
+    "9.1: the unit of J is free: a row s times as long has lambda / s, and J v is no work but lambda J v is "
+    "power") {
     const std::vector<Body> bodies = flying({-3, 1, 0});
     const auto scaled = [&](double s) {
         ConstraintRow row = row_along(s * Vector3::UnitX(), s * 0.5);

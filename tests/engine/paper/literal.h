@@ -14,10 +14,10 @@ namespace pushfactor::tests {
 // What a step of dt did to the bodies.
 struct Literal {
     Frozen frozen;
-    engine::Columns lambda;                // N
-    std::vector<engine::Vector6> forces;   // f_c = J^T lambda, N and N m
-    std::vector<engine::Vector6> after;    // v2, m/s and rad/s
-    std::vector<engine::Body> bodies;      // moved by 3.2.1 to 3.2.3 and 12.4.1
+    engine::Columns lambda;               // N
+    std::vector<engine::Vector6> forces;  // f_c = J^T lambda, N and N m
+    std::vector<engine::Vector6> after;   // v2, m/s and rad/s
+    std::vector<engine::Body> bodies;     // moved by 3.2.1 to 3.2.3 and 12.4.1
 
     double speed_along(std::size_t row) const {  // j_c v2
         const engine::ConstraintRow& r = frozen.rows[row];
@@ -45,8 +45,8 @@ inline Literal step_with(std::span<const engine::Body> bodies, std::span<const e
         system, {.iterations = 100000, .tolerance_high = 1e-14, .tolerance_low = 1e-14}, step.lambda);
     constraint_forces(system, step.lambda, 0, step.forces);
     for (std::size_t i = 0; i < step.bodies.size(); ++i) {
-        step.after.emplace_back(
-            dt * (system.free_acceleration[i] + accelerate(system.inverse_mass[i], step.forces[i])));
+        step.after.emplace_back(dt *
+                                (system.free_acceleration[i] + accelerate(system.inverse_mass[i], step.forces[i])));
         engine::Body& body = step.bodies[i];
         if (body.is_static()) continue;
         body.linear_momentum =
