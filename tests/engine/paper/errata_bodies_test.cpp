@@ -1,4 +1,4 @@
-// Errata of paper section 3 and of equation 6.1.6: what the text gives, and what is right.
+// Errata of paper section 3, of equation 6.1.6 and of the table of symbols: what the text gives, and what is right.
 #include "engine/body.h"
 #include "engine/diagnostics.h"
 #include "engine/integrator.h"
@@ -132,5 +132,18 @@ TEST_CASE("6.1.6: without torque the angular acceleration is -I^-1 (w x I w) and
             -(world_inverse_inertia(body) * angular_velocity(body).cross(body.angular_momentum));
         CHECK((measured - gyroscopic).norm() < 1e-5 * (1.0 + gyroscopic.norm()));
         CHECK(measured.norm() > 0.01);  // 6.1.6 as printed has zero here
+    }
+}
+
+TEST_CASE("the table of symbols: v_ab times dt is what the bodies move and turn, so its units are m/s and rad/s") {
+    Body body = ball_body(2.0, 1.0, Vector3::Zero());
+    body.linear_momentum = {2, 4, -6};
+    body.angular_momentum = Vector3(0.3, 0, 0) / body.inverse_inertia.x();
+    for (const double dt : {0.5, 0.25}) {
+        const Vector3 moved = advance_position(body, body.linear_momentum, dt) - body.position;
+        CHECK((moved - velocity(body) * dt).norm() < 1e-15);
+        CHECK((moved - velocity(body) * dt * dt).norm() > 0.1);
+        const double angle = rotate_exponential(body, body.angular_momentum, dt).angularDistance(body.orientation);
+        CHECK(angle == Approx(angular_velocity(body).norm() * dt));
     }
 }

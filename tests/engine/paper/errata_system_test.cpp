@@ -1,4 +1,4 @@
-// Errata of paper sections 6, 7, 9 and 10: what the text gives, and what is right.
+// Errata of paper sections 6, 7, 9, 10 and 12.3: what the text gives, and what is right.
 #include "engine/contact_constraint.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/literal.h"
@@ -193,14 +193,19 @@ TEST_CASE("7.1.1 and 7.2 take the same entry of a symmetric matrix") {
     }
 }
 
-TEST_CASE("7.2: a row between two static bodies is 0 / 0 as printed and spoils every row that it meets") {
-    const std::vector<Body> bodies{static_body(Vector3::Zero()), static_body({1, 0, 0})};
-    const Frozen frozen(bodies, std::vector{row_along(Vector3::UnitX(), 0.0)}, dt);
+TEST_CASE("7.2: a row between two static bodies is 0 / 0 as printed, and spoils every row of the system") {
+    std::vector<Body> bodies = flying({-3, 1, 0});
+    bodies.push_back(static_body({0, 1, 0}));
+    std::vector<ConstraintRow> rows(2, row_along(Vector3::UnitX(), 0.0));
+    rows[0].body_b = 2;
+    rows[0].jacobian = {};  // as every row between static bodies
+    const Frozen frozen(bodies, rows, dt);
     CHECK(frozen.system.diagonal[0] == 0.0);
-    CHECK(std::isnan(solve_as_printed(frozen, 1)[0]));
+    CHECK(solve_as_printed(frozen, 1).array().isNaN().all());  // zero times NaN spoils the other row
     Columns lambda = frozen.zero();
     solvers::make_solver("dense")->solve(frozen.system, {.iterations = 1}, lambda);
     CHECK(lambda(0, 0) == 0.0);
+    CHECK(lambda(1, 0) == Approx(3.0 * 2.0 / dt));
 
     // So is a bar whose ends coincide, if its axis is p_ab itself (5.2.1).
     std::vector<Body> coincide = flying({0, 0, 0});
@@ -244,4 +249,23 @@ TEST_CASE("10.1: the order of the rows decides what 25 sweeps leave, and nothing
     std::reverse(stack.rows.begin(), stack.rows.end());
     CHECK((force_on_top(25) - some).norm() > 0.1);
     CHECK((force_on_top(20000) - all).norm() < 1e-6);
+}
+
+TEST_CASE("12.3.2: J has no inverse: v2 is not J^-1 v, and where rows are redundant J J^-1 is not 1 either") {
+    std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(2.0, 0.1, {1, 0, 0})};
+    bodies[1].linear_momentum = {-6, 2, 0};
+    const auto pseudo_inverse = [](const MatrixX& J) {
+        return MatrixX(J.completeOrthogonalDecomposition().pseudoInverse());
+    };
+    const tests::Literal step = tests::step_with(bodies, std::vector{row_along(Vector3::UnitX(), 0.5)}, 0.1);
+    MatrixX J(1, 6);
+    J.row(0) = step.frozen.rows[0].jacobian.b.transpose();
+    CHECK((J * step.after[1])[0] == Approx(0.5));                           // J v2 = v
+    const VectorX printed = pseudo_inverse(J) * VectorX::Constant(1, 0.5);  // v2 = J^-1 v
+    CHECK((printed - step.after[1]).norm() == Approx(1.0));                 // lacks the flight along the bar's side
+    CHECK((J * pseudo_inverse(J) - MatrixX::Identity(1, 1)).norm() < 1e-15);
+
+    MatrixX twice(2, 6);
+    twice << J, J;
+    CHECK((twice * pseudo_inverse(twice) - MatrixX::Identity(2, 2)).norm() == Approx(1.0));
 }
