@@ -9,6 +9,8 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -89,7 +91,9 @@ TEST_CASE("every row's j_c is the derivative of its c: bars, ropes and struts") 
         }
         if (i % 4 == 0) bodies[static_cast<std::size_t>(i / 4 % 2)].inverse_mass = 0.0;
         Distance distance{.body_a = 0, .body_b = 1, .length = random.in(0.5, 3)};
-        distance.acts = std::array{Distance::Acts::both, Distance::Acts::pulls, Distance::Acts::pushes}[i % 3];
+        distance.acts = i % 3 == 0   ? Distance::Acts::both
+                        : i % 3 == 1 ? Distance::Acts::pulls
+                                     : Distance::Acts::pushes;
         distance.point_a = random.vector(-1, 1);
         distance.point_b = random.vector(-1, 1);
         const auto c = [&](const Body& a, const Body& b) -> std::optional<double> {
@@ -147,8 +151,9 @@ Manifold touching(const ShapePair& shapes, const Body& a, const Body& b) {
 
 // The pair at a random pose with the nearest points `gap` apart.
 std::array<Body, 2> random_pair(const ShapePair& shapes, double gap, Random& random) {
-    std::array<Body, 2> bodies{body_of(shapes.a, Vector3::Zero(), random.rotation()),
-                               body_of(shapes.b, random.vector(-1, 1), random.rotation())};
+    const Quaternion of_a = random.rotation(), of_b = random.rotation();
+    std::array<Body, 2> bodies{body_of(shapes.a, Vector3::Zero(), of_a),
+                               body_of(shapes.b, random.vector(-1, 1), of_b)};
     const Manifold manifold = touching(shapes, bodies[0], bodies[1]);
     double nearest = everything;
     for (const ContactPoint& point : manifold.points()) nearest = std::min(nearest, point.gap);
