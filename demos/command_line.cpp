@@ -8,7 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <iostream>
+#include <algorithm>
+#include <array>
 #include <set>
 
 namespace pushfactor::demos {
@@ -37,7 +38,14 @@ std::string preset_help() {
     return help;
 }
 
-void add_simulation(CLI::App& app, Request& request, std::optional<std::string>& config) {
+// What the command line says, before the file that --config names has been read.
+struct Words {
+    Request request;
+    std::optional<std::string> config;
+};
+
+void add_simulation(CLI::App& app, Words& words) {
+    Request& request = words.request;
     add_given(app, request.given, "preset", "NAME", preset_help() + " [default]", "Simulation");
     for (const SimulationOption& option : simulation_options()) {
         add_given(app, request.given, option.name, option.placeholder, option.help, "Simulation");
@@ -50,7 +58,7 @@ void add_simulation(CLI::App& app, Request& request, std::optional<std::string>&
                       "Scene parameters (see `pushfactor list` for which scene has which)");
         }
     }
-    app.add_option("--config", config, "read options from this JSON file; the command line comes first")
+    app.add_option("--config", words.config, "read options from this JSON file; the command line comes first")
         ->type_name("FILE")
         ->group("Simulation");
 }
@@ -91,7 +99,45 @@ void add_frames(CLI::App& app, Request& request) {
         ->group("Frames");
 }
 
-void add_report(CLI::App& app, Request& request) {
+void add_list(CLI::App& app, Words& words) {
+    app.add_flag("--names", words.request.names_only, "only the names, one a line");
+}
+
+void add_scene(CLI::App& app, Words& words) {
+    app.add_option("SCENE", words.request.scenes, "name of a scene, or a scene file");
+    add_simulation(app, words);
+}
+
+void add_run(CLI::App& app, Words& words) {
+    add_scene(app, words);
+    add_outputs(app, words.request);
+    for (const FrameOption& option : frame_options()) {
+        if (option.name != "fps") continue;  // thins the trajectory; a run has no other use for frames
+        add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
+    }
+}
+
+void add_render(CLI::App& app, Words& words) {
+    app.add_option("SCENE", words.request.scenes, "names of scenes, or scene files");
+    add_simulation(app, words);
+    add_outputs(app, words.request);
+    add_frames(app, words.request);
+}
+
+void add_figures(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    app.add_option("FIGURE", request.figures, "names of figures [all]");
+    app.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")->type_name("DIR");
+    app.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
+        ->type_name("N")
+        ->check(CLI::Range(400, 4096));
+    app.add_option("--samples", request.figure_samples, "drawings that a picture is the mean of [8]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+}
+
+void add_report(CLI::App& app, Words& words) {
+    Request& request = words.request;
     app.add_option(
            "REPORT", request.reports,
            "error: error against work and run time, of every method and scene; stability: stiff and "
@@ -110,6 +156,26 @@ void add_report(CLI::App& app, Request& request) {
     app.add_flag("--problems", request.problems,
                  "error: also write the frozen problems as JSON, for other solvers");
 }
+
+struct CommandWords {
+    Request::Command command;
+    const char* name;
+    const char* description;
+    void (*add_options)(CLI::App&, Words&);
+};
+
+constexpr std::array commands{
+    CommandWords{Request::Command::list, "list", "the scenes: what happens, their parameters, what each is made of",
+                 add_list},
+    CommandWords{Request::Command::scene, "scene", "prints a scene as a JSON file that run and render accept",
+                 add_scene},
+    CommandWords{Request::Command::run, "run", "physics only: CSV files and a summary", add_run},
+    CommandWords{Request::Command::render, "render", "PNG frames or stills, without a display", add_render},
+    CommandWords{Request::Command::figures, "figures",
+                 "the figures of the paper's sections 8, 10 and 12, and ours, as one page", add_figures},
+    CommandWords{Request::Command::report, "report", "measurements of many runs, as CSV files and a page of plots",
+                 add_report},
+};
 
 // CLI11 would list everything that it did not expect; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
@@ -134,60 +200,37 @@ void refuse_extras(const CLI::App& app) {
                                  suggestion(words.front(), known)));
 }
 
+Request::Command command_of(const CLI::App& app) {
+    const auto named = [&](const CommandWords& words) { return app.get_name() == words.name; };
+    return std::ranges::find_if(commands, named)->command;
+}
+
+void check_scenes(const Request& request) {
+    using enum Request::Command;
+    const bool one = request.command == run || request.command == scene;
+    if ((one || request.command == render) && request.scenes.empty()) {
+        throw UsageError("a scene is missing (see `pushfactor list`)");
+    }
+    if (one && request.scenes.size() > 1) {
+        throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(request.scenes, " ")));
+    }
+}
+
 }  // namespace
 
 std::optional<Request> parse_command_line(int argc, char** argv) {
-    Request request;
-    std::optional<std::string> config;
-
+    Words words;
     CLI::App app("Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n",
                  "pushfactor");
     app.set_version_flag("--version", "pushfactor " + version_text(), "Print the version and the commit");
     app.footer(exit_statuses);
     app.require_subcommand(0, 1);
     app.allow_extras();
-
-    CLI::App& list =
-        *app.add_subcommand("list", "the scenes: what happens, their parameters, what each is made of");
-    list.add_flag("--names", request.names_only, "only the names, one a line");
-
-    CLI::App& scene = *app.add_subcommand("scene", "prints a scene as a JSON file that run and render accept");
-    scene.add_option("SCENE", request.scenes, "name of a scene, or a scene file");
-    add_simulation(scene, request, config);
-
-    CLI::App& run = *app.add_subcommand("run", "physics only: CSV files and a summary");
-    run.add_option("SCENE", request.scenes, "name of a scene, or a scene file");
-    add_simulation(run, request, config);
-    add_outputs(run, request);
-    for (const FrameOption& option : frame_options()) {
-        if (option.name != "fps") continue;  // thins the trajectory; a run has no other use for frames
-        add_given(run, request.given, option.name, option.placeholder, option.help, output_group);
-    }
-
-    CLI::App& render = *app.add_subcommand("render", "PNG frames or stills, without a display");
-    render.add_option("SCENE", request.scenes, "names of scenes, or scene files");
-    add_simulation(render, request, config);
-    add_outputs(render, request);
-    add_frames(render, request);
-
-    CLI::App& figures =
-        *app.add_subcommand("figures", "the figures of the paper's sections 8, 10 and 12, and ours, as one page");
-    figures.add_option("FIGURE", request.figures, "names of figures [all]");
-    figures.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")
-        ->type_name("DIR");
-    figures.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
-        ->type_name("N")
-        ->check(CLI::Range(400, 4096));
-    figures.add_option("--samples", request.figure_samples, "drawings that a picture is the mean of [8]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 256));
-
-    CLI::App& report = *app.add_subcommand("report", "measurements of many runs, as CSV files and a page of plots");
-    add_report(report, request);
-
-    for (CLI::App* command : {&list, &scene, &run, &render, &figures, &report}) {
-        command->allow_extras();
-        command->footer(exit_statuses);
+    for (const CommandWords& command : commands) {
+        CLI::App& added = *app.add_subcommand(command.name, command.description);
+        command.add_options(added, words);
+        added.allow_extras();
+        added.footer(exit_statuses);
     }
 
     try {
@@ -202,25 +245,13 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     const CLI::App& chosen = *app.get_subcommands().front();
     refuse_extras(chosen);
 
-    request.command = &chosen == &scene     ? Request::Command::scene
-                      : &chosen == &run     ? Request::Command::run
-                      : &chosen == &render  ? Request::Command::render
-                      : &chosen == &figures ? Request::Command::figures
-                      : &chosen == &report  ? Request::Command::report
-                                            : Request::Command::list;
-    if (config) add_config(*config, request.given);
+    Request& request = words.request;
+    request.command = command_of(chosen);
+    if (words.config) add_config(*words.config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);
     }
-    const bool of_a_scene = request.command == Request::Command::scene ||
-                            request.command == Request::Command::run || request.command == Request::Command::render;
-    if (of_a_scene && request.scenes.empty()) {
-        throw UsageError("a scene is missing (see `pushfactor list`)");
-    }
-    const bool one = request.command == Request::Command::run || request.command == Request::Command::scene;
-    if (one && request.scenes.size() > 1) {
-        throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(request.scenes, " ")));
-    }
+    check_scenes(request);
     return request;
 }
 

@@ -3,9 +3,9 @@
 // Symbols: m mass [kg], I inertia tensor [kg m^2], x position of the centre of mass [m], o orientation [1],
 // p linear momentum [kg m/s], l angular momentum [kg m^2/s], f force [N], tau torque [N m].
 //
-// Deviations from the text: 3.1 prints [l] = [p] x [r]; the momentum of a point is l = r x p. "At least a
-// non-zero diagonal" is not enough for I: it is positive definite, and kept as its three principal moments,
-// so the axes of the body frame are the principal axes.
+// Deviations from the text: "at least a non-zero diagonal" is not enough for I: it is positive definite, and kept
+// as its three principal moments, so the axes of the body frame are the principal axes. [l] = [p] x [r] is about
+// units; the angular momentum of a point is r x p.
 #pragma once
 
 #include "engine/math.h"

@@ -78,7 +78,7 @@ class OffscreenContext;
 
 // The GL functions that are used, without their prefix: `gl.Clear(GL_COLOR_BUFFER_BIT)`.
 struct Gl {
-#define PUSHFACTOR_GL_MEMBER(name) decltype(&gl##name) name = nullptr;
+#define PUSHFACTOR_GL_MEMBER(name) decltype(&gl##name) name = nullptr;  // NOLINT(bugprone-macro-parentheses)
     PUSHFACTOR_GL_FUNCTIONS(PUSHFACTOR_GL_MEMBER)
 #undef PUSHFACTOR_GL_MEMBER
 };

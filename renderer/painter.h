@@ -41,7 +41,7 @@ class Painter {
   public:
     // For frames of this size in pixels. `stages`, if not null, is told of each stage. Throws RendererError when a
     // shader is missing or refused.
-    Painter(const Gl& gl, int width, int height, const std::filesystem::path& shader_directory, Stages* stages);
+    Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages);
 
     // Draws these tiles of the scene, of which there is one at least; what is outside of them has no meaning in the
     // target afterwards.

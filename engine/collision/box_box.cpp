@@ -217,7 +217,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     const Vector3 on_b = corner_b + edge_b * t;
 
     manifold.normal = normal;
-    const unsigned edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
+    const auto edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
     manifold.add({0.5 * (on_a + on_b), axis.separation, (1u << 16) + edges * 64u + which});
 }
 

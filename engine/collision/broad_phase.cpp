@@ -44,7 +44,7 @@ BroadPhase::Cell BroadPhase::cell_of(const Vector3& centre, int level) {
 }
 
 std::size_t BroadPhase::bucket_of(const Cell& cell) const {
-    std::uint64_t hash = static_cast<std::uint64_t>(cell.level);
+    auto hash = static_cast<std::uint64_t>(cell.level);
     for (const std::int64_t coordinate : {cell.x, cell.y, cell.z}) {
         hash = (hash ^ static_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 29;

@@ -16,7 +16,7 @@ namespace pushfactor::engine::collision {
 struct Pair {
     int a = 0;  // collider indices, a < b
     int b = 0;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
+    friend auto operator<=>(const Pair&, const Pair&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 class BroadPhase {

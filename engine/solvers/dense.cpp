@@ -17,8 +17,8 @@ MatrixX stacked_jacobian(const SystemEquation& system) {
     MatrixX jacobian = MatrixX::Zero(system.row_count(), 6 * bodies);
     for (Eigen::Index j = 0; j < system.row_count(); ++j) {
         const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-        jacobian.block<1, 6>(j, 6 * row.body_a) += row.jacobian.a.transpose();
-        jacobian.block<1, 6>(j, 6 * row.body_b) += row.jacobian.b.transpose();
+        jacobian.block<1, 6>(j, 6 * Eigen::Index{row.body_a}) += row.jacobian.a.transpose();
+        jacobian.block<1, 6>(j, 6 * Eigen::Index{row.body_b}) += row.jacobian.b.transpose();
     }
     return jacobian;
 }

@@ -94,7 +94,7 @@ inline void ExactAnswer::find_pairs() {
             couple_ = couple_ || several || held_[static_cast<std::size_t>(body)];
             held_[static_cast<std::size_t>(body)] = 1;
         }
-        if (a_moves || b_moves) pairs_.push_back(std::minmax(a, b));
+        if (a_moves || b_moves) pairs_.emplace_back(std::minmax(a, b));
     }
     std::sort(pairs_.begin(), pairs_.end());
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
