@@ -3,6 +3,7 @@
 #include "demos/errors.h"
 #include "demos/simulation_options.h"
 #include "demos/suggest.h"
+#include "demos/version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -141,7 +142,7 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
 
     CLI::App app("Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n",
                  "pushfactor");
-    app.set_version_flag("--version", "pushfactor " PUSHFACTOR_VERSION, "Print the version");
+    app.set_version_flag("--version", "pushfactor " + version_text(), "Print the version and the commit");
     app.footer(exit_statuses);
     app.require_subcommand(0, 1);
     app.allow_extras();

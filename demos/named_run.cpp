@@ -1,6 +1,6 @@
 #include "demos/named_run.h"
 
-#include <filesystem>
+#include "demos/assets.h"
 
 namespace pushfactor::demos {
 
@@ -8,7 +8,7 @@ Choices run_of(const std::string& scene, const Options& options) {
     GivenOptions given;
     for (const auto& [name, text] : options) given.add(name, text, "--" + name);
     if (find_scene(scene)) return understand(scene, given);
-    return understand((std::filesystem::path(PUSHFACTOR_ASSET_DIR) / "scenes" / (scene + ".json")).string(), given);
+    return understand((asset_folder("scenes") / (scene + ".json")).string(), given);
 }
 
 std::string command_text(const std::string& command, const std::string& scene, const Options& options) {

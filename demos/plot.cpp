@@ -1,5 +1,6 @@
 #include "demos/plot.h"
 
+#include "demos/assets.h"
 #include "demos/errors.h"
 #include "demos/numbers.h"
 #include "demos/palette.h"
@@ -50,7 +51,7 @@ bool plots_can_be_drawn() {
 }
 
 std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
-    const fs::path scripts = fs::path(PUSHFACTOR_ASSET_DIR) / "plots";
+    const fs::path scripts = asset_folder("plots");
     const int height = static_cast<int>(plot.width / plot.aspect);
     std::vector<std::string> made;
     for (const std::string format : {"png", "svg"}) {

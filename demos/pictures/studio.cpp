@@ -1,6 +1,7 @@
 #include "demos/pictures/studio.h"
 
-#include <filesystem>
+#include "demos/assets.h"
+
 #include <optional>
 
 namespace pushfactor::demos::pictures {
@@ -34,8 +35,7 @@ void Studio::draw(const renderer::Picture& picture, const Size& size, int sample
     const std::tuple wanted{size.width, size.height, samples};
     if (!renderer || wanted != made_for) {
         renderer.reset();
-        renderer = std::make_unique<renderer::Renderer>(*context_, size.width, size.height,
-                                                        std::filesystem::path(PUSHFACTOR_ASSET_DIR) / "shaders",
+        renderer = std::make_unique<renderer::Renderer>(*context_, size.width, size.height, asset_folder("shaders"),
                                                         samples, times_);
         made_for = wanted;
         end("set up");

@@ -195,9 +195,16 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     for (int k = 0; k < 3; ++k) {
         const double side_a = sign_of(normal.dot(pose_a.rotation.col(k)));
         const double side_b = sign_of(normal.dot(pose_b.rotation.col(k)));
-        if (k != axis.of_a) corner_a += pose_a.rotation.col(k) * (side_a * a.half_size[k]);
-        if (k != axis.of_b) corner_b -= pose_b.rotation.col(k) * (side_b * b.half_size[k]);
-        which = which * 4u + (side_a > 0.0 ? 2u : 0u) + (side_b > 0.0 ? 1u : 0u);
+        which *= 4u;
+        // Along the edges themselves the sides are roundings of zero.
+        if (k != axis.of_a) {
+            corner_a += pose_a.rotation.col(k) * (side_a * a.half_size[k]);
+            which += side_a > 0.0 ? 2u : 0u;
+        }
+        if (k != axis.of_b) {
+            corner_b -= pose_b.rotation.col(k) * (side_b * b.half_size[k]);
+            which += side_b > 0.0 ? 1u : 0u;
+        }
     }
 
     // Closest points of the two lines.

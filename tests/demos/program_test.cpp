@@ -39,6 +39,49 @@ TEST_CASE("the program says its version, its help at every level and its scenes"
           "stack\nintersecting-stack\nfunnel\npendulum-grid\npendulum-wave\nchain\nheavy-on-light\n");
 }
 
+TEST_CASE("the version names a commit of these sources, or says that they are no checkout") {
+    const Ended version = run_program("--version");
+    CHECK(version.status == 0);
+    const std::string marker = ", commit ";
+    const auto at = version.out.find(marker);
+    REQUIRE(at != std::string::npos);
+    const std::string commit = version.out.substr(at + marker.size(), 12);
+    if (commit.starts_with("unknown")) return;
+    INFO(version.out);
+    CHECK(commit.find_first_not_of("0123456789abcdef") == std::string::npos);
+    CHECK(shell(Folder(), "git -C '" PUSHFACTOR_SOURCE_DIR "' cat-file -e " + commit + "^{commit}").status == 0);
+}
+
+TEST_CASE("the build writes down the commit that is checked out, and only when it is another one") {
+    const Folder folder;
+    if (shell(folder, "git --version").status != 0) return;
+    const auto commit_of = [&folder](const std::string& source) {
+        const std::string script = "cmake -D SOURCE=" + source + " -D HEADER=\"$PWD/commit.h\" -P '" +
+                                   PUSHFACTOR_SOURCE_DIR "/demos/write_commit.cmake'";
+        CHECK(shell(folder, script).status == 0);
+        return folder.read("commit.h");
+    };
+    const std::string in_tree = "cd tree && git -c user.name=a -c user.email=a@b -c commit.gpgsign=false ";
+    REQUIRE(shell(folder, "mkdir -p tree/below && cd tree && git init -q && echo 1 >file && git add file").status ==
+            0);
+    REQUIRE(shell(folder, in_tree + "commit -q -m one").status == 0);
+    const std::string first = commit_of("\"$PWD/tree\"");
+    const std::string named = shell(folder, "git -C tree rev-parse --short=12 HEAD").out.substr(0, 12);
+    CHECK(first == "#define PUSHFACTOR_COMMIT \"" + named + "\"\n");
+
+    REQUIRE(shell(folder, "touch -d 2001-01-01 commit.h").status == 0);
+    CHECK(commit_of("\"$PWD/tree\"") == first);
+    CHECK(shell(folder, "test commit.h -ot tree/file").status == 0);  // not written again
+
+    REQUIRE(shell(folder, "echo 2 >tree/file").status == 0);
+    CHECK(commit_of("\"$PWD/tree\"") == "#define PUSHFACTOR_COMMIT \"" + named + "-dirty\"\n");
+    REQUIRE(shell(folder, in_tree + "commit -q -a -m two").status == 0);
+    CHECK(commit_of("\"$PWD/tree\"") != first);
+    // Within somebody else's checkout, and in none at all.
+    CHECK(commit_of("\"$PWD/tree/below\"") == "#define PUSHFACTOR_COMMIT \"unknown\"\n");
+    CHECK(commit_of("\"$PWD\"") == "#define PUSHFACTOR_COMMIT \"unknown\"\n");
+}
+
 TEST_CASE("unknown words are refused with the nearest known one") {
     check_refusal("run stak", 2, {"scene stak", "stack, intersecting-stack", "scene file", "did you mean stack?"});
     check_refusal("run stack --sede 3", 2, {"--sede", "did you mean --seed?"});

@@ -163,6 +163,24 @@ TEST_CASE("noise of rounding size changes no feature of exactly aligned cubes") 
     }
 }
 
+TEST_CASE("noise of rounding size changes no feature of crossing edges") {
+    Random random(17);
+    int crossings = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Box a{Vector3(0.5, 0.8, 0.3)}, b{Vector3::Constant(0.6)};
+        const Quaternion of_a = random.rotation(), of_b = random.rotation();
+        const Vector3 offset = random.vector(-0.8, 0.8);
+        const Manifold before = collide_boxes(a, at(Vector3::Zero(), of_a), b, at(offset, of_b));
+        const Quaternion nudged = turn(1e-12, random.vector(-1, 1)) * of_b;
+        const Manifold after = collide_boxes(a, at(Vector3::Zero(), of_a), b, at(offset, nudged));
+        if (before.count != 1) continue;
+        ++crossings;
+        REQUIRE(after.count == 1);
+        REQUIRE(after.points()[0].feature == before.points()[0].feature);
+    }
+    CHECK(crossings > 50);
+}
+
 TEST_CASE("points that are apart by less than the margin are found, with their gap") {
     const Box cube{Vector3::Ones()};
     CHECK(collide_boxes(cube, at({0, 0, 0}), cube, at({0, 2.01, 0})).count == 0);
