@@ -1,8 +1,8 @@
 #include "demos/camera_choice.h"
 
 #include "demos/camera_file.h"
+#include "demos/comma_list.h"
 #include "demos/numbers.h"
-#include "demos/parts.h"
 
 #include <numbers>
 

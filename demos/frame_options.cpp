@@ -1,8 +1,8 @@
 #include "demos/frame_options.h"
 
+#include "demos/comma_list.h"
 #include "demos/errors.h"
 #include "demos/numbers.h"
-#include "demos/parts.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,12 @@
 #include "demos/observed_run.h"
 
+#include "demos/cpu_clock.h"
 #include "demos/errors.h"
 #include "demos/output_file.h"
 #include "demos/scene_file.h"
 #include "demos/summary.h"
 
 #include <fmt/format.h>
-
-#include <ctime>
 
 namespace pushfactor::demos {
 
@@ -18,12 +17,6 @@ std::string state_text(const Choices& choices, const Simulation& simulation, con
 }
 
 }  // namespace
-
-double thread_cpu_us() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
-}
 
 ObservedRun::ObservedRun(const Choices& choices, const Request& request, std::filesystem::path folder)
     : choices_(choices),

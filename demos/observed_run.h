@@ -38,7 +38,4 @@ class ObservedRun {
     std::optional<std::string> save_state_;
 };
 
-// CPU time of this thread in us.
-double thread_cpu_us();
-
 }  // namespace pushfactor::demos

@@ -1,7 +1,7 @@
 #include "demos/overlay_choice.h"
 
+#include "demos/comma_list.h"
 #include "demos/numbers.h"
-#include "demos/parts.h"
 
 #include <array>
 

@@ -10,12 +10,14 @@
 #include "engine/math.h"
 #include "engine/push_factor.h"
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace pushfactor::engine {
 
 enum class RowKind { contact, friction, distance };
+inline constexpr std::size_t row_kind_count = 3;
 
 // j_c in two parts, one a body (6.1.2). World frame.
 struct Jacobian {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -23,12 +24,12 @@ class StageObserver {
 
 // What one step did.
 struct StepCount {
-    std::array<int, 3> rows_of_kind{};  // by RowKind
-    int columns = 0;                    // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
-    int sweeps = 0;                     // iterations of the solver
-    double multiply_adds = 0.0;         // of the solver
+    std::array<int, row_kind_count> rows_of_kind{};  // by RowKind
+    int columns = 0;             // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
+    int sweeps = 0;              // iterations of the solver
+    double multiply_adds = 0.0;  // of the solver
 
-    int rows() const { return rows_of_kind[0] + rows_of_kind[1] + rows_of_kind[2]; }
+    int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
     int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
 };
 

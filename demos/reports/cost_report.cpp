@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-
 namespace pushfactor::demos::reports {
 
 namespace {
@@ -80,8 +79,8 @@ class CostReport {
     void write_page(const std::vector<Section>& sections) const {
         const std::string opening = fmt::format(
             "What a scene does not need is not constructed, and costs nothing. Counts are the same in every run; "
-            "CPU "
-            "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
+            "CPU times were measured on {}. The numbers are in cost.csv, the scenes with everything in "
+            "everything.{}",
             made_on_, request_.quick ? " This is the quick report: small scenes." : "");
         write_file(request_.folder / "index.html", page_text("Pushfactor: what a step costs", opening, sections));
     }

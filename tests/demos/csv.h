@@ -1,18 +1,12 @@
 // CSV files as tests read them.
 #pragma once
 
-#include <sstream>
+#include "tests/texts.h"
+
 #include <string>
 #include <vector>
 
 namespace pushfactor::tests {
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 // A line in its fields; commas inside quotes belong to their field.
 inline std::vector<std::string> fields_of(const std::string& line) {

@@ -1,24 +1,18 @@
 // Runs the program as a user would, in a folder of its own.
 #pragma once
 
+#include "tests/texts.h"
+
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace pushfactor::tests {
-
-inline std::string read_file(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 // A folder that is gone with the object.
 class Folder {

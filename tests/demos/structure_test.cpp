@@ -1,6 +1,6 @@
 // The shape of the house: which folder may include which.
 #include "tests/catch.h"
-#include "tests/demos/program.h"
+#include "tests/texts.h"
 
 #include <map>
 #include <regex>
@@ -12,14 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every #include of a folder's sources, "file: included".
-std::set<std::string> includes(const std::string& folder) {
+// What the sources of a folder include.
+std::set<std::string> includes(const char* folder) {
     std::set<std::string> found;
     const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PUSHFACTOR_SOURCE_DIR) / folder)) {
-        if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-        std::istringstream lines(read_file(entry.path()));
-        for (std::string line; std::getline(lines, line);) {
+    for (const auto& [path, text] : sources_of({folder}, {".h", ".cpp"})) {
+        for (const std::string& line : lines_of(text)) {
             std::smatch match;
             if (std::regex_search(line, match, include)) found.insert(match[1]);
         }
@@ -31,7 +29,7 @@ bool begins_with_any(const std::string& text, std::initializer_list<std::string_
     return std::any_of(prefixes.begin(), prefixes.end(), [&](std::string_view p) { return text.starts_with(p); });
 }
 
-void check_absent(const std::string& folder, std::initializer_list<std::string_view> forbidden) {
+void check_absent(const char* folder, std::initializer_list<std::string_view> forbidden) {
     const auto found = includes(folder);
     CHECK(found.size() > 5);
     for (const std::string& name : found) {
@@ -80,10 +78,8 @@ TEST_CASE("the pendulum wave includes no collision header, not even through anot
 TEST_CASE("Eigen becomes GLM in one file only") {
     const auto glm = std::regex(R"(#include\s*<glm/)");
     std::set<std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PUSHFACTOR_SOURCE_DIR) / "demos")) {
-        if (entry.is_regular_file() && std::regex_search(read_file(entry.path()), glm)) {
-            files.insert(entry.path().stem().string());
-        }
+    for (const auto& [path, text] : sources_of({"demos"}, {".h", ".cpp"})) {
+        if (std::regex_search(text, glm)) files.insert(fs::path(path).stem().string());
     }
     CHECK(files == std::set<std::string>{"to_glm"});
 }

@@ -1,7 +1,7 @@
 #include "demos/reports/cost/ledger.h"
 
 #include "demos/checkpoint.h"
-#include "demos/observed_run.h"
+#include "demos/cpu_clock.h"
 #include "demos/reports/cost/allocations.h"
 #include "demos/simulation.h"
 #include "demos/step_division.h"

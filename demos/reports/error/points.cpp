@@ -1,8 +1,8 @@
 #include "demos/reports/error/points.h"
 
+#include "demos/cpu_clock.h"
 #include "demos/errors.h"
 #include "demos/measurements.h"
-#include "demos/observed_run.h"
 
 #include <fmt/format.h>
 

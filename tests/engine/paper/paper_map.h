@@ -2,7 +2,8 @@
 // the texts of the repository.
 #pragma once
 
-#include <map>
+#include "tests/texts.h"
+
 #include <set>
 #include <span>
 #include <string>
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace pushfactor::tests {
-
-// Path within the repository -> the file's text.
-using Sources = std::map<std::string, std::string>;
 
 // The names of all test cases in the .cpp files below tests/.
 std::set<std::string> test_names(const Sources& sources);

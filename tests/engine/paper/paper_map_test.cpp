@@ -2,7 +2,6 @@
 #include "tests/engine/paper/paper_map.h"
 
 #include "tests/catch.h"
-#include "tests/demos/program.h"
 
 #include <filesystem>
 
@@ -22,19 +21,6 @@ std::vector<std::string> places_of_the_paper() {
         "(7.1.1)", "(8.2.1)", "(12.2.1)", "(12.2.2)", "(12.3.1)", "(12.3.2)", "(12.3.3)", "(12.4.1)", "(12.5.1)"};
     for (int figure = 1; figure <= 11; ++figure) places.push_back("Figure " + std::to_string(figure));
     return places;
-}
-
-Sources repository() {
-    Sources sources;
-    const fs::path root(PUSHFACTOR_SOURCE_DIR);
-    for (const char* const folder : {"engine", "renderer", "demos", "tests", "assets"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension != ".h" && extension != ".cpp" && extension != ".json") continue;
-            sources[fs::relative(entry.path(), root).generic_string()] = read_file(entry.path());
-        }
-    }
-    return sources;
 }
 
 const Sources small{{"engine/a.h", "struct Thing {};\nvoid solve();  // no other\n"},
@@ -73,9 +59,10 @@ std::string faults_with(const std::string& what, const std::string& with) {
 TEST_CASE("every equation, figure and claim of the paper is in the map, with living code and a living test") {
     const fs::path engine = fs::path(PUSHFACTOR_SOURCE_DIR) / "engine";
     const std::string map = read_file(engine / "README.md");
+    const Sources sources = sources_of({"engine", "renderer", "demos", "tests", "assets"}, {".h", ".cpp", ".json"});
     CHECK(map_entries(map).size() > 100);
     for (const std::string& fault :
-         map_faults(map, read_file(engine / "ERRATA.md"), repository(), places_of_the_paper())) {
+         map_faults(map, read_file(engine / "ERRATA.md"), sources, places_of_the_paper())) {
         INFO(fault);
         CHECK(fault.empty());
     }

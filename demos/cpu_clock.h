@@ -1,0 +1,9 @@
+// How long the work of a thread takes.
+#pragma once
+
+namespace pushfactor::demos {
+
+// CPU time of this thread in us.
+double thread_cpu_us();
+
+}  // namespace pushfactor::demos
