@@ -1,6 +1,7 @@
 #include "demos/reports/about.h"
 
 #include "demos/json.h"
+#include "demos/version.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ About about_this() {
 #else
     const std::string compiler = "g++ " __VERSION__;
 #endif
-    return {.version = PUSHFACTOR_VERSION,
+    return {.version = version_text(),
             .compiler = compiler,
             .flags = PUSHFACTOR_FLAGS,
             .cpu = cpu_model(),
