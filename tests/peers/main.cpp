@@ -1,0 +1,126 @@
+// peers PROGRAM SCENES OUT [CASE...]: the same scenes in this engine and in others. See tests/compare.
+#include "tests/peers/cases.h"
+#include "tests/peers/program.h"
+#include "tests/peers/table.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace pushfactor::tests::peers {
+
+namespace {
+
+constexpr int repeats = 3;  // of each run, for the clock
+
+double cpu_us() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
+    const std::unique_ptr<World> world = setting.build(scene);
+    Run run;
+    run.joint = setting.joint;
+    run.velocity_lag = setting.velocity_lag / setting.substeps;
+    run.states.push_back(world->states());
+    for (std::size_t n = 0; n < steps; ++n) {
+        const double begin = cpu_us();
+        world->step();
+        run.step_us.push_back(cpu_us() - begin);
+        run.states.push_back(world->states());
+    }
+    return run;
+}
+
+// The measures of the first run, which all repeat, and the median of what differs: the clock.
+template <typename Once>
+Values measured(const Case& of, const Scene& scene, const Once& once) {
+    std::vector<Values> all;
+    for (int i = 0; i < repeats; ++i) all.push_back(of.measure(scene, once()));
+    Values result = all.front();
+    std::array<double, repeats> clock{};
+    for (std::size_t i = 0; i < repeats; ++i) clock[i] = all[i].back().number;
+    std::sort(clock.begin(), clock.end());
+    result.back().number = clock[repeats / 2];
+    return result;
+}
+
+bool meant_for(const Setting& setting, const Case& of) {
+    return setting.cases.empty() || std::count(setting.cases.begin(), setting.cases.end(), of.name) > 0;
+}
+
+std::vector<Line> compare(const Program& program, const std::vector<Setting>& settings, const Case& of) {
+    const Scene scene = scene_of(program, of.arguments);
+    std::vector<Line> lines;
+    for (const Ours& ours : of.ours) {
+        std::cerr << of.name << ": " << program.version << ", " << ours.name << '\n';
+        lines.push_back({program.version, ours.name, measured(of, scene, [&] {
+                             return run_program(program, of.arguments + " " + ours.arguments, scene.movable.size(),
+                                                of.steps, ours.whole_steps);
+                         })});
+    }
+    for (const Setting& setting : settings) {
+        if (!meant_for(setting, of)) continue;
+        std::cerr << of.name << ": " << setting.engine << ", " << setting.name << '\n';
+        lines.push_back({setting.engine, setting.name,
+                         measured(of, scene, [&] { return run_peer(setting, scene, of.steps); })});
+    }
+    return lines;
+}
+
+std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& names) {
+    std::string known;
+    for (const Case& of : all) known += " " + of.name;
+    for (const std::string& name : names) {
+        if (std::none_of(all.begin(), all.end(), [&](const Case& of) { return of.name == name; }))
+            throw std::invalid_argument(fmt::format("CASE {}: must be one of{}", name, known));
+    }
+    if (!names.empty())
+        std::erase_if(all, [&](const Case& of) { return std::count(names.begin(), names.end(), of.name) == 0; });
+    return all;
+}
+
+int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() < 3) throw std::invalid_argument("usage: peers PROGRAM SCENES OUT [CASE...]");
+    const std::string& out = arguments[2];
+    const std::vector<Case> wanted = chosen(cases(arguments[1]), {arguments.begin() + 3, arguments.end()});
+    std::filesystem::create_directories(out);
+    const Program program = find_program(arguments[0], out);
+
+    std::vector<Setting> settings = bullet_settings();
+    for (auto more : {ode_settings(), mujoco_settings()}) settings.insert(settings.end(), more.begin(), more.end());
+    std::ofstream csv(out + "/compare.csv");
+    write_csv_header(csv);
+    for (const Case& of : wanted) {
+        const std::vector<Line> lines = compare(program, settings, of);
+        write_markdown(std::cout, of, lines);
+        write_csv(csv, of, lines);
+    }
+    csv.close();
+    if (!csv) throw std::runtime_error(out + "/compare.csv: cannot be written");
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace pushfactor::tests::peers
+
+int main(int count, char** words) {
+    try {
+        return pushfactor::tests::peers::run({words + 1, words + count});
+    } catch (const std::invalid_argument& problem) {
+        std::cerr << problem.what() << '\n';
+        return 2;
+    } catch (const std::exception& problem) {
+        std::cerr << problem.what() << '\n';
+        return 1;
+    }
+}
