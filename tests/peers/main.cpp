@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -17,7 +17,8 @@ namespace pushfactor::tests::peers {
 
 namespace {
 
-constexpr int repeats = 3;  // of each run, for the clock
+constexpr std::size_t repeats = 3;  // of each run, for the clock
+constexpr double enough_s = 20.0;   // a run that takes longer is not repeated
 
 double cpu_us() {
     timespec now{};
@@ -43,13 +44,17 @@ Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
 // The measures of the first run, which all repeat, and the median of what differs: the clock.
 template <typename Once>
 Values measured(const Case& of, const Scene& scene, const Once& once) {
-    std::vector<Values> all;
-    for (int i = 0; i < repeats; ++i) all.push_back(of.measure(scene, once()));
-    Values result = all.front();
-    std::array<double, repeats> clock{};
-    for (std::size_t i = 0; i < repeats; ++i) clock[i] = all[i].back().number;
+    Values result;
+    std::vector<double> clock;
+    const auto begin = std::chrono::steady_clock::now();
+    do {
+        const Values values = of.measure(scene, once());
+        if (clock.empty()) result = values;
+        clock.push_back(values.back().number);
+    } while (clock.size() < repeats &&
+             std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(enough_s));
     std::sort(clock.begin(), clock.end());
-    result.back().number = clock[repeats / 2];
+    result.back().number = clock[clock.size() / 2];
     return result;
 }
 
