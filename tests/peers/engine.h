@@ -40,7 +40,7 @@ struct Run {
     std::vector<std::vector<State>> states;
     std::vector<double> step_us;
     Joint joint = Joint::distance;
-    double velocity_lag = 0.5;  // of a whole step
+    std::vector<double> velocity_lag;  // of each state, in whole steps
 };
 
 std::vector<Setting> bullet_settings();

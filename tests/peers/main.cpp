@@ -30,7 +30,7 @@ Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
     const std::unique_ptr<World> world = setting.build(scene);
     Run run;
     run.joint = setting.joint;
-    run.velocity_lag = setting.velocity_lag / setting.substeps;
+    run.velocity_lag.assign(steps + 1, setting.velocity_lag / setting.substeps);
     run.states.push_back(world->states());
     for (std::size_t n = 0; n < steps; ++n) {
         const double begin = cpu_us();
@@ -67,7 +67,7 @@ std::vector<Line> compare(const Program& program, const std::vector<Setting>& se
     std::vector<Line> lines;
     for (const Ours& ours : of.ours) {
         std::cerr << of.name << ": " << program.version << ", " << ours.name << '\n';
-        lines.push_back({program.version, ours.name, measured(of, scene, [&] {
+        lines.push_back({program.version.substr(0, program.version.find(',')), ours.name, measured(of, scene, [&] {
                              return run_program(program, of.arguments + " " + ours.arguments, scene.movable.size(),
                                                 of.steps, ours.whole_steps);
                          })});
@@ -102,6 +102,7 @@ int run(const std::vector<std::string>& arguments) {
 
     std::vector<Setting> settings = bullet_settings();
     for (auto more : {ode_settings(), mujoco_settings()}) settings.insert(settings.end(), more.begin(), more.end());
+    std::cout << program.version << '\n';
     std::ofstream csv(out + "/compare.csv");
     write_csv_header(csv);
     for (const Case& of : wanted) {

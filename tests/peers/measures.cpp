@@ -49,10 +49,13 @@ double potential(const Scene& scene, const std::vector<State>& states) {
     return sum;
 }
 
+// At the time of the positions, which lies between the velocities of this state and of the next.
 double energy(const Scene& scene, const Run& run, std::size_t step) {
     const double before = kinetic(scene, run.states[step]);
     const double after = kinetic(scene, run.states[step + 1]);
-    return potential(scene, run.states[step]) + before + run.velocity_lag * (after - before);
+    const double lag = run.velocity_lag[step];
+    const double share = lag / (1.0 + lag - run.velocity_lag[step + 1]);
+    return potential(scene, run.states[step]) + before + share * (after - before);
 }
 
 // Corners of one face of a box, world frame; `side` +1: the top in its own frame, -1: the bottom.
@@ -230,7 +233,7 @@ Values chain(const Scene& scene, const Run& run) {
         loss = -gained;
     }
     return {{"joint", 0.0, run.joint == Joint::distance ? "distance" : "ball joint, rigid arm"},
-            {"largest link error, %", known ? 100.0 * error : unknown, {}},
+            {"largest link error, %", known ? 100.0 * error : unknown, known ? "" : "not finite"},
             {"largest gain of energy, %", known ? percent(gain, swing) : unknown, {}},
             {"loss at the end, %", percent(loss, swing), {}},
             {"CPU, us a step", median_step(run, 0), {}}};

@@ -13,6 +13,7 @@ namespace {
 struct OdeOptions {
     bool quick = false;  // dWorldQuickStep, 20 iterations as shipped, instead of dWorldStep
     int substeps = 1;
+    double cfm = 1e-10;                      // as shipped
     double surface_layer = 0.0;              // m
     double correcting_velocity = dInfinity;  // m/s
 };
@@ -26,6 +27,7 @@ class OdeWorld : public World {
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
         dWorldSetGravity(world_, scene.gravity.x(), scene.gravity.y(), scene.gravity.z());
+        dWorldSetCFM(world_, options.cfm);
         dWorldSetContactSurfaceLayer(world_, options.surface_layer);
         dWorldSetContactMaxCorrectingVel(world_, options.correcting_velocity);
         frictions_.reserve(scene.fixed.size() + scene.movable.size());
@@ -173,8 +175,10 @@ std::vector<Setting> ode_settings() {
                 {"stack", "tower", "heavy", "chain", "chain-light", "wave", "parting", "funnel"}, {.quick = true}),
         setting("dWorldStep, surface layer 1 mm, correction up to 1 m/s", {"stack", "tower", "heavy", "parting"},
                 {.surface_layer = 0.001, .correcting_velocity = 1.0}),
+        // Its manual's way out where four points of a face make the matrix singular.
+        setting("dWorldStep, cfm 1e-5", {"stack", "tower", "heavy", "parting"}, {.cfm = 1e-5}),
         setting("dWorldStep, 4 substeps",
-                {"stack", "tower", "chain", "chain-light", "wave", "free-box", "free-rod", "plate-50"},
+                {"stack", "chain", "chain-light", "wave", "funnel", "free-box", "free-rod", "plate-50"},
                 {.substeps = 4}),
     };
 }

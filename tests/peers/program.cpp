@@ -94,9 +94,10 @@ Run run_program(const Program& program, const std::string& arguments, std::size_
     Run run;
     run.states = read_states(trajectory, bodies, steps);
     run.step_us = column(steps_file, "step_us");
+    run.velocity_lag.assign(steps + 1, whole_steps ? 0.0 : 0.5);
     const std::vector<double> substeps = column(steps_file, "substeps");
-    const double most = substeps.empty() ? 1.0 : *std::max_element(substeps.begin(), substeps.end());
-    run.velocity_lag = whole_steps ? 0.0 : 0.5 / most;
+    for (std::size_t n = 0; n < substeps.size() && n < steps; ++n) run.velocity_lag[n + 1] /= substeps[n];
+    run.velocity_lag[0] = run.velocity_lag[1];
     return run;
 }
 
