@@ -1,0 +1,50 @@
+// What the comparison asks of an engine: to build a scene, to step it, to say where the bodies are.
+#pragma once
+
+#include "tests/peers/scene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pushfactor::tests::peers {
+
+class World {
+  public:
+    virtual ~World() = default;
+
+    virtual void step() = 0;  // by step_length, however the setting divides it
+
+    // Of the movable bodies, in the scene's order; not a number where the engine gave up.
+    virtual std::vector<State> states() const = 0;
+};
+
+// What holds a link's length: a distance between two points, or an arm that is fixed to body b and turns with it.
+enum class Joint { distance, rigid_arm };
+
+struct Setting {
+    std::string engine;  // with its version
+    std::string name;
+    std::vector<std::string> cases;  // the cases that this setting is for
+    Joint joint = Joint::distance;
+    int substeps = 1;
+    // By how much of an engine's own step the velocities lie before the positions: a half for x += dt v with the
+    // new v, none for a Runge-Kutta method.
+    double velocity_lag = 0.5;
+    std::function<std::unique_ptr<World>(const Scene&)> build;
+};
+
+// What a run leaves: states at 0, 1, ... steps, and the CPU time of each step, us.
+struct Run {
+    std::vector<std::vector<State>> states;
+    std::vector<double> step_us;
+    Joint joint = Joint::distance;
+    std::vector<double> velocity_lag;  // of each state, in whole steps
+};
+
+std::vector<Setting> bullet_settings();
+std::vector<Setting> ode_settings();
+std::vector<Setting> mujoco_settings();
+
+}  // namespace pushfactor::tests::peers

@@ -1,0 +1,19 @@
+// The motions that the measures compare with.
+#pragma once
+
+#include "tests/peers/engine.h"
+
+#include <vector>
+
+namespace pushfactor::tests::peers {
+
+// The angle from the vertical at 0, 1, ... steps, rad, of a ball released at `amplitude` [rad]: the centre of a
+// ball on a massless bar (distance), or a ball that is one with its bar and turns about the hook (rigid_arm).
+// gravity > 0, m/s^2.
+std::vector<double> exact_angles(const Body& ball, const Link& link, double gravity, double amplitude, Joint joint,
+                                 std::size_t steps);
+
+// The attitude of a body that has turned freely for `time` [s].
+Quaternion exact_attitude(const Body& body, double time);
+
+}  // namespace pushfactor::tests::peers

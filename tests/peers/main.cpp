@@ -1,0 +1,132 @@
+// peers PROGRAM SCENES OUT [CASE...]: the same scenes in this engine and in others. See tests/compare.
+#include "tests/peers/cases.h"
+#include "tests/peers/program.h"
+#include "tests/peers/table.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace pushfactor::tests::peers {
+
+namespace {
+
+constexpr std::size_t repeats = 3;  // of each run, for the clock
+constexpr double enough_s = 20.0;   // a run that takes longer is not repeated
+
+double cpu_us() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
+    const std::unique_ptr<World> world = setting.build(scene);
+    Run run;
+    run.joint = setting.joint;
+    run.velocity_lag.assign(steps + 1, setting.velocity_lag / setting.substeps);
+    run.states.push_back(world->states());
+    for (std::size_t n = 0; n < steps; ++n) {
+        const double begin = cpu_us();
+        world->step();
+        run.step_us.push_back(cpu_us() - begin);
+        run.states.push_back(world->states());
+    }
+    return run;
+}
+
+// The measures of the first run, which all repeat, and the median of what differs: the clock.
+template <typename Once>
+Values measured(const Case& of, const Scene& scene, const Once& once) {
+    Values result;
+    std::vector<double> clock;
+    const auto begin = std::chrono::steady_clock::now();
+    do {
+        const Values values = of.measure(scene, once());
+        if (clock.empty()) result = values;
+        clock.push_back(values.back().number);
+    } while (clock.size() < repeats &&
+             std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(enough_s));
+    std::sort(clock.begin(), clock.end());
+    result.back().number = clock[clock.size() / 2];
+    return result;
+}
+
+bool meant_for(const Setting& setting, const Case& of) {
+    return setting.cases.empty() || std::count(setting.cases.begin(), setting.cases.end(), of.name) > 0;
+}
+
+std::vector<Line> compare(const Program& program, const std::vector<Setting>& settings, const Case& of) {
+    const Scene scene = scene_of(program, of.arguments);
+    std::vector<Line> lines;
+    for (const Ours& ours : of.ours) {
+        std::cerr << of.name << ": " << program.version << ", " << ours.name << '\n';
+        lines.push_back({program.version.substr(0, program.version.find(',')), ours.name, measured(of, scene, [&] {
+                             return run_program(program, of.arguments + " " + ours.arguments, scene.movable.size(),
+                                                of.steps, ours.whole_steps);
+                         })});
+    }
+    for (const Setting& setting : settings) {
+        if (!meant_for(setting, of)) continue;
+        std::cerr << of.name << ": " << setting.engine << ", " << setting.name << '\n';
+        lines.push_back({setting.engine, setting.name,
+                         measured(of, scene, [&] { return run_peer(setting, scene, of.steps); })});
+    }
+    return lines;
+}
+
+std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& names) {
+    std::string known;
+    for (const Case& of : all) known += " " + of.name;
+    for (const std::string& name : names) {
+        if (std::none_of(all.begin(), all.end(), [&](const Case& of) { return of.name == name; }))
+            throw std::invalid_argument(fmt::format("CASE {}: must be one of{}", name, known));
+    }
+    if (!names.empty())
+        std::erase_if(all, [&](const Case& of) { return std::count(names.begin(), names.end(), of.name) == 0; });
+    return all;
+}
+
+int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() < 3) throw std::invalid_argument("usage: peers PROGRAM SCENES OUT [CASE...]");
+    const std::string& out = arguments[2];
+    const std::vector<Case> wanted = chosen(cases(arguments[1]), {arguments.begin() + 3, arguments.end()});
+    std::filesystem::create_directories(out);
+    const Program program = find_program(arguments[0], out);
+
+    std::vector<Setting> settings = bullet_settings();
+    for (auto more : {ode_settings(), mujoco_settings()}) settings.insert(settings.end(), more.begin(), more.end());
+    std::cout << program.version << '\n';
+    std::ofstream csv(out + "/compare.csv");
+    write_csv_header(csv);
+    for (const Case& of : wanted) {
+        const std::vector<Line> lines = compare(program, settings, of);
+        write_markdown(std::cout, of, lines);
+        write_csv(csv, of, lines);
+    }
+    csv.close();
+    if (!csv) throw std::runtime_error(out + "/compare.csv: cannot be written");
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace pushfactor::tests::peers
+
+int main(int count, char** words) {
+    try {
+        return pushfactor::tests::peers::run({words + 1, words + count});
+    } catch (const std::invalid_argument& problem) {
+        std::cerr << problem.what() << '\n';
+        return 2;
+    } catch (const std::exception& problem) {
+        std::cerr << problem.what() << '\n';
+        return 1;
+    }
+}
