@@ -82,7 +82,7 @@ fs::path write_new_file(const fs::path& folder, const std::string& stem, const s
                         std::string_view bytes) {
     constexpr int most = 1000;
     for (int n = 1; n <= most; ++n) {
-        const fs::path path = folder / (stem + (n > 1 ? "-" + std::to_string(n) : "") + extension);
+        fs::path path = folder / (stem + (n > 1 ? "-" + std::to_string(n) : "") + extension);
         std::error_code ignored;
         if (!fs::exists(fs::symlink_status(path, ignored))) {
             write_file(path, bytes);

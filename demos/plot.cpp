@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace pushfactor::demos {
 
 namespace {
@@ -22,7 +24,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string hexadecimal(const Colour& colour) {
-    const auto byte = [](float part) { return static_cast<int>(part * 255.0f + 0.5f); };
+    const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green), byte(colour.blue));
 }
 

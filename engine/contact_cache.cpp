@@ -34,7 +34,7 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::vector
     for (const collision::Touch& touch : touches) {
         while (entry != entries_.end() && entry->pair < touch.pair) ++entry;
         const bool known = entry != entries_.end() && entry->pair == touch.pair;
-        for (const collision::ContactPoint& point : touch.manifold.points()) {
+        for (const collision::ContactPoint& point : touch.points) {
             const ContactForce* force = known ? find(*entry, point, position_tolerance * touch.size) : nullptr;
             forces.push_back(force ? *force : ContactForce{});
         }
@@ -51,8 +51,8 @@ void ContactCache::store(std::span<const collision::Touch> touches, std::span<co
     entries_.clear();
     points_.clear();
     for (const collision::Touch& touch : touches) {
-        entries_.push_back({touch.pair, points_.size(), touch.manifold.count});
-        for (const collision::ContactPoint& point : touch.manifold.points()) {
+        entries_.push_back({touch.pair, points_.size(), static_cast<int>(touch.points.size())});
+        for (const collision::ContactPoint& point : touch.points) {
             points_.push_back({point.feature, point.position, forces[points_.size()]});
         }
     }

@@ -55,7 +55,7 @@ const collision::Touch& ContactStage::touch_of(std::size_t index) const {
 }
 
 const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
-    return touch_of(index).manifold.points()[static_cast<std::size_t>(order_[index].point)];
+    return touch_of(index).points[static_cast<std::size_t>(order_[index].point)];
 }
 
 // What the contact points of one touch have in common as far as friction is concerned.
@@ -70,10 +70,12 @@ struct ContactStage::TouchFriction {
 ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
                                                       double dt) const {
     const Vector3 belt = belt_of(touch, pair);
-    const Vector3& normal = touch.manifold.normal;
+    const Vector3& normal = touch.normal;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    return {.bound = friction_->bound(
-                {.bodies = pair, .normal = normal, .friction = touch.friction, .points = touch.manifold.count}),
+    return {.bound = friction_->bound({.bodies = pair,
+                                       .normal = normal,
+                                       .friction = touch.friction,
+                                       .points = static_cast<int>(touch.points.size())}),
             .belt = belt,
             .motion = RelativeMotion(pair, motions_[a], motions_[b], belt),
             .least_sliding = sliding_share * touch.size / dt,
@@ -84,7 +86,7 @@ void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const 
                                  std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
     contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
-    ConstraintRow& row = append_contact_row(at, touch.manifold.normal, point_of(index).gap, choices_.correction,
+    ConstraintRow& row = append_contact_row(at, touch.normal, point_of(index).gap, choices_.correction,
                                             choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
         row.push = restitution_(row.push, impact_of(row, pair, touch, dt));
@@ -97,7 +99,7 @@ void ContactStage::append_friction(std::size_t index, const PairPoint& at, const
                                    std::vector<ConstraintRow>& rows) {
     const collision::Touch& touch = touch_of(index);
     const collision::ContactPoint& point = point_of(index);
-    const Vector3& normal = touch.manifold.normal;
+    const Vector3& normal = touch.normal;
     Contact& contact = contacts_[index];
 
     const Bounds bounds = shared.bound.at(static_cast<int>(first_row_) + contact.normal_row);
@@ -123,7 +125,7 @@ void ContactStage::find_contacts(std::span<const Body> bodies, double dt) {
     std::size_t points = 0;
     for (const collision::Touch& touch : touches_) {
         first_force_.push_back(points);
-        points += static_cast<std::size_t>(touch.manifold.count);
+        points += touch.points.size();
     }
     if (cache_) {
         cache_->recall(touches_, forces_);
@@ -182,7 +184,7 @@ std::vector<ContactSite> ContactStage::sites() const {
         ContactSite site{.body_a = touch_of(i).body_a,
                          .body_b = touch_of(i).body_b,
                          .position = point_of(i).position,
-                         .normal = touch_of(i).manifold.normal,
+                         .normal = touch_of(i).normal,
                          .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
                          .swept = touch_of(i).meeting != nullptr};
         if (contact.friction_row >= 0) {

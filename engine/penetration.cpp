@@ -13,7 +13,7 @@ Penetration penetration(std::span<const Body> bodies, std::span<const collision:
     collision::Detector detector;
     for (const collision::Touch& touch :
          detector.detect(colliders, bodies, {.margin = 0.0, .reduce_to_four_points = false})) {
-        for (const collision::ContactPoint& point : touch.manifold.points()) {
+        for (const collision::ContactPoint& point : touch.points) {
             result.max = std::max(result.max, -point.gap);
             sum_of_squares += point.gap * point.gap;
             ++result.points;

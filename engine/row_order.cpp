@@ -45,7 +45,7 @@ std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const 
 
     contacts_.clear();
     for (const Key& key : keys_) {
-        const int points = touches[static_cast<std::size_t>(key.touch)].manifold.count;
+        const auto points = static_cast<int>(touches[static_cast<std::size_t>(key.touch)].points.size());
         for (int p = 0; p < points; ++p) contacts_.push_back({key.touch, p});
     }
     if (order == RowOrder::reverse) std::reverse(contacts_.begin(), contacts_.end());

@@ -70,7 +70,7 @@ class OsmesaContext final : public OffscreenContext {
 
     OsmesaLibrary osmesa_;
     // The default framebuffer that OSMesa insists on; it lives as long as the context.
-    std::array<std::uint8_t, 4 * side * side> buffer_{};
+    std::array<std::uint8_t, std::size_t{4} * side * side> buffer_{};
     OSMesaContext context_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <cstdint>
 
 namespace pushfactor::renderer {
@@ -25,7 +26,7 @@ class Ink {
         const float share = opacity_ * coverage;
         for (int channel = 0; channel < 3; ++channel) {
             const auto before = static_cast<float>(pixel[channel]);
-            pixel[channel] = static_cast<std::uint8_t>(before + share * (colour_[channel] - before) + 0.5f);
+            pixel[channel] = static_cast<std::uint8_t>(std::lround(before + share * (colour_[channel] - before)));
         }
     }
 

@@ -77,7 +77,7 @@ void draw_shape(Image& image, const Shape& shape, const Paint& paint) {
         for (int x = range.first_x; x < range.end_x; ++x) {
             const double coverage = shape.coverage(glm::dvec2(x, y) + 0.5);
             if (coverage > 0.0) {
-                ink.put(row + 3 * x, static_cast<float>(std::min(coverage, 1.0)));
+                ink.put(row + 3 * static_cast<std::ptrdiff_t>(x), static_cast<float>(std::min(coverage, 1.0)));
             } else {
                 // The bounds of a slanting line hold little else than empty pixels.
                 x += static_cast<int>(std::min(-coverage, static_cast<double>(range.end_x - x)));

@@ -125,8 +125,8 @@ void mix(const std::uint8_t* pixel, const std::uint8_t* neighbour, float share, 
 }
 
 // Four bytes at a time, of which the next pixel replaces the last.
-void copy_colours(const std::uint8_t* rgba, int count, std::uint8_t* rgb) {
-    for (int i = 0; i < count - 1; ++i) std::memcpy(rgb + 3 * i, rgba + 4 * i, 4);
+void copy_colours(const std::uint8_t* rgba, std::ptrdiff_t count, std::uint8_t* rgb) {
+    for (std::ptrdiff_t i = 0; i < count - 1; ++i) std::memcpy(rgb + 3 * i, rgba + 4 * i, 4);
     if (count > 0) std::memcpy(rgb + 3 * (count - 1), rgba + 4 * (count - 1), 3);
 }
 
@@ -136,7 +136,7 @@ class EdgeFinder {
   public:
     EdgeFinder(const std::uint8_t* rgba, std::ptrdiff_t row, const PixelArea& area)
         : width_(area.width), stride_(area.width + 2) {
-        const auto count = static_cast<std::size_t>(stride_ * (area.height + 2));
+        const auto count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(area.height + 2);
         levels_.resize(count);
         marks_.resize(count);
         found_.resize(static_cast<std::size_t>(width_));
@@ -153,10 +153,12 @@ class EdgeFinder {
     }
 
   private:
-    std::size_t start_of(int y) const { return static_cast<std::size_t>(stride_ * (y + 1)); }
+    std::size_t start_of(int y) const {
+        return static_cast<std::size_t>(stride_) * static_cast<std::size_t>(y + 1);
+    }
 
-    static void split(const std::uint8_t* rgba, int count, std::uint8_t* levels, std::uint8_t* marks) {
-        for (int i = 0; i < count; ++i) {
+    static void split(const std::uint8_t* rgba, std::ptrdiff_t count, std::uint8_t* levels, std::uint8_t* marks) {
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
             levels[i] = brightness(rgba + 4 * i);
             marks[i] = rgba[4 * i + 3];
         }

@@ -59,7 +59,8 @@ void add_layers(SceneDescription& scene, int count, Random& random) {
         const double corner = -0.5 * spacing * (side - 1);
         for (int cell = 0; cell < side * side && left > 0; ++cell, --left) {
             const double x = corner + spacing * (cell % side) + random.in(-0.04, 0.04);
-            const double z = corner + spacing * (cell / side) + random.in(-0.04, 0.04);
+            const int row = cell / side;
+            const double z = corner + spacing * row + random.in(-0.04, 0.04);
             add_ball(scene, {x, height, z});
         }
     }

@@ -40,20 +40,30 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
     for (const Body& body : bodies) poses_.push_back(pose_of(body));
 
     touches_.clear();
+    points_.clear();
     for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin)) {
         Touch& touch = touches_.emplace_back();
         name_pair(pair, colliders, bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
+        manifold_.count = 0;
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
                 colliders[static_cast<std::size_t>(pair.b)].shape, pose_b, detection.margin * touch.size,
-                touch.manifold);
-        if (touch.manifold.count == 0) {
+                manifold_);
+        if (manifold_.count == 0) {
             touches_.pop_back();
             continue;
         }
-        if (detection.reduce_to_four_points) reduce_to_four(touch.manifold, pose_a.rotation);
+        if (detection.reduce_to_four_points) reduce_to_four(manifold_, pose_a.rotation);
+        touch.normal = manifold_.normal;
+        touch.points = manifold_.points();  // as many; where they are is said below, when all have been found
+        points_.insert(points_.end(), touch.points.begin(), touch.points.end());
         combine_surfaces(colliders, touch);
+    }
+    std::span<const ContactPoint> left = points_;
+    for (Touch& touch : touches_) {
+        touch.points = left.first(touch.points.size());
+        left = left.subspan(touch.points.size());
     }
     return touches_;
 }

@@ -26,7 +26,8 @@ struct Touch {
     double size = 0.0;         // m, of the smaller movable body; slop, margin and tolerances are fractions of it
     double friction = 0.0;     // mu of the pair
     double restitution = 0.0;  // epsilon of the pair
-    Manifold manifold;         // at least one point, normal from a to b
+    Vector3 normal;            // unit length, world frame, from a to b
+    std::span<const ContactPoint> points;    // at least one; they belong to who found the touch
     const MeetingBodies* meeting = nullptr;  // only of a pair that is to meet in the course of the step
 };
 
@@ -53,6 +54,8 @@ class Detector {
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
+    std::vector<ContactPoint> points_;  // of all touches, in their order
+    Manifold manifold_;                 // of the pair at hand
 };
 
 }  // namespace pushfactor::engine::collision

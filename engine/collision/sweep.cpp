@@ -34,17 +34,17 @@ bool before(const Touch& touch, const Pair& pair) {
     return touch.pair < pair;
 }
 
-double smallest_gap(const Manifold& manifold) {
+double smallest_gap(std::span<const ContactPoint> points) {
     double gap = std::numeric_limits<double>::infinity();
-    for (const ContactPoint& point : manifold.points()) gap = std::min(gap, point.gap);
+    for (const ContactPoint& point : points) gap = std::min(gap, point.gap);
     return gap;
 }
 
 // Whether the free motion may take a touching pair beyond what its manifold knows: into contact by a way that the
 // margin's normal does not foresee, or with corners that the margin does not reach.
 bool has_more(const Touch& touch, const Moving& a, const Moving& b, double dt, double margin) {
-    const double gap = smallest_gap(touch.manifold);
-    return approach(a, b, touch.manifold.normal, dt) > (gap > 0.0 ? gap : margin);
+    const double gap = smallest_gap(touch.points);
+    return approach(a, b, touch.normal, dt) > (gap > 0.0 ? gap : margin);
 }
 
 // How fast the bodies close the gap at `point` of their meeting, m/s.
@@ -138,8 +138,10 @@ bool Sweep::add_meeting(const Pair& pair, const Step& step, Found& found) const 
         found.bodies.push_back({moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b)});
         touch.meeting = &found.bodies.back();
     }
-    touch.manifold = meeting->manifold;
-    if (step.detection.reduce_to_four_points) reduce_to_four(touch.manifold, a.start.rotation);
+    Manifold& manifold = meeting->manifold;
+    if (step.detection.reduce_to_four_points) reduce_to_four(manifold, a.start.rotation);
+    touch.normal = manifold.normal;
+    touch.points = found.keep(manifold.points());
     found.touches.push_back(touch);
     return true;
 }
@@ -173,7 +175,8 @@ std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step&
     }
     for (const Touch& missing : unforeseen_.touches) {
         auto& all = refined_.touches;
-        all.insert(std::lower_bound(all.begin(), all.end(), missing.pair, before), missing);
+        const auto inserted = all.insert(std::lower_bound(all.begin(), all.end(), missing.pair, before), missing);
+        inserted->points = refined_.keep(missing.points);  // what is unforeseen is forgotten with the step
     }
     known_ = refined_.touches;
     return known_;

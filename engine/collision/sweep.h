@@ -43,14 +43,19 @@ class Sweep {
     void forget();
 
   private:
-    // Touches with the bodies that they point to.
+    // Touches with the bodies and points that they point to.
     struct Found {
         std::vector<Touch> touches;
         std::deque<MeetingBodies> bodies;
+        std::deque<std::vector<ContactPoint>> points;
 
+        std::span<const ContactPoint> keep(std::span<const ContactPoint> some) {
+            return points.emplace_back(some.begin(), some.end());
+        }
         void clear() {
             touches.clear();
             bodies.clear();
+            points.clear();
         }
     };
 

@@ -2,16 +2,22 @@
 
 #include "tests/catch.h"
 
+#include <deque>
+#include <vector>
+
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
 
 namespace {
 
 Touch touch(Pair pair, std::initializer_list<std::pair<std::uint32_t, Vector3>> points) {
+    static std::deque<std::vector<ContactPoint>> of_all;  // a touch does not own its points
+    std::vector<ContactPoint>& made = of_all.emplace_back();
+    for (const auto& [feature, position] : points) made.push_back({position, -0.001, feature});
     Touch result;
     result.pair = pair;
     result.size = 1.0;
-    for (const auto& [feature, position] : points) result.manifold.add({position, -0.001, feature});
+    result.points = made;
     return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "tests/catch.h"
 
+#include <array>
+
 using namespace pushfactor::engine;
 
 namespace {
@@ -17,7 +19,8 @@ struct Tower {
         result.pair = {a, b};
         result.body_a = a;
         result.body_b = b;
-        result.manifold.count = 2;
+        static const std::array<collision::ContactPoint, 2> points{};
+        result.points = points;
         return result;
     }
 

@@ -67,6 +67,7 @@ bool allocations_are_counted() {
 
 extern "C" {
 
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 void* malloc(std::size_t bytes) noexcept {
     count(bytes);
     return next_malloc.get()(bytes);
@@ -91,6 +92,7 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes) noex
     count(bytes);
     return next_posix_memalign.get()(memory, alignment, bytes);
 }
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
 
 }  // extern "C"
 

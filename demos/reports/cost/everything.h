@@ -14,6 +14,6 @@ namespace pushfactor::demos::reports::cost {
 // What is added acts too little to be seen: forces of 1e-12 N, friction and restitution of 1e-9. Two things are not
 // for nothing: bodies that have only swung through each other collide, and a length error that is corrected for a
 // single frame leaves no velocity behind.
-SceneDescription with_everything(SceneDescription description);
+SceneDescription with_everything(SceneDescription scene);
 
 }  // namespace pushfactor::demos::reports::cost

@@ -76,7 +76,7 @@ Axes axes_of(const WorkPlot& plot) {
 }
 
 int number_of(const std::string& colour) {
-    const auto byte = [](float part) { return static_cast<int>(part * 255.0f + 0.5f); };
+    const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
     const auto found = find_colour(colour);
     return found ? (byte(found->red) << 16) + (byte(found->green) << 8) + byte(found->blue) : 0x444444;
 }
