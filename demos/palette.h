@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,12 @@ inline std::optional<Colour> find_colour(std::string_view name) {
         if (colour.name == name) return colour;
     }
     return std::nullopt;
+}
+
+// 0xRRGGBB
+inline int number_of(const Colour& colour) {
+    const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
+    return (byte(colour.red) << 16) + (byte(colour.green) << 8) + byte(colour.blue);
 }
 
 inline std::string colour_names() {

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace pushfactor::demos {
 
 namespace {
@@ -24,8 +22,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string hexadecimal(const Colour& colour) {
-    const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
-    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green), byte(colour.blue));
+    return fmt::format("#{:06x}", number_of(colour));
 }
 
 // The frames' colours under their names, so that plots have the same.

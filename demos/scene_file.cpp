@@ -17,7 +17,6 @@ namespace pushfactor::demos {
 
 namespace {
 
-using engine::Distance;
 using engine::Vector3;
 
 constexpr std::size_t most_bodies = 100000;
@@ -122,7 +121,7 @@ BodyDescription read_body(const JsonReader& json) {
 using Names = std::map<std::string, bool, std::less<>>;
 
 std::string read_body_name(const JsonReader& json, const Names& names, bool or_world) {
-    const std::string name = json.string();
+    std::string name = json.string();
     if (!names.contains(name) && !(or_world && name == "world")) {
         json.refuse(or_world ? "the name of a body, or world" : "the name of a body");
     }

@@ -13,8 +13,8 @@ namespace pushfactor::demos {
 // Throws UsageError, one line: the file, the path inside it, the value and what is allowed.
 SceneDescription read_scene_file(const std::filesystem::path& file);
 
-// The JSON text of a description; read back, it gives the same description, number for number.
-std::string scene_file_text(const SceneDescription& description);
+// The JSON text of a scene; read back, it gives the same description, number for number.
+std::string scene_file_text(const SceneDescription& scene);
 
 // The keys that the reader knows, by the part of the file: "scene", "body", ... The schema must know the same.
 const std::map<std::string, std::vector<std::string>>& scene_file_keys();

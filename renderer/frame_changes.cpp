@@ -18,7 +18,7 @@ namespace {
 bool before_in_order(const Instance& a, const Instance& b) {
     static_assert(sizeof(Instance) == 15 * sizeof(float), "bytes between the members would be compared too");
     if (a.number != b.number) return a.number < b.number;
-    return std::memcmp(&a, &b, sizeof(Instance)) < 0;
+    return std::memcmp(&a, &b, sizeof(Instance)) < 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 using Instances = std::vector<Instance>;

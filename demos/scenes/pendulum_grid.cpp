@@ -57,7 +57,7 @@ void add_pendulums(SceneDescription& scene) {
     }
 }
 
-void add_object(SceneDescription& scene, const std::string& name, decltype(BodyDescription::shape) shape,
+void add_object(SceneDescription& scene, const std::string& name, const decltype(BodyDescription::shape)& shape,
                 const Vector3& position, const char* colour) {
     BodyDescription object{.name = name, .shape = shape, .mass = 1.0, .position = position};
     object.colour = colour;

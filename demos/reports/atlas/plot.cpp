@@ -40,10 +40,7 @@ std::string ticks_of(const AtlasAxis& axis) {
 
 // 0xRRGGBB of a name in the palette or of "#RRGGBB".
 int number_of(std::string_view colour) {
-    const auto byte = [](float part) { return static_cast<int>(part * 255.0f + 0.5f); };
-    if (const auto found = find_colour(colour)) {
-        return (byte(found->red) << 16) + (byte(found->green) << 8) + byte(found->blue);
-    }
+    if (const auto found = find_colour(colour)) return number_of(*found);
     int number = 0;
     std::from_chars(colour.data() + 1, colour.data() + colour.size(), number, 16);
     return number;

@@ -76,9 +76,8 @@ Axes axes_of(const WorkPlot& plot) {
 }
 
 int number_of(const std::string& colour) {
-    const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
     const auto found = find_colour(colour);
-    return found ? (byte(found->red) << 16) + (byte(found->green) << 8) + byte(found->blue) : 0x444444;
+    return found ? number_of(*found) : 0x444444;
 }
 
 // One block of the data file. Never empty, which gnuplot would not count.
