@@ -108,7 +108,7 @@ engine::Vector3 JsonReader::vector() const {
 engine::Quaternion JsonReader::rotation() const {
     const std::string allowed = "a quaternion [w, x, y, z] of length 1";
     const std::vector<double> n = numbers(4, allowed);
-    const engine::Quaternion q(n[0], n[1], n[2], n[3]);
+    engine::Quaternion q(n[0], n[1], n[2], n[3]);
     if (std::abs(q.norm() - 1.0) > 1e-6) refuse(allowed);
     return q;
 }
