@@ -27,7 +27,8 @@ struct Touch {
     double friction = 0.0;     // mu of the pair
     double restitution = 0.0;  // epsilon of the pair
     Vector3 normal;            // unit length, world frame, from a to b
-    std::span<const ContactPoint> points;    // at least one; they belong to who found the touch
+    // At least one. They belong to whoever found the touch, and are there until the next search.
+    std::span<const ContactPoint> points;
     const MeetingBodies* meeting = nullptr;  // only of a pair that is to meet in the course of the step
 };
 
