@@ -223,7 +223,7 @@ void require_finite(const Scene& scene) {
 }
 
 void resume(Scene& scene, const RunState& state) {
-    scene.world.set_memory({.time = state.time, .was_exact = state.solved_exactly, .kept = state.kept_steps});
+    scene.world.resume(state.time, state.warm_start);
     scene.substeps_before = state.substeps;
 }
 

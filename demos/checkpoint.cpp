@@ -4,10 +4,9 @@ namespace pushfactor::demos {
 
 void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
     into.bodies = scene.world.bodies;
-    const engine::World::Memory memory = scene.world.memory();
-    into.state.time = memory.time;
-    into.state.solved_exactly = memory.was_exact;
-    into.state.kept_steps = memory.kept;
+    into.state.time = scene.world.time();
+    const auto warm_start = scene.world.warm_start();
+    into.state.warm_start.assign(warm_start.begin(), warm_start.end());
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
     if (scene.contacts && scene.contacts->cache()) into.state.contact_forces = *scene.contacts->cache();

@@ -105,6 +105,7 @@ void Simulation::step_engine(double dt) {
     sample_.count = scene_.step(scene_.world, dt);
     if (clock_) *sample_.cpu_us += clock_() - before;
     sample_.count.sweeps += so_far.sweeps;
+    sample_.count.row_updates += so_far.row_updates;
     sample_.count.multiply_adds += so_far.multiply_adds;
     sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));
     sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));

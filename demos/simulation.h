@@ -13,7 +13,7 @@
 namespace pushfactor::demos {
 
 // What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, residual and
-// length error are the largest, rows and columns are those of the last.
+// length error are the largest, rows, columns and islands are those of the last.
 struct Sample {
     long step = 0;
     double time = 0.0;                // s

@@ -12,10 +12,12 @@ namespace {
 using engine::ContactCache;
 using engine::Lambda;
 using engine::Vector3;
+using engine::WarmStart;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-const Keys state_keys{"time_s", "solved_exactly", "kept_steps", "substeps", "distance_forces_n", "contact_forces"};
+const Keys state_keys{"time_s", "warm_start", "substeps", "distance_forces_n", "contact_forces"};
+const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -51,18 +53,47 @@ ContactCache::Point read_point(const JsonReader& json) {
     return point;
 }
 
-ContactCache read_contact_forces(const JsonReader& json, const SceneDescription& scene) {
-    std::map<std::string, int, std::less<>> indices;
-    for (const BodyDescription& body : scene.bodies) indices.emplace(body.name, static_cast<int>(indices.size()));
-    const auto index_of = [&](const JsonReader& name) {
-        const auto found = indices.find(name.string());
-        if (found == indices.end()) name.refuse("the name of a body");
+// Bodies by their names.
+class BodyIndex {
+  public:
+    explicit BodyIndex(const SceneDescription& scene) {
+        for (const BodyDescription& body : scene.bodies) {
+            indices_.emplace(body.name, static_cast<int>(indices_.size()));
+        }
+    }
+    int of(const JsonReader& name) const {
+        const auto found = indices_.find(name.string());
+        if (found == indices_.end()) name.refuse("the name of a body");
         return found->second;
-    };
+    }
+
+  private:
+    std::map<std::string, int, std::less<>> indices_;
+};
+
+std::vector<WarmStart::Memory> read_warm_start(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
+    std::vector<WarmStart::Memory> memory(scene.bodies.size());
+    for (const JsonReader& entry : json.elements()) {
+        entry.require_object(warm_start_keys);
+        WarmStart::Memory common;
+        if (entry.has("solved_exactly")) common.exact = entry.at("solved_exactly").boolean();
+        if (entry.has("kept_steps")) {
+            common.kept = static_cast<int>(whole_number(entry.at("kept_steps"), 0.0, 1e9));
+        }
+        for (const JsonReader& name : entry.at("bodies").elements()) {
+            memory[static_cast<std::size_t>(indices.of(name))] = common;
+        }
+    }
+    return memory;
+}
+
+ContactCache read_contact_forces(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
     ContactCache cache;
     for (const JsonReader& entry : json.elements()) {
         entry.require_object(contact_keys);
-        const Pair pair{index_of(entry.at("a")), index_of(entry.at("b"))};
+        const Pair pair{indices.of(entry.at("a")), indices.of(entry.at("b"))};
         if (pair.a >= pair.b) entry.at("b").refuse("a body that is listed after a");
         if (!cache.entries().empty() && !(cache.entries().back().pair < pair)) {
             entry.refuse("a pair that comes after the one before, in the order of the bodies");
@@ -99,11 +130,25 @@ Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const 
     return json;
 }
 
+// Bodies that have the same to remember stand together; those that have nothing are left out.
+Json warm_start_json(const RunState& state, const SceneDescription& scene) {
+    std::map<std::pair<bool, int>, Json> names;
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.warm_start.size(); ++i) {
+        const auto& [exact, kept] = state.warm_start[i];
+        if (exact || kept > 0) names[{exact, kept}].push_back(scene.bodies[i].name);
+    }
+    Json json = Json::array();
+    for (const auto& [memory, bodies] : names) {
+        json.push_back({{"bodies", bodies}, {"solved_exactly", memory.first}, {"kept_steps", memory.second}});
+    }
+    return json;
+}
+
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& state_file_keys() {
     static const std::map<std::string, std::vector<std::string>> keys{
-        {"state", state_keys}, {"contact_force", contact_keys}, {"contact_force_point", point_keys}};
+        {"state", state_keys}, {"warm_start", warm_start_keys}, {"contact_force", contact_keys}, {"contact_force_point", point_keys}};
     return keys;
 }
 
@@ -111,8 +156,7 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     json.require_object(state_keys);
     RunState state;
     if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
-    if (json.has("solved_exactly")) state.solved_exactly = json.at("solved_exactly").boolean();
-    if (json.has("kept_steps")) state.kept_steps = static_cast<int>(whole_number(json.at("kept_steps"), 0.0, 1e9));
+    if (json.has("warm_start")) state.warm_start = read_warm_start(json.at("warm_start"), scene);
     if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
@@ -124,9 +168,8 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
     Json json{{"time_s", state.time},
-              {"solved_exactly", state.solved_exactly},
-              {"kept_steps", state.kept_steps},
               {"substeps", state.substeps}};
+    if (Json warm_start = warm_start_json(state, scene); !warm_start.empty()) json["warm_start"] = warm_start;
     for (const Lambda& force : state.distance_forces) json["distance_forces_n"].push_back(to_json(force));
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));

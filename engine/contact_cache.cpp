@@ -29,7 +29,6 @@ const ContactForce* ContactCache::find(const Entry& entry, const collision::Cont
 }
 
 void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const {
-    forces.clear();
     auto entry = entries_.begin();
     for (const collision::Touch& touch : touches) {
         while (entry != entries_.end() && entry->pair < touch.pair) ++entry;

@@ -30,7 +30,7 @@ class ContactCache {
         int count = 0;
     };
 
-    // The cached force for every point of `touches`, point after point; zero where nothing matches. A point is
+    // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point is
     // the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
     void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
 

@@ -1,5 +1,6 @@
 #include "engine/contact_stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -50,14 +51,6 @@ Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pai
     return run(touch.pair.a, pair.body_a) - run(touch.pair.b, pair.body_b);
 }
 
-const collision::Touch& ContactStage::touch_of(std::size_t index) const {
-    return touches_[static_cast<std::size_t>(order_[index].touch)];
-}
-
-const collision::ContactPoint& ContactStage::point_of(std::size_t index) const {
-    return touch_of(index).points[static_cast<std::size_t>(order_[index].point)];
-}
-
 // What the contact points of one touch have in common as far as friction is concerned.
 struct ContactStage::TouchFriction {
     FrictionBound bound;
@@ -82,66 +75,66 @@ ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& to
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
-void ContactStage::append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
+void ContactStage::append_normal(Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                                  std::vector<ConstraintRow>& rows) {
-    const collision::Touch& touch = touch_of(index);
-    contacts_[index].normal_row = static_cast<int>(rows.size() - first_row_);
-    ConstraintRow& row = append_contact_row(at, touch.normal, point_of(index).gap, choices_.correction,
+    const collision::Touch& touch = *contact.touch;
+    const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
+    contact.normal_row = static_cast<int>(rows.size());
+    ++own_rows_;
+    ConstraintRow& row = append_contact_row(at, touch.normal, point.gap, choices_.correction,
                                             choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
         row.push = restitution_(row.push, impact_of(row, pair, touch, dt));
     }
-    row.label.point = order_[index].point;
-    row.guess = forces_[contacts_[index].force].normal;
+    row.label.point = contact.point;
+    row.guess = forces_[contact.force].normal;
 }
 
-void ContactStage::append_friction(std::size_t index, const PairPoint& at, const TouchFriction& shared,
+void ContactStage::append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                                    std::vector<ConstraintRow>& rows) {
-    const collision::Touch& touch = touch_of(index);
-    const collision::ContactPoint& point = point_of(index);
-    const Vector3& normal = touch.normal;
-    Contact& contact = contacts_[index];
+    const Vector3& normal = contact.touch->normal;
+    const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
-    const Bounds bounds = shared.bound.at(static_cast<int>(first_row_) + contact.normal_row);
+    const Bounds bounds = shared.bound.at(contact.normal_row);
     contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal),
                                          shared.least_sliding, shared.resting);
-    contact.friction_row = static_cast<int>(rows.size() - first_row_);
+    contact.friction_row = static_cast<int>(rows.size());
+    own_rows_ += 2;
     for (const Vector3& tangent : contact.tangents) {
         ConstraintRow& row = append_friction_row(at, tangent, bounds, tangent.dot(shared.belt), rows);
         const ContactForce& force = forces_[contact.force];
-        row.label.point = order_[index].point;
+        row.label.point = contact.point;
         row.label.gap = point.gap;
         row.guess = {tangent.dot(force.friction_first), tangent.dot(force.friction_last)};
     }
 }
 
-// Detects, orders, and recalls what the cache knows.
-void ContactStage::find_contacts(std::span<const Body> bodies, double dt) {
-    touches_ = detector_.detect(colliders_, bodies, choices_.detection);
-    if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
-    order_ = ordering_.put(choices_.order, touches_, bodies);
-
+// The contacts of the touches in the order given, with what the cache knows of their forces.
+std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const collision::Touch> touches,
+                                                            std::span<const ContactIndex> order) {
     first_force_.clear();
-    std::size_t points = 0;
-    for (const collision::Touch& touch : touches_) {
-        first_force_.push_back(points);
-        points += touch.points.size();
+    std::size_t force = forces_.size();
+    for (const collision::Touch& touch : touches) {
+        first_force_.push_back(force);
+        force += touch.points.size();
     }
     if (cache_) {
-        cache_->recall(touches_, forces_);
+        cache_->recall(touches, forces_);
     } else {
-        forces_.assign(points, {});
+        forces_.resize(force);
     }
 
-    contacts_.resize(order_.size());
-    runs_.clear();
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        contacts_[i].force =
-            first_force_[static_cast<std::size_t>(order_[i].touch)] + static_cast<std::size_t>(order_[i].point);
-        contacts_[i].friction_row = -1;
-        if (i == 0 || order_[i].touch != order_[i - 1].touch) runs_.push_back({i, i});
-        runs_.back().end = i + 1;
+    const std::size_t before = contacts_.size();
+    contacts_.resize(before + order.size());
+    const std::span<Contact> added = std::span(contacts_).subspan(before);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto touch = static_cast<std::size_t>(order[i].touch);
+        added[i].touch = &touches[touch];
+        added[i].point = order[i].point;
+        added[i].force = first_force_[touch] + static_cast<std::size_t>(order[i].point);
+        added[i].friction_row = -1;
     }
+    return added;
 }
 
 // As motion_of() has them, with the rotations that the detector has made.
@@ -156,39 +149,67 @@ void ContactStage::find_motions(std::span<const Body> bodies) {
     }
 }
 
-void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    find_contacts(bodies, dt);
-    if (friction_) find_motions(bodies);
-    first_row_ = rows.size();
+void ContactStage::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
+                                  std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    const std::span<Contact> contacts = add_contacts(touches, order.put(choices_.order, touches, bodies));
+    const int foreign_rows = static_cast<int>(rows.size()) - own_rows_;
     const bool interleaved = choices_.order != RowOrder::normals_first;
-    const auto append = [&](const Run& run, bool normals, bool tangents) {
-        const collision::Touch& touch = touch_of(run.begin);
-        const BodyPair pair = bodies_of(touch, bodies);
-        std::optional<TouchFriction> shared;
-        if (tangents) shared = friction_of(touch, pair, dt);
-        for (std::size_t i = run.begin; i < run.end; ++i) {
-            const PairPoint at(pair, point_of(i).position);
-            if (normals) append_normal(i, pair, at, dt, rows);
-            if (tangents) append_friction(i, at, *shared, rows);
+    const auto append = [&](bool normals, bool tangents) {
+        for (std::size_t i = 0; i < contacts.size();) {
+            const collision::Touch& touch = *contacts[i].touch;
+            const BodyPair pair = bodies_of(touch, bodies);
+            std::optional<TouchFriction> shared;
+            if (tangents) shared = friction_of(touch, pair, dt);
+            for (; i < contacts.size() && contacts[i].touch == &touch; ++i) {
+                Contact& contact = contacts[i];
+                const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);
+                contact.foreign_rows = foreign_rows;
+                if (normals) append_normal(contact, pair, at, dt, rows);
+                if (tangents) append_friction(contact, at, *shared, rows);
+            }
         }
     };
-    for (const Run& run : runs_) append(run, true, friction_ && interleaved);
-    if (!friction_ || interleaved) return;
-    for (const Run& run : runs_) append(run, false, true);
+    append(true, friction_ && interleaved);
+    if (friction_ && !interleaved) append(false, true);
+}
+
+void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    touches_ = detector_.detect(colliders_, bodies, choices_.detection);
+    if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
+    if (friction_) find_motions(bodies);
+    unforeseen_.clear();
+    contacts_.clear();
+    forces_.clear();
+    own_rows_ = 0;
+    append_touches(touches_, order_, bodies, dt, rows);
+}
+
+void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
+                                     std::span<const char> changed, double dt, std::vector<ConstraintRow>& rows) {
+    if (!sweep_) return;
+    const auto found = sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection});
+    if (found.empty()) return;
+    const std::size_t before = contacts_.size(), first = unforeseen_.size();
+    append_touches(found, unforeseen_order_, bodies, dt, rows);
+    // The sweep keeps its touches until the next look only.
+    unforeseen_.insert(unforeseen_.end(), found.begin(), found.end());
+    for (Contact& contact : std::span(contacts_).subspan(before)) {
+        contact.touch = &unforeseen_[first + static_cast<std::size_t>(contact.touch - found.data())];
+    }
 }
 
 std::vector<ContactSite> ContactStage::sites() const {
     std::vector<ContactSite> sites;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const Contact& contact = contacts_[i];
-        ContactSite site{.body_a = touch_of(i).body_a,
-                         .body_b = touch_of(i).body_b,
-                         .position = point_of(i).position,
-                         .normal = touch_of(i).normal,
-                         .normal_row = first_row_ + static_cast<std::size_t>(contact.normal_row),
-                         .swept = touch_of(i).meeting != nullptr};
+    for (const Contact& contact : contacts_) {
+        const collision::Touch& touch = *contact.touch;
+        ContactSite site{.body_a = touch.body_a,
+                         .body_b = touch.body_b,
+                         .position = touch.points[static_cast<std::size_t>(contact.point)].position,
+                         .normal = touch.normal,
+                         .normal_row = static_cast<std::size_t>(contact.normal_row),
+                         .swept = touch.meeting != nullptr};
         if (contact.friction_row >= 0) {
-            site.friction_row = first_row_ + static_cast<std::size_t>(contact.friction_row);
+            site.friction_row = static_cast<std::size_t>(contact.friction_row);
             site.tangents = contact.tangents;
         }
         sites.push_back(site);
@@ -196,23 +217,48 @@ std::vector<ContactSite> ContactStage::sites() const {
     return sites;
 }
 
-bool ContactStage::foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) {
-    return !sweep_ || sweep_->foresaw(forces, {colliders_, bodies, dt, choices_.detection});
-}
-
 void ContactStage::remember(std::span<const Lambda> answers) {
-    if (sweep_) sweep_->forget();
     if (!cache_) return;
     for (const Contact& contact : contacts_) {
         ContactForce& force = forces_[contact.force];
-        force.normal = answers[static_cast<std::size_t>(contact.normal_row)];
+        const auto answer = [&](int row) { return answers[static_cast<std::size_t>(row - contact.foreign_rows)]; };
+        force.normal = answer(contact.normal_row);
         if (contact.friction_row < 0) continue;
-        const Lambda& along = answers[static_cast<std::size_t>(contact.friction_row)];
-        const Lambda& across = answers[static_cast<std::size_t>(contact.friction_row) + 1];
+        const Lambda along = answer(contact.friction_row);
+        const Lambda across = answer(contact.friction_row + 1);
         force.friction_first = contact.tangents[0] * along.first + contact.tangents[1] * across.first;
         force.friction_last = contact.tangents[0] * along.last + contact.tangents[1] * across.last;
     }
-    cache_->store(touches_, forces_);
+    store_forces();
+}
+
+// In ascending order of the pair, as the cache wants them.
+void ContactStage::store_forces() {
+    if (unforeseen_.empty()) {
+        cache_->store(touches_, forces_);
+        return;
+    }
+    struct Known {
+        const collision::Touch* touch;
+        std::size_t force;
+    };
+    std::vector<Known> all;
+    std::size_t force = 0;
+    const auto add = [&](const collision::Touch& touch) {
+        all.push_back({&touch, force});
+        force += touch.points.size();
+    };
+    for (const collision::Touch& touch : touches_) add(touch);
+    for (const collision::Touch& touch : unforeseen_) add(touch);
+    std::sort(all.begin(), all.end(), [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
+    std::vector<collision::Touch> touches;
+    std::vector<ContactForce> forces;
+    for (const Known& known : all) {
+        touches.push_back(*known.touch);
+        const auto first = forces_.begin() + static_cast<std::ptrdiff_t>(known.force);
+        forces.insert(forces.end(), first, first + static_cast<std::ptrdiff_t>(known.touch->points.size()));
+    }
+    cache_->store(touches, forces);
 }
 
 }  // namespace pushfactor::engine

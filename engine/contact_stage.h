@@ -12,6 +12,7 @@
 #include "engine/sources.h"
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,7 +51,8 @@ class ContactStage : public ConstraintSource {
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
-    bool foresaw(std::span<const Body> bodies, std::span<const Vector6> forces, double dt) override;
+    void append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
+                           std::span<const char> changed, double dt, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
@@ -64,31 +66,32 @@ class ContactStage : public ConstraintSource {
     std::vector<ContactSite> sites() const;
 
   private:
-    // One contact point of this step: where its answers will stand, and along which directions.
+    // One contact point of this step: where its answers will be, and along which directions.
     struct Contact {
-        std::size_t force = 0;  // into forces_
-        int normal_row = 0;     // relative to the first row of the stage
-        int friction_row = -1;  // the first of two; below zero without friction, which has no tangents
-        std::array<Vector3, 2> tangents;
-    };
+        // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+        Contact() {}  // NOLINT(modernize-use-equals-default)
 
-    // Contacts of one touch that stand together in order_: from `begin` up to `end`.
-    struct Run {
-        std::size_t begin = 0;
-        std::size_t end = 0;
+        const collision::Touch* touch;
+        int point;          // of the touch
+        std::size_t force;  // into forces_
+        int normal_row;     // of the rows of the step
+        int friction_row;   // the first of two; below zero without friction, which has no tangents
+        int foreign_rows;   // how many rows before these are not the stage's
+        std::array<Vector3, 2> tangents;
     };
     struct TouchFriction;
 
-    void find_contacts(std::span<const Body> bodies, double dt);
+    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, std::span<const Body> bodies,
+                        double dt, std::vector<ConstraintRow>& rows);
+    std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order);
     void find_motions(std::span<const Body> bodies);
-    void append_normal(std::size_t index, const BodyPair& pair, const PairPoint& at, double dt,
+    void append_normal(Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                        std::vector<ConstraintRow>& rows);
-    void append_friction(std::size_t index, const PairPoint& at, const TouchFriction& shared,
+    void append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                          std::vector<ConstraintRow>& rows);
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
-    const collision::Touch& touch_of(std::size_t index) const;
-    const collision::ContactPoint& point_of(std::size_t index) const;
+    void store_forces();
 
     std::vector<collision::Collider> colliders_;
     ContactChoices choices_;
@@ -100,14 +103,13 @@ class ContactStage : public ConstraintSource {
     // Of the current step.
     collision::Detector detector_;
     std::span<const collision::Touch> touches_;
+    std::deque<collision::Touch> unforeseen_;
     std::vector<Motion> motions_;  // by body, at the start of the step; for friction
-    ContactOrder ordering_;
-    std::span<const ContactIndex> order_;
-    std::vector<Run> runs_;                 // of order_
-    std::vector<Contact> contacts_;         // in the order of order_
-    std::vector<ContactForce> forces_;      // in the order of the touches and their points
-    std::vector<std::size_t> first_force_;  // of each touch, into forces_
-    std::size_t first_row_ = 0;
+    ContactOrder order_, unforeseen_order_;
+    std::vector<Contact> contacts_;     // in the order of their rows
+    std::vector<ContactForce> forces_;  // in the order of touches_ and then of unforeseen_, and of their points
+    std::vector<std::size_t> first_force_;  // of each touch at hand, into forces_
+    int own_rows_ = 0;
 };
 
 }  // namespace pushfactor::engine

@@ -62,14 +62,6 @@ Quaternion rotate_symmetric(const Body& body, const Vector3& angular_momentum, i
 
 }  // namespace
 
-Vector3 advance_momentum(const Vector3& momentum, const Vector3& force, double dt) {
-    return momentum + force * dt;
-}
-
-Vector3 advance_position(const Body& body, const Vector3& linear_momentum, double dt) {
-    return body.position + (body.inverse_mass * dt) * linear_momentum;
-}
-
 Quaternion rotate_euler(const Body& body, const Vector3& angular_momentum, double dt) {
     const Vector3 omega = world_inverse_inertia(body) * angular_momentum;
     Quaternion rate(0.0, 0.5 * omega.x(), 0.5 * omega.y(), 0.5 * omega.z());

@@ -13,10 +13,14 @@
 namespace pushfactor::engine {
 
 // 3.2.1, 3.2.2: p(t+dt) = p(t) + f dt, l(t+dt) = l(t) + tau dt. World frame.
-Vector3 advance_momentum(const Vector3& momentum, const Vector3& force, double dt);
+inline Vector3 advance_momentum(const Vector3& momentum, const Vector3& force, double dt) {
+    return momentum + force * dt;
+}
 
 // 3.2.3: x(t+dt) = x(t) + dt p(t+dt) / m. `linear_momentum` is the new one.
-Vector3 advance_position(const Body& body, const Vector3& linear_momentum, double dt);
+inline Vector3 advance_position(const Body& body, const Vector3& linear_momentum, double dt) {
+    return body.position + (body.inverse_mass * dt) * linear_momentum;
+}
 
 // The orientation after dt [s] of torque-free motion with the (new) `angular_momentum` [kg m^2/s, world frame].
 // The result has unit length.

@@ -37,6 +37,8 @@ class RattleStep {
 
     // Takes the rows and their guesses where the step begins.
     void begin(double dt) {
+        // Each step solves for its positions, so that no error grows while forces are kept.
+        world_.warm_start_.set_memory({});
         world_.append_rows(dt);
         require_bars(world_.rows_);
         world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);
@@ -45,17 +47,17 @@ class RattleStep {
         }
     }
 
-    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole.
+    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole: for
+    // each island as often as it takes.
     void move(double kick, double drift) {
         prepare(kick);
-        double error = look_ahead(kick, drift);
+        find_islands();
+        look_ahead(kick, drift);
         // Where every row is right within the tolerance the solver would keep the guess, which is zero.
         const double enough = std::max(exact, world_.termination.tolerance_high * std::abs(drift));
-        for (int i = 0; i < most_repetitions && error > enough; ++i) {
+        for (int i = 0; i < most_repetitions && !end_moves(enough, i == 0); ++i) {
             correct(kick);
-            const double before = error;
-            error = look_ahead(kick, drift);
-            if (error >= before) break;
+            look_ahead(kick, drift);
         }
         std::copy(ahead_.begin(), ahead_.end(), world_.bodies.begin());
         world_.rows_.swap(rows_ahead_);
@@ -66,14 +68,16 @@ class RattleStep {
     StepCount finish(double kick) {
         for (ConstraintRow& row : world_.rows_) row.push = {};
         prepare(kick);
-        if (!world_.rows_.empty()) add(world_.solver->solve(world_.system_, world_.termination, world_.lambda_));
+        find_islands();
+        for (Move& move : moves_) move.ended = false;
+        solve_open_islands(world_.lambda_);
         world_.remember();
         kick_ahead(kick);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
             world_.bodies[i].linear_momentum = ahead_[i].linear_momentum;
             world_.bodies[i].angular_momentum = ahead_[i].angular_momentum;
         }
-        return world_.count(solved_);
+        return world_.count(work_);
     }
 
   private:
@@ -81,6 +85,15 @@ class RattleStep {
         world_.add_forces();
         build_system(world_.bodies, world_.rows_, kick, world_.system_);
         world_.system_.dt = std::abs(kick);  // the solvers' measure of residuals; b has the sign
+    }
+
+    // The bars connect the same bodies throughout the step, and all rows count in one column.
+    void find_islands() {
+        if (found_islands_) return;
+        found_islands_ = true;
+        world_.system_.b.conservativeResize(Eigen::NoChange, 1);
+        world_.islands_.find(world_.system_);
+        moves_.resize(world_.islands_.all().size());
     }
 
     // The momenta after a kick by the external forces and by lambda.
@@ -95,8 +108,8 @@ class RattleStep {
         }
     }
 
-    // Where lambda takes the bodies, and the rows there. Returns the largest length error [m].
-    double look_ahead(double kick, double drift) {
+    // Where lambda takes the bodies, and the rows there.
+    void look_ahead(double kick, double drift) {
         kick_ahead(kick);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
             const Body& body = world_.bodies[i];
@@ -109,9 +122,33 @@ class RattleStep {
         if (rows_ahead_.size() != world_.rows_.size()) {
             throw InvalidInput("rows", std::to_string(rows_ahead_.size()), "the same throughout a step of RATTLE");
         }
+        for (std::size_t k = 0; k < moves_.size(); ++k) {
+            moves_[k].before = moves_[k].error;
+            moves_[k].error = error_ahead(world_.islands_.all()[k]) * std::abs(drift);
+        }
+    }
+
+    // The largest push of the island's rows where they have been taken [m/s].
+    double error_ahead(const Island& island) const {
         double largest = 0.0;
-        for (const ConstraintRow& row : rows_ahead_) largest = std::max(largest, std::abs(whole(row.push) * drift));
+        for (const RowRun& run : island.runs) {
+            for (int j = run.begin; j < run.end; ++j) {
+                largest = std::max(largest, std::abs(whole(rows_ahead_[static_cast<std::size_t>(j)].push)));
+            }
+        }
         return largest;
+    }
+
+    // Ends the moves of the islands whose bars are as long as they should be to `enough` [m], or which came no nearer
+    // to that since the last time. Returns whether that is all of them.
+    bool end_moves(double enough, bool first) {
+        bool all = true;
+        for (Move& move : moves_) {
+            if (first) move.ended = false;
+            move.ended = move.ended || move.error <= enough || (!first && move.error >= move.before);
+            all = all && move.ended;
+        }
+        return all;
     }
 
     // Adds to lambda what the rows ahead miss: A change = v / kick, with the axes of the rows where the move
@@ -123,20 +160,39 @@ class RattleStep {
             world_.system_.b(j, 0) = whole(rows_ahead_[static_cast<std::size_t>(j)].push) / kick;
         }
         change_.setZero(rows, 1);
-        add(world_.solver->solve(world_.system_, world_.termination, change_));
+        solve_open_islands(change_);
         world_.lambda_ += change_;
     }
 
-    void add(const solvers::SolveCount& solved) {
-        solved_.iterations += solved.iterations;
-        solved_.multiply_adds += solved.multiply_adds;
+    // Those whose moves have not ended.
+    void solve_open_islands(Columns& lambda) {
+        int sweeps = 0;
+        for (std::size_t k = 0; k < moves_.size(); ++k) {
+            if (moves_[k].ended) continue;
+            const Island& island = world_.islands_.all()[k];
+            const solvers::SolveCount count =
+                world_.solver->solve(world_.system_, island, world_.termination, lambda);
+            world_.warm_start_.solved(island, {}, count);
+            sweeps = std::max(sweeps, count.iterations);
+            work_.row_updates += 1.0 * island.rows * count.iterations;
+            work_.multiply_adds += count.multiply_adds;
+        }
+        work_.sweeps += sweeps;
     }
+
+    // How the move of an island goes.
+    struct Move {
+        double error = 0.0, before = 0.0;  // m, of the longest or shortest bar
+        bool ended = false;
+    };
 
     World& world_;
     std::vector<Body> ahead_;
     std::vector<ConstraintRow> rows_ahead_;
-    Columns change_;  // of lambda, N
-    solvers::SolveCount solved_;
+    Columns change_;           // of lambda, N
+    std::vector<Move> moves_;  // by island
+    bool found_islands_ = false;
+    World::Work work_;
 };
 
 namespace {

@@ -7,16 +7,21 @@ namespace pushfactor::engine {
 
 namespace {
 
+// `result` is what it was in the last step, or zero.
 void find_inverse_mass(const Body& body, InverseMass& result) {
     if (body.is_static()) {
-        result = {};
+        if (result.linear > 0.0) result = {};
         return;
     }
+    const Vector3& moments = body.inverse_inertia;
+    const bool turns_alike = moments.x() == moments.y() && moments.y() == moments.z();
+    const bool as_before = turns_alike && result.turns_alike && result.linear == body.inverse_mass &&
+                           result.angular(0, 0) == moments.x();
+    if (as_before) return;
+    result.turns_alike = turns_alike;
     result.linear = body.inverse_mass;
     result.linear_root = std::sqrt(body.inverse_mass);
-    const Vector3& moments = body.inverse_inertia;
-    if (moments.x() == moments.y() && moments.y() == moments.z()) {
-        // The same about every axis, however the body is turned.
+    if (turns_alike) {
         result.angular = moments.asDiagonal();
         result.angular_root = moments.cwiseSqrt().asDiagonal();
         return;
@@ -94,9 +99,9 @@ inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& syste
 
 void size_axes(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
-    system.diagonal.resize(count);
-    system.scale.resize(count);
-    system.inverse_scale.resize(count);
+    system.diagonal.conservativeResize(count);
+    system.scale.conservativeResize(count);
+    system.inverse_scale.conservativeResize(count);
     system.unit_axes.resize(system.rows.size());
 }
 
@@ -116,10 +121,33 @@ void weigh_rows(SystemEquation& system) {
     for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(system.rows[j], j, system);
 }
 
+namespace {
+
+// The axes and right sides of the rows from `first` on. Those before have theirs.
+void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system) {
+    system.rows = rows;
+    size_axes(system);
+    const Eigen::Index before = system.column_count();
+    const bool two_columns = (first > 0 && before == 2) || corrects(rows.subspan(first));
+    system.b.conservativeResize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
+    if (first > 0 && two_columns && before == 1) system.b.col(1) = system.b.col(0);
+    const std::vector<Vector6>& free = system.free_acceleration;
+    for (std::size_t j = first; j < rows.size(); ++j) {
+        const ConstraintRow& row = rows[j];
+        weigh(row, j, system);
+        const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                     row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+        const auto index = static_cast<Eigen::Index>(j);
+        system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
+        if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
+    }
+}
+
+}  // namespace
+
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system) {
     system.dt = dt;
-    system.rows = rows;
     system.inverse_mass.resize(bodies.size());
     std::vector<Vector6>& free = system.free_acceleration;
     free.resize(bodies.size());
@@ -128,44 +156,19 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
         find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     }
 
-    size_axes(system);
-    const bool two_columns = corrects(rows);
-    system.b.resize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-        const ConstraintRow& row = rows[j];
-        weigh(row, j, system);
-        const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                     row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
-        const auto index = static_cast<Eigen::Index>(j);
-        system.b(index, 0) = (row.push.correcting + row.push.lasting) / dt - unconstrained;
-        if (two_columns) system.b(index, 1) = row.push.lasting / dt - unconstrained;
-    }
+    append_to_system(rows, 0, system);
+}
+
+void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system) {
+    append_to_system(rows, system.rows.size(), system);
 }
 
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces) {
     forces.assign(system.inverse_mass.size(), Vector6::Zero());
     for (Eigen::Index j = 0; j < system.row_count();) {
-        const ConstraintRow& first = system.rows[static_cast<std::size_t>(j)];
-        Vector6& on_a = forces[static_cast<std::size_t>(first.body_a)];
-        Vector6& on_b = forces[static_cast<std::size_t>(first.body_b)];
-        Vector6 sum_a = on_a, sum_b = on_b;
-        // Taken from memory once for all rows of a pair, which stand together.
-        for (; j < system.row_count(); ++j) {
-            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-            if (row.body_a != first.body_a || row.body_b != first.body_b) break;
-            sum_a += row.jacobian.a * lambda(j, column);
-            sum_b += row.jacobian.b * lambda(j, column);
-        }
-        on_a = sum_a;
-        on_b = sum_b;
+        j = add_forces_of_pair(system, lambda, column, j, system.row_count(), forces);
     }
-}
-
-Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column) {
-    if (row.bounds.of_row < 0) return {row.bounds.c_min, row.bounds.c_max};
-    const double other = lambda(row.bounds.of_row, column);
-    return {row.bounds.c_min * other, row.bounds.c_max * other};
 }
 
 double natural_residual(const SystemEquation& system, const Columns& lambda) {

@@ -26,6 +26,7 @@ struct InverseMass {
     double linear_root = 0.0;                // its root
     Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
+    bool turns_alike = false;                // the same about every axis, however the body is turned
 };
 
 struct SystemEquation {
@@ -48,6 +49,10 @@ struct SystemEquation {
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 
+// Adds to a system that was built the rows that have come behind its own: `rows` are all of them. The bodies are as
+// they were.
+void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system);
+
 // The part of build_system that depends on J and M^-1 alone: `diagonal`, its roots, `unit_axes`.
 void weigh_rows(SystemEquation& system);
 
@@ -58,12 +63,37 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces);
 
+// Adds to `forces` what row `begin` does to its bodies, and the rows behind it, up to `end`, that act on the same two.
+// Returns the first row that does not.
+inline Eigen::Index add_forces_of_pair(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                                       Eigen::Index begin, Eigen::Index end, std::vector<Vector6>& forces) {
+    const ConstraintRow& first = system.rows[static_cast<std::size_t>(begin)];
+    Vector6& on_a = forces[static_cast<std::size_t>(first.body_a)];
+    Vector6& on_b = forces[static_cast<std::size_t>(first.body_b)];
+    // In variables of their own, so that the sums are not written to memory and read back row by row.
+    Vector6 sum_a = on_a, sum_b = on_b;
+    Eigen::Index j = begin;
+    for (; j < end; ++j) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        if (row.body_a != first.body_a || row.body_b != first.body_b) break;
+        sum_a += row.jacobian.a * lambda(j, column);
+        sum_b += row.jacobian.b * lambda(j, column);
+    }
+    on_a = sum_a;
+    on_b = sum_b;
+    return j;
+}
+
 // The bounds [N] of row `row` while column `column` of `lambda` is as it is.
 struct Interval {
     double low = 0.0;
     double high = 0.0;
 };
-Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column);
+inline Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column) {
+    if (row.bounds.of_row < 0) return {row.bounds.c_min, row.bounds.c_max};
+    const double other = lambda(row.bounds.of_row, column);
+    return {row.bounds.c_min * other, row.bounds.c_max * other};
+}
 
 // Natural-map residual [m/s]: the largest velocity that a row still gets wrong,
 // dt max_j A_jj |lambda_j - clamp(lambda_j - w_j / A_jj)| with w = A lambda - b, over all columns.

@@ -11,11 +11,9 @@ namespace pushfactor::engine {
 
 namespace {
 
-// How often a step is solved anew because bodies that it has thrown would meet others: one more body of a chain of
-// collisions each time.
+// Limit on re-solves per step: each adds contacts for bodies that the last solve has thrown into something, one more
+// body of a chain of collisions each time.
 constexpr int most_looks = 8;
-// What a method that goes to rounding leaves only where no answer exists [m/s].
-constexpr double contradiction = 1e-3;
 
 }  // namespace
 
@@ -30,14 +28,14 @@ StepCount World::step(double dt, StageObserver* observer) {
     ended(Stage::rows);
     build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
     ended(Stage::system);
-    const solvers::SolveCount solved = solve_and_look(dt);  // 7
+    const Work work = solve_and_look(dt);  // 7, island by island
     ended(Stage::solve);
     remember();  // 6.2.3
     ended(Stage::remember);
     integrate(dt);  // 3.2, 8.1
     time_ += dt;
     ended(Stage::integrate);
-    return count(solved);
+    return count(work);
 }
 
 void World::add_forces() {
@@ -50,129 +48,216 @@ void World::add_forces() {
 
 void World::append_rows(double dt) {
     rows_.clear();
-    row_ends_.clear();
-    for (const auto& source : constraints) {
-        source->append_rows(bodies, dt, rows_);
-        row_ends_.push_back(rows_.size());
+    appended_.clear();
+    for (std::size_t s = 0; s < constraints.size(); ++s) {
+        const std::size_t begin = rows_.size();
+        constraints[s]->append_rows(bodies, dt, rows_);
+        appended_.push_back({s, begin, rows_.size()});
+    }
+    warm_start_.begin(bodies.size());
+}
+
+void World::append_unforeseen(double dt) {
+    for (std::size_t s = 0; s < constraints.size(); ++s) {
+        const std::size_t begin = rows_.size();
+        constraints[s]->append_unforeseen(bodies, moving_, changed_, dt, rows_);
+        if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
     }
 }
 
-solvers::SolveCount World::solve() {
-    const Eigen::Index last = system_.column_count() - 1;
+World::Work World::solve_and_look(double dt) {
+    Work work = solve_islands();
+    changed_.assign(bodies.size(), 1);
+    for (int look = 0; look < most_looks; ++look) {
+        const std::size_t known = rows_.size();
+        append_unforeseen(dt);
+        if (rows_.size() == known) break;
+        extend_system(rows_, system_);
+        const Work again = solve_islands_again(known);
+        work.sweeps += again.sweeps;
+        work.row_updates += again.row_updates;
+        work.multiply_adds += again.multiply_adds;
+    }
+    return work;
+}
+
+World::Work World::solve_islands() {
+    islands_.find(system_);
     lambda_.resize(system_.row_count(), system_.column_count());
-    for (Eigen::Index j = 0; j < lambda_.rows(); ++j) {
-        const Lambda& guess = rows_[static_cast<std::size_t>(j)].guess;
-        lambda_(j, 0) = guess.first;
-        lambda_(j, last) = guess.last;
-    }
-    if (rows_.empty()) return {};
-    // An exact answer that has just stopped a motion holds the force that stopped it, and kept for the next step it
-    // would start the motion again, the other way round. So after one the guess must be as good as an answer, and
-    // better: what is left grows while nothing is solved.
-    solvers::Termination now = termination;
-    if (was_exact_) now.tolerance_high = now.tolerance_low = 0.1 * termination.tolerance_low;
-    const solvers::SolveCount count = solver->solve(system_, now, lambda_);
-    was_exact_ = count.exact;
-    kept_before_ = kept_;
-    kept_ = count.iterations > 0 ? 0 : kept_ + 1;
-    contradicted_ = count.exact && count.residual > contradiction;
-    return count;
-}
-
-solvers::SolveCount World::solve_and_look(double dt) {
-    solvers::SolveCount solved = solve();
+    guess(0);
+    Work work;
+    for (const Island& island : islands_.all()) solve(island, work);
     constraint_forces(system_, lambda_, 0, moving_);
-    for (int look = 0; look < most_looks && !foresaw(dt); ++look) {
-        append_rows(dt);
-        build_system(bodies, rows_, dt, system_);
-        const solvers::SolveCount again = solve();
-        constraint_forces(system_, lambda_, 0, moving_);
-        solved.iterations += again.iterations;
-        solved.multiply_adds += again.multiply_adds;
-    }
-    return solved;
+    return work;
 }
 
-bool World::foresaw(double dt) {
-    return std::all_of(constraints.begin(), constraints.end(),
-                       [&](const auto& source) { return source->foresaw(bodies, moving_, dt); });
+World::Work World::solve_islands_again(std::size_t first_new_row) {
+    islands_.find(system_);
+    const bool second_column = system_.column_count() > lambda_.cols();
+    lambda_.conservativeResize(system_.row_count(), system_.column_count());
+    if (second_column) lambda_.col(1) = lambda_.col(0);
+    guess(first_new_row);
+    changed_.assign(bodies.size(), 0);
+    Work work;
+    for (const Island& island : islands_.all()) {
+        if (static_cast<std::size_t>(island.runs.back().end) <= first_new_row) continue;
+        solve(island, work);
+        constraint_forces(system_, island, lambda_, 0, moving_);
+        for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
+    }
+    return work;
+}
+
+void World::guess(std::size_t first_row) {
+    const Eigen::Index last = lambda_.cols() - 1;
+    for (std::size_t j = first_row; j < rows_.size(); ++j) {
+        const auto row = static_cast<Eigen::Index>(j);
+        lambda_(row, 0) = rows_[j].guess.first;
+        lambda_(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
+    }
+    for (const Island& island : islands_.all()) {
+        if (island.columns > last) continue;
+        for (const RowRun& run : island.runs) {
+            for (int j = std::max(run.begin, static_cast<int>(first_row)); j < run.end; ++j) {
+                lambda_(j, 0) = lambda_(j, last);
+            }
+        }
+    }
+    // A row that belongs to no island moves nothing.
+    for (std::size_t j = first_row; j < rows_.size() && !islands_.hold_all_rows(); ++j) {
+        const auto row = static_cast<Eigen::Index>(j);
+        if (!(system_.diagonal[row] > 0.0)) lambda_.row(row).setZero();
+    }
+}
+
+void World::solve(const Island& island, Work& work) {
+    const WarmStart::Memory memory = warm_start_.memory_of(island);
+    const solvers::SolveCount count =
+        solver->solve(system_, island, WarmStart::termination(memory, termination), lambda_);
+    warm_start_.solved(island, memory, count);
+    work.sweeps = std::max(work.sweeps, count.iterations);
+    work.row_updates += 1.0 * island.rows * island.columns * count.iterations;
+    work.multiply_adds += count.multiply_adds;
 }
 
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
-    // Forces that were kept for k steps and wrong by e have made a motion of k e meanwhile. A solve takes off that
-    // and e itself; the next step needs e alone. An exact one shows this by itself, as it is looked at anew
-    // (solve()).
-    const double share = kept_ == 0 && !was_exact_ ? 1.0 / (1 + kept_before_) : 1.0;
-    const auto next = [share](double guess, double answer) { return guess + share * (answer - guess); };
     answers_.assign(rows_.size(), {});
-    // Forces of rows that contradict each other are as large as the method lets them, and nobody's guess.
-    for (Eigen::Index j = 0; j < lambda_.rows() && !contradicted_; ++j) {
-        const Lambda& guess = rows_[static_cast<std::size_t>(j)].guess;
-        answers_[static_cast<std::size_t>(j)] = {next(guess.first, lambda_(j, 0)),
-                                                 next(guess.last, lambda_(j, last))};
+    for (const Island& island : islands_.all()) {
+        const WarmStart::Next next = warm_start_.next(island);
+        for (const RowRun& run : island.runs) {
+            for (int j = run.begin; j < run.end; ++j) {
+                const auto row = static_cast<std::size_t>(j);
+                answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
+            }
+        }
     }
-    std::size_t begin = 0;
+    warm_start_.end();
+    hand_out_answers();
+}
+
+// Each source gets its own, in the order in which it has appended their rows.
+void World::hand_out_answers() {
+    const std::span answers(answers_);
     for (std::size_t s = 0; s < constraints.size(); ++s) {
-        constraints[s]->remember(std::span(answers_).subspan(begin, row_ends_[s] - begin));
-        begin = row_ends_[s];
+        const Appended& first = appended_[s];
+        const bool all = appended_.size() == constraints.size();
+        if (all) {
+            constraints[s]->remember(answers.subspan(first.begin, first.end - first.begin));
+            continue;
+        }
+        answers_of_source_.clear();
+        for (const Appended& part : appended_) {
+            if (part.source != s) continue;
+            const auto own = answers.subspan(part.begin, part.end - part.begin);
+            answers_of_source_.insert(answers_of_source_.end(), own.begin(), own.end());
+        }
+        constraints[s]->remember(answers_of_source_);
     }
 }
 
-void World::set_memory(const Memory& memory) {
-    time_ = memory.time;
-    was_exact_ = memory.was_exact;
-    kept_ = memory.kept;
+void World::resume(double time, std::span<const WarmStart::Memory> warm_start) {
+    time_ = time;
+    warm_start_.set_memory(warm_start);
 }
 
 void World::prepare(double dt) {
     add_forces();
     append_rows(dt);
     build_system(bodies, rows_, dt, system_);
-    solve();
+    solve_islands();
     remember();
+}
+
+bool World::has_lasting_force(std::size_t body) const {
+    const int island = islands_.of_body(static_cast<int>(body));
+    return island >= 0 && islands_.all()[static_cast<std::size_t>(island)].columns == 2;
+}
+
+void World::find_lasting_forces() {
+    lasting_.resize(bodies.size());
+    if (system_.column_count() < 2) return;
+    for (const Island& island : islands_.all()) {
+        if (island.columns == 2) constraint_forces(system_, island, lambda_, 1, lasting_);
+    }
 }
 
 void World::kick_back_half(double dt) {
     prepare(dt);
-    constraint_forces(system_, lambda_, lambda_.cols() - 1, lasting_);
+    find_lasting_forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
-        const Vector6& f_c = lasting_[i];
+        const Vector6& f_c = has_lasting_force(i) ? lasting_[i] : moving_[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
     }
 }
 
 void World::integrate(double dt) {
-    const Eigen::Index last = lambda_.cols() - 1;
-    if (last > 0) constraint_forces(system_, lambda_, last, lasting_);
-    const std::vector<Vector6>& momentum_forces = last > 0 ? lasting_ : moving_;
-
+    find_lasting_forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
         const Vector6& f_cv = moving_[i];
-        const Vector6& f_c0 = momentum_forces[i];
 
-        // Momenta that live for this move only (8.1).
+        // Momenta that live for this move only, where there is a single-frame push (8.1).
         const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
         const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
         body.position = advance_position(body, p, dt);
         body.orientation = rotate(body, l, dt);
 
+        if (!has_lasting_force(i)) {
+            body.linear_momentum = p;
+            body.angular_momentum = l;
+            continue;
+        }
+        const Vector6& f_c0 = lasting_[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
     }
 }
 
-StepCount World::count(const solvers::SolveCount& solved) const {
+StepCount World::count(const Work& work) const {
     StepCount count;
     for (const ConstraintRow& row : rows_) ++count.rows_of_kind[static_cast<std::size_t>(row.label.kind)];
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
-    count.sweeps = solved.iterations;
-    count.multiply_adds = solved.multiply_adds;
+    count.islands = static_cast<int>(islands_.all().size());
+    for (const Island& island : islands_.all()) {
+        switch (warm_start_.method_of(island)) {
+            case WarmStart::Method::kept:
+                ++count.islands_kept;
+                break;
+            case WarmStart::Method::swept:
+                ++count.islands_swept;
+                break;
+            case WarmStart::Method::exact:
+                ++count.islands_exact;
+        }
+    }
+    count.sweeps = work.sweeps;
+    count.row_updates = work.row_updates;
+    count.multiply_adds = work.multiply_adds;
     return count;
 }
 

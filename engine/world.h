@@ -2,9 +2,11 @@
 #pragma once
 
 #include "engine/integrator.h"
+#include "engine/islands.h"
 #include "engine/solvers/solver.h"
 #include "engine/sources.h"
 #include "engine/system_equation.h"
+#include "engine/warm_start.h"
 
 #include <array>
 #include <memory>
@@ -26,7 +28,12 @@ class StageObserver {
 struct StepCount {
     std::array<int, row_kind_count> rows_of_kind{};  // by RowKind
     int columns = 0;             // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
-    int sweeps = 0;              // iterations of the solver
+    int islands = 0;             // of bodies that rows join
+    int islands_kept = 0;        // whose last forces were good enough
+    int islands_swept = 0;       // that were solved by sweeps, or other iterations
+    int islands_exact = 0;       // that were solved to rounding
+    int sweeps = 0;              // iterations of the solver, on the island with the most of them
+    double row_updates = 0.0;    // rows times columns times iterations, of all islands
     double multiply_adds = 0.0;  // of the solver
 
     int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
@@ -57,46 +64,64 @@ class World {
 
     double time() const { return time_; }  // s, sum of all steps
 
-    // What a world carries from step to step beside its bodies and what its sources remember. With all three a
-    // world that was made anew goes on as the old one would have.
-    struct Memory {
-        double time = 0.0;       // s
-        bool was_exact = false;  // whether the last step was solved, and to rounding
-        int kept = 0;            // steps since the last solve
-    };
-    Memory memory() const { return {time_, was_exact_, kept_}; }
-    void set_memory(const Memory& memory);
+    // What a world carries from step to step beside its bodies and what its sources remember: the time and this, one
+    // a body. With all of it a world that was made anew goes on as the old one would have.
+    std::span<const WarmStart::Memory> warm_start() const { return warm_start_.memory(); }
+    void resume(double time, std::span<const WarmStart::Memory> warm_start);
 
     // The rows, the system and its answer of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_; }
     const SystemEquation& system() const { return system_; }
     const Columns& lambda() const { return lambda_; }
 
+    // The islands of the last step, and what it did with one of them.
+    const Islands& islands() const { return islands_; }
+    WarmStart::Method method_of(const Island& island) const { return warm_start_.method_of(island); }
+
   private:
     friend class RattleStep;  // another step, made of the same stages (rattle.h)
 
+    // What solves took: the sweeps of the island with the most of them, and the sum over islands of the rest.
+    struct Work {
+        int sweeps = 0;
+        double row_updates = 0.0, multiply_adds = 0.0;
+    };
+
     void add_forces();
     void append_rows(double dt);
-    solvers::SolveCount solve();
-    // Solves, and again with more rows while the answer takes bodies where no source foresaw them. Writes moving_.
-    solvers::SolveCount solve_and_look(double dt);
-    bool foresaw(double dt);
+    void append_unforeseen(double dt);
+    void guess(std::size_t first_row);
+    void solve(const Island& island, Work& work);
+    // Solves all islands from the guesses of their rows and writes moving_.
+    Work solve_islands();
+    // Solves the islands with new rows once more, these rows from their guesses and the others from what has been found.
+    Work solve_islands_again(std::size_t first_new_row);
+    // Solves, and again with more rows while the answer takes bodies where no source foresaw them.
+    Work solve_and_look(double dt);
     void remember();
+    void hand_out_answers();
+    // Writes lasting_. Where an island has one column, the forces that move its bodies are those that last.
+    void find_lasting_forces();
+    bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
-    StepCount count(const solvers::SolveCount& solved) const;
+    StepCount count(const Work& work) const;
+
+    // The rows that a source has appended together.
+    struct Appended {
+        std::size_t source, begin, end;
+    };
 
     double time_ = 0.0;
-    int kept_ = 0;               // steps since the last solve
-    int kept_before_ = 0;        // the same of the step before
-    bool was_exact_ = false;     // whether the last step was solved, and to rounding
-    bool contradicted_ = false;  // whether its rows had no answer
     std::vector<ConstraintRow> rows_;
-    std::vector<std::size_t> row_ends_;  // one a constraint source
+    std::vector<Appended> appended_;
     SystemEquation system_;
+    Islands islands_;
+    WarmStart warm_start_;
     Columns lambda_;
-    std::vector<Lambda> answers_;
-    std::vector<Vector6> moving_;   // f_cv = J^T Lambda.first, N and N m
-    std::vector<Vector6> lasting_;  // f_c0 = J^T Lambda.last
+    std::vector<char> changed_;  // one a body, whether the last solves may have given it another force
+    std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one a row
+    std::vector<Vector6> moving_;                      // f_cv = J^T Lambda.first, N and N m
+    std::vector<Vector6> lasting_;  // f_c0 = J^T Lambda.last, of bodies whose island has two columns
 };
 
 }  // namespace pushfactor::engine

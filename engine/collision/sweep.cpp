@@ -104,13 +104,13 @@ bool Sweep::any_fast(const Step& step) {
     return true;
 }
 
-bool Sweep::any_thrown(std::span<const Vector6> forces, const Step& step) {
+bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
     fast_.clear();
     motions_.clear();
     bool any = false;
     for (const Collider& collider : step.colliders) {
         const auto body = static_cast<std::size_t>(collider.body);
-        fast_.push_back(is_thrown(collider, step.bodies[body], forces[body], step));
+        fast_.push_back(changed[body] && is_thrown(collider, step.bodies[body], forces[body], step));
         any = any || fast_.back();
     }
     if (!any) return false;
@@ -121,7 +121,7 @@ bool Sweep::any_thrown(std::span<const Vector6> forces, const Step& step) {
 }
 
 // Adds the touch of a pair that meets, with the motions of the moment.
-bool Sweep::add_meeting(const Pair& pair, const Step& step, Found& found) const {
+bool Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches) {
     const Moving a = moving(pair.a, step);
     const Moving b = moving(pair.b, step);
     Touch touch;
@@ -135,14 +135,14 @@ bool Sweep::add_meeting(const Pair& pair, const Step& step, Found& found) const 
         wind_back(*meeting, a, b);
         const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
         const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
-        found.bodies.push_back({moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b)});
-        touch.meeting = &found.bodies.back();
+        found_.bodies.push_back({moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b)});
+        touch.meeting = &found_.bodies.back();
     }
     Manifold& manifold = meeting->manifold;
     if (step.detection.reduce_to_four_points) reduce_to_four(manifold, a.start.rotation);
     touch.normal = manifold.normal;
-    touch.points = found.keep(manifold.points());
-    found.touches.push_back(touch);
+    touch.points = found_.keep(manifold.points());
+    touches.push_back(touch);
     return true;
 }
 
@@ -150,52 +150,48 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
-        for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.touches.push_back(*touch);
+        for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
         const double margin = touching ? step.detection.margin * touch->size : 0.0;
         if (touching && !has_more(*touch, moving(pair.a, step), moving(pair.b, step), step.dt, margin)) {
-            refined_.touches.push_back(*touch);
+            refined_.push_back(*touch);
         } else {
             add_meeting(pair, step, refined_);
         }
         if (touching) ++touch;
     }
-    refined_.touches.insert(refined_.touches.end(), touch, touches.end());
+    refined_.insert(refined_.end(), touch, touches.end());
 }
 
 std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step) {
+    found_.clear();
+    seen_.clear();
     known_ = touches;
-    const bool fast = any_fast(step);
-    if (!fast && unforeseen_.touches.empty()) return known_;
+    if (!any_fast(step)) return known_;
     refined_.clear();
-    if (fast) {
-        refine_fast(touches, step);
-    } else {
-        refined_.touches.assign(touches.begin(), touches.end());
-    }
-    for (const Touch& missing : unforeseen_.touches) {
-        auto& all = refined_.touches;
-        const auto inserted = all.insert(std::lower_bound(all.begin(), all.end(), missing.pair, before), missing);
-        inserted->points = refined_.keep(missing.points);  // what is unforeseen is forgotten with the step
-    }
-    known_ = refined_.touches;
+    refine_fast(touches, step);
+    known_ = refined_;
     return known_;
 }
 
-bool Sweep::foresaw(std::span<const Vector6> forces, const Step& step) {
-    if (!any_thrown(forces, step)) return true;
-    bool all = true;
-    const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
-        const auto known = std::lower_bound(known_.begin(), known_.end(), pair, before);
-        if (known != known_.end() && known->pair == pair) continue;
-        if (add_meeting(pair, step, unforeseen_)) all = false;
-    }
-    return all;
+bool Sweep::is_known(const Pair& pair) const {
+    const auto known = std::lower_bound(known_.begin(), known_.end(), pair, before);
+    if (known != known_.end() && known->pair == pair) return true;
+    return std::binary_search(seen_.begin(), seen_.end(), pair);
 }
 
-void Sweep::forget() {
+std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const char> changed,
+                                   const Step& step) {
     unforeseen_.clear();
+    if (!any_thrown(forces, changed, step)) return unforeseen_;
+    const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
+    for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
+        if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
+    for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);
+    std::inplace_merge(seen_.begin(), seen_.begin() + middle, seen_.end());
+    return unforeseen_;
 }
 
 }  // namespace pushfactor::engine::collision

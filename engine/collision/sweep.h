@@ -6,7 +6,7 @@
 // aims at -gap/dt like that of every point that is still apart: the bodies end the step touching.
 //
 // What a collision of the same step throws is swept with the motion that it is thrown with, once the step is
-// solved: when it would meet something that has no rows, the step is solved again with them.
+// solved: when it would meet something that has no rows, these come too, and what they act on is solved again.
 //
 // Not from the paper, which has no continuous collision detection.
 #pragma once
@@ -35,17 +35,15 @@ class Sweep {
     // order of the pair; good until the next call.
     std::span<const Touch> refine(std::span<const Touch> touches, const Step& step);
 
-    // Whether the last refine() foresaw all that meets when the constraint `forces` act too [N and N m, one a
-    // body]. If not, the next one for the same step has what was missing.
-    bool foresaw(std::span<const Vector6> forces, const Step& step);
-
-    // The step is over: the next refine() is for another one.
-    void forget();
+    // The touches that are missing when the constraint `forces` act too [N and N m, one a body]: of pairs that
+    // neither refine() nor look() has had in this step. Only bodies with `changed` (one a body) have got other
+    // forces since the last of those calls. In ascending order of the pair; good until the next call, but for the
+    // points and bodies that they refer to, which are good until the next refine().
+    std::span<const Touch> look(std::span<const Vector6> forces, std::span<const char> changed, const Step& step);
 
   private:
-    // Touches with the bodies and points that they point to.
+    // What touches refer to.
     struct Found {
-        std::vector<Touch> touches;
         std::deque<MeetingBodies> bodies;
         std::deque<std::vector<ContactPoint>> points;
 
@@ -53,23 +51,26 @@ class Sweep {
             return points.emplace_back(some.begin(), some.end());
         }
         void clear() {
-            touches.clear();
             bodies.clear();
             points.clear();
         }
     };
 
     bool any_fast(const Step& step);
-    bool any_thrown(std::span<const Vector6> forces, const Step& step);
+    bool any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step);
     void refine_fast(std::span<const Touch> touches, const Step& step);
-    bool add_meeting(const Pair& pair, const Step& step, Found& found) const;
+    bool is_known(const Pair& pair) const;
+    bool add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
     Moving moving(int collider, const Step& step) const;
 
     std::vector<bool> fast_;       // by collider
     std::vector<Motion> motions_;  // by body
     FastPairs fast_pairs_;
-    Found refined_, unforeseen_;
-    std::span<const Touch> known_;  // what the last refine() returned
+    Found found_;                    // of the step
+    std::vector<Touch> refined_;
+    std::vector<Touch> unforeseen_;  // of the last look
+    std::span<const Touch> known_;   // what the last refine() returned
+    std::vector<Pair> seen_;         // of all looks of the step, ascending
 };
 
 }  // namespace pushfactor::engine::collision

@@ -25,28 +25,25 @@ namespace pushfactor::engine::solvers {
 
 class ActiveSet {
   public:
-    // `matrix` must be connected for the rows of the problems and outlive the use. Problems that follow each other
-    // without a start() in between may differ in t and in bounds alone.
-    explicit ActiveSet(BodyMatrix& matrix) : matrix_(matrix) {}
-
-    // Forgets the factor: the axes are others now.
+    // Forgets the factor: the matrix or the axes are others now. Problems that follow each other without a start() in
+    // between may differ in t and in bounds alone.
     void start() { factored_.clear(); }
 
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
     // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen
     // among those that give the bodies no more energy than the guess or no force at all, and never worse than it
     // was.
-    double solve(const UnitProblem& problem, double tolerance, int factorisations, std::vector<double>& y,
-                 SolveCount& count);
+    // `matrix` must be connected for the rows of the problem.
+    double solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance, int factorisations,
+                 std::vector<double>& y, SolveCount& count);
 
     // Factorisations of the last solve that were left unused.
     int left() const { return left_; }
 
   private:
-    bool change(const UnitProblem& problem, std::vector<double>& y, SolveCount& count);
-    void factor(const UnitProblem& problem, SolveCount& count);
+    bool change(BodyMatrix& matrix, const UnitProblem& problem, std::vector<double>& y, SolveCount& count);
+    void factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count);
 
-    BodyMatrix& matrix_;
     int left_ = 0;
     BodyVelocities x_, d_;
     std::vector<double> r_;

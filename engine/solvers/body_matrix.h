@@ -22,6 +22,7 @@ class BodyMatrix {
 
     // Multiply-adds of one factorisation.
     double factor_work() const { return factor_work_; }
+    std::size_t block_count() const { return blocks_.size(); }
     double solve_work() const { return 72.0 * static_cast<double>(blocks_.size()); }
 
     void set_identity();

@@ -5,14 +5,16 @@
 
 namespace pushfactor::engine::solvers {
 
-// `Method<columns>` has a member solve() like that of Solver, for systems of that many columns: one, or two when
+// `Method<columns>` has a member solve() like that of Solver, for islands of that many columns: one, or two when
 // some row corrects for a single frame (8.1).
 template <template <int columns> typename Method>
 class ByColumns : public Solver {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) override {
-        return system.column_count() == 2 ? two_.solve(system, termination, lambda)
-                                          : one_.solve(system, termination, lambda);
+    using Solver::solve;
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) override {
+        return island.columns == 2 ? two_.solve(system, island, termination, lambda)
+                                   : one_.solve(system, island, termination, lambda);
     }
 
   private:

@@ -3,6 +3,7 @@
 
 #include "engine/solvers/by_columns.h"
 #include "engine/solvers/exact_answer.h"
+#include "engine/solvers/single_row.h"
 #include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
@@ -12,15 +13,21 @@ namespace {
 template <int columns>
 class Direct {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) {
+        if (island.rows == 1) {
+            SolveCount single = solve_single_row(system, island, termination, lambda);
+            single.exact = single.iterations > 0;
+            return single;
+        }
         SolveCount count;
-        rows_.load(system, lambda);
+        rows_.load(system, island, lambda);
         if (keeps_guess(rows_, termination, count)) return count;
-        exact_.find_pairs(rows_);
+        exact_.take(island);
         exact_.plan();
         exact_.solve(rows_, termination.tolerance_low, termination.iterations, count);
         count.exact = true;
-        rows_.store(system, lambda);
+        rows_.store(system, island, lambda);
         return count;
     }
 

@@ -6,6 +6,7 @@
 
 #include "engine/solvers/active_set.h"
 #include "engine/solvers/interior_point.h"
+#include "engine/solvers/structures.h"
 #include "engine/solvers/sweep.h"
 #include "engine/solvers/unit_rows.h"
 
@@ -23,16 +24,13 @@ inline constexpr int least_for_interior_point = 10;
 
 class ExactAnswer {
   public:
-    // Finds out which bodies the rows connect, if they are not those of the last call. Comes first.
-    template <int columns>
-    void find_pairs(const UnitRows<columns>& rows);
-    int pairs() const { return all_pairs_; }      // static partners included
-    bool rows_couple() const { return couple_; }  // whether any movable body is in two rows
-    int movable_bodies() const { return static_cast<int>(alone_.size()); }
+    // Finds out which bodies the rows connect. Comes first.
+    void take(const Island& island) { structure_ = &structures_.of(island); }
+    int pairs() const { return structure_->all_pairs; }  // static partners included
 
     // Plans the factorisation. Comes second, and costs more where there are many pairs.
-    void plan() { matrix_.connect(moves_.size(), pairs_, alone_); }
-    double factor_work() const { return matrix_.factor_work(); }  // multiply-adds
+    void plan() { structures_.plan(*structure_); }
+    double factor_work() const { return structure_->matrix.factor_work(); }  // multiply-adds
 
     // Improves the forces until the natural residual is at most `tolerance` [m/s] or falls no further, with at most
     // `factorisations` a column. Never leaves them worse than they were.
@@ -40,75 +38,24 @@ class ExactAnswer {
     void solve(UnitRows<columns>& rows, double tolerance, int factorisations, SolveCount& count);
 
   private:
-    // The bodies of a block of rows.
-    struct Connection {
-        int a = 0, b = 0;
-        bool several = false;  // rows
-        friend bool operator==(const Connection&, const Connection&) = default;
-    };
-
-    void find_pairs();
     template <int columns>
     void sweep_bounds(UnitRows<columns>& rows, double tolerance, SolveCount& count);
     template <int columns>
-    void take(const UnitRows<columns>& rows, int column);
+    void take_column(const UnitRows<columns>& rows, int column);
     void settle(double tolerance, int factorisations, SolveCount& count);
     template <int columns>
     double follow_bounds(const UnitRows<columns>& rows);
 
-    BodyMatrix matrix_;
-    ActiveSet active_set_{matrix_};
-    InteriorPoint interior_{matrix_};
+    Structures structures_;
+    Structure* structure_ = nullptr;  // of the island at hand
+    ActiveSet active_set_;
+    InteriorPoint interior_;
     UnitProblem problem_;
     std::vector<double> y_;
-    std::vector<Connection> connections_;  // that the following belongs to
-    std::vector<char> moves_;              // the same, one a body
-    std::vector<Connection> found_;
-    std::vector<char> held_;  // movable bodies in a pair
-    std::vector<std::pair<int, int>> pairs_;
-    std::vector<int> alone_;  // movable bodies, in a pair or not
-    int all_pairs_ = 0;
-    bool couple_ = false;
 };
 
 template <int columns>
-void ExactAnswer::find_pairs(const UnitRows<columns>& rows) {
-    found_.clear();
-    for (const auto& block : rows.blocks) found_.push_back({block.a, block.b, block.count > 1});
-    if (found_ == connections_ && moves_ == rows.moves) return;
-    connections_.swap(found_);
-    moves_ = rows.moves;
-    find_pairs();
-}
-
-// Of the connections as they are now.
-inline void ExactAnswer::find_pairs() {
-    pairs_.clear();
-    alone_.clear();
-    couple_ = false;
-    held_.assign(moves_.size(), 0);
-    for (const auto& [a, b, several] : connections_) {
-        const bool a_moves = moves_[static_cast<std::size_t>(a)], b_moves = moves_[static_cast<std::size_t>(b)];
-        for (const auto& [body, body_moves] : {std::pair{a, a_moves}, std::pair{b, b_moves}}) {
-            if (!body_moves) continue;
-            couple_ = couple_ || several || held_[static_cast<std::size_t>(body)];
-            held_[static_cast<std::size_t>(body)] = 1;
-        }
-        if (a_moves || b_moves) pairs_.emplace_back(std::minmax(a, b));
-    }
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-    all_pairs_ = static_cast<int>(pairs_.size());
-    std::erase_if(pairs_, [&](const auto& pair) {
-        return !moves_[static_cast<std::size_t>(pair.first)] || !moves_[static_cast<std::size_t>(pair.second)];
-    });
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-        if (held_[i]) alone_.push_back(static_cast<int>(i));
-    }
-}
-
-template <int columns>
-void ExactAnswer::take(const UnitRows<columns>& rows, int column) {
+void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
     const std::size_t c = rows.at(column);
     problem_.bodies = rows.velocity.size();
     problem_.rows.resize(rows.rows.size());
@@ -146,7 +93,7 @@ double ExactAnswer::follow_bounds(const UnitRows<columns>& rows) {
 
 // The column of problem_, as it is.
 inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount& count) {
-    double reached = active_set_.solve(problem_, tolerance, factorisations, y_, count);
+    double reached = active_set_.solve(structure_->matrix, problem_, tolerance, factorisations, y_, count);
     double fastest = 0.0;
     for (const UnitProblem::Row& row : problem_.rows) fastest = std::max(fastest, row.scale * std::abs(row.t));
     const double unsettled = unsettled_share * fastest;
@@ -157,9 +104,9 @@ inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount
     for (const double near : {0.1 * unsettled, 0.0}) {
         if (reached <= tolerance || left < least_for_interior_point) return;
         const int before = count.iterations;
-        interior_.solve(problem_, std::max(tolerance, near), left, y_, count);
+        interior_.solve(structure_->matrix, problem_, std::max(tolerance, near), left, y_, count);
         active_set_.start();
-        reached = active_set_.solve(problem_, tolerance, left - (count.iterations - before), y_, count);
+        reached = active_set_.solve(structure_->matrix, problem_, tolerance, left - (count.iterations - before), y_, count);
         left -= count.iterations - before;
     }
 }
@@ -170,7 +117,7 @@ void ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, int factorisa
     const bool follows =
         std::any_of(rows.rows.begin(), rows.rows.end(), [](const auto& row) { return row.of_row >= 0; });
     for (int c = 0; c < columns; ++c) {
-        take(rows, c);
+        take_column(rows, c);
         for (int round = 0; round < (follows ? most_bound_rounds : 1); ++round) {
             settle(tolerance, factorisations, count);
             if (!follows || follow_bounds(rows) <= tolerance) break;

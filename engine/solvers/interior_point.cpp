@@ -77,8 +77,8 @@ double InteriorPoint::longest_step(const UnitProblem& problem) const {
     return share;
 }
 
-void InteriorPoint::factor(const UnitProblem& problem, SolveCount& count) {
-    matrix_.set_identity();
+void InteriorPoint::factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count) {
+    matrix.set_identity();
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
@@ -87,16 +87,16 @@ void InteriorPoint::factor(const UnitProblem& problem, SolveCount& count) {
         if (point.low) theta += point.z_low / (point.y - row.low);
         if (point.high) theta += point.z_high / (row.high - point.y);
         point.w = point.low || point.high ? std::min(1.0 / theta, largest_weight) : unbounded_weight;
-        matrix_.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
+        matrix.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
     }
-    matrix_.factor();
+    matrix.factor();
     ++count.iterations;
-    count.multiply_adds += 108.0 * static_cast<double>(points_.size()) + matrix_.factor_work();
+    count.multiply_adds += 108.0 * static_cast<double>(points_.size()) + matrix.factor_work();
 }
 
 // The step towards a complementarity of `target`; with `second_order` the products of the last step's changes are
 // taken into account.
-void InteriorPoint::aim(const UnitProblem& problem, double target, bool second_order, SolveCount& count) {
+void InteriorPoint::aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order, SolveCount& count) {
     q_.resize(points_.size());
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) {
@@ -111,7 +111,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, bool second_o
         q_[j] = r_[j] + (point.dz_low - point.dz_high);
         push(row, point.w * q_[j], d_);
     }
-    matrix_.solve(d_);
+    matrix.solve(d_);
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
@@ -119,7 +119,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, bool second_o
         if (point.low) point.dz_low -= point.z_low + point.z_low / (point.y - row.low) * point.dy;
         if (point.high) point.dz_high -= point.z_high - point.z_high / (row.high - point.y) * point.dy;
     }
-    count.multiply_adds += 2.0 * problem.look_work() + matrix_.solve_work();
+    count.multiply_adds += 2.0 * problem.look_work() + matrix.solve_work();
 }
 
 void InteriorPoint::go(const UnitProblem& problem, double share) {
@@ -131,8 +131,8 @@ void InteriorPoint::go(const UnitProblem& problem, double share) {
     }
 }
 
-double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int factorisations,
-                            std::vector<double>& y, SolveCount& count) {
+double InteriorPoint::solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance,
+                            int factorisations, std::vector<double>& y, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     start(problem, y);
@@ -146,12 +146,12 @@ double InteriorPoint::solve(const UnitProblem& problem, double tolerance, int fa
         if (best_.residual() <= tolerance) break;
 
         // Predictor, then corrector with the same factor.
-        factor(problem, count);
-        aim(problem, 0.0, false, count);
+        factor(matrix, problem, count);
+        aim(matrix, problem, 0.0, false, count);
         const double here = gap(problem, 0.0);
         const double ahead = gap(problem, longest_step(problem));
         const double sigma = here > 0.0 ? std::pow(ahead / here, 3) : 0.0;
-        aim(problem, sigma * here, true, count);
+        aim(matrix, problem, sigma * here, true, count);
         const double share = longest_step(problem);
         go(problem, share < 1.0 ? share_of_the_way * share : 1.0);
     }

@@ -19,15 +19,13 @@ namespace pushfactor::engine::solvers {
 
 class InteriorPoint {
   public:
-    // `matrix` must be connected for the rows of the problems and outlive the use.
-    explicit InteriorPoint(BodyMatrix& matrix) : matrix_(matrix) {}
-
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
     // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen
     // among those that give the bodies no more energy than the guess or no force at all, and never worse than it
     // was.
-    double solve(const UnitProblem& problem, double tolerance, int factorisations, std::vector<double>& y,
-                 SolveCount& count);
+    // `matrix` must be connected for the rows of the problem.
+    double solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance, int factorisations,
+                 std::vector<double>& y, SolveCount& count);
 
   private:
     // A row on its way. Without a bound the multiplier is zero and stays it.
@@ -42,11 +40,10 @@ class InteriorPoint {
     void start(const UnitProblem& problem, const std::vector<double>& y);
     double gap(const UnitProblem& problem, double share) const;
     double longest_step(const UnitProblem& problem) const;
-    void factor(const UnitProblem& problem, SolveCount& count);
-    void aim(const UnitProblem& problem, double target, bool second_order, SolveCount& count);
+    void factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count);
+    void aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order, SolveCount& count);
     void go(const UnitProblem& problem, double share);
 
-    BodyMatrix& matrix_;
     std::vector<Point> points_;
     std::vector<double> y_, r_, q_;
     BodyVelocities x_, d_;

@@ -24,8 +24,9 @@ namespace {
 template <int columns>
 class SimultaneousRows {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
-        return iterate(rows_, system, termination, lambda, [this](UnitRows<columns>&) { return pass(); });
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) {
+        return iterate(rows_, system, island, termination, lambda, [this](UnitRows<columns>&) { return pass(); });
     }
 
   private:

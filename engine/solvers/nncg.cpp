@@ -29,9 +29,10 @@ namespace {
 template <int columns>
 class ConjugateSweeps {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) {
         const bool checked = termination.tolerance_high > 0.0;
-        rows_.load(system, lambda);
+        rows_.load(system, island, lambda);
         SolveCount count;
         if (checked && !start_from_guess(termination.tolerance_high, count)) return count;
 
@@ -47,7 +48,7 @@ class ConjugateSweeps {
             if (look(count) <= termination.tolerance_low) break;
         }
         if (checked) take_best();
-        rows_.store(system, lambda);
+        rows_.store(system, island, lambda);
         return count;
     }
 

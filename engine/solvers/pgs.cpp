@@ -12,8 +12,9 @@ namespace {
 template <int columns>
 class Sweeps {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
-        return iterate(rows_, system, termination, lambda, sweep<columns>);
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) {
+        return iterate(rows_, system, island, termination, lambda, sweep<columns>);
     }
 
   private:

@@ -8,10 +8,30 @@
 #include "engine/solvers/nncg.h"
 #include "engine/solvers/pgs.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 namespace pushfactor::engine::solvers {
+
+SolveCount Solver::solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
+    Islands islands;
+    islands.find(system);
+    if (!islands.hold_all_rows()) {
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+            if (!(system.diagonal[j] > 0.0)) lambda.row(j).setZero();
+        }
+    }
+    SolveCount all{.exact = !islands.all().empty()};
+    for (const Island& island : islands.all()) {
+        const SolveCount count = solve(system, island, termination, lambda);
+        all.iterations = std::max(all.iterations, count.iterations);
+        all.multiply_adds += count.multiply_adds;
+        all.exact = all.exact && count.exact;
+        all.residual = std::max(all.residual, count.residual);
+    }
+    return all;
+}
 
 std::span<const SolverEntry> solver_table() {
     static constexpr std::array table{

@@ -1,6 +1,7 @@
 // What all solvers have in common, paper sections 6.2.3 and 7: one signature, one table of names.
 #pragma once
 
+#include "engine/islands.h"
 #include "engine/system_equation.h"
 
 #include <memory>
@@ -33,9 +34,14 @@ class Solver {
   public:
     virtual ~Solver() = default;
 
-    // Solves `system` in all its columns. `lambda` [N, rows x columns] holds the guess and receives the answer.
-    // A row with A_jj = 0 gets lambda 0.
-    virtual SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) = 0;
+    // Solves the rows of `island`, which is one of `system`, in all its columns. `lambda` [N, rows of the system x its
+    // columns] holds the guess and receives the answer, in both columns when the island has one; rows of other islands
+    // are neither read nor written. A row with A_jj = 0 gets lambda 0.
+    virtual SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                             Columns& lambda) = 0;
+
+    // Solves `system` island by island. Counts the most iterations of an island and the work of all of them.
+    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda);
 };
 
 struct SolverEntry {

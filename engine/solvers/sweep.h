@@ -64,13 +64,13 @@ bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCou
 
 // A whole solve by such passes.
 template <int columns, typename Pass>
-SolveCount iterate(UnitRows<columns>& rows, const SystemEquation& system, const Termination& termination,
-                   Columns& lambda, Pass pass) {
+SolveCount iterate(UnitRows<columns>& rows, const SystemEquation& system, const Island& island,
+                   const Termination& termination, Columns& lambda, Pass pass) {
     SolveCount count;
-    rows.load(system, lambda);
+    rows.load(system, island, lambda);
     if (keeps_guess(rows, termination, count)) return count;
     work_down(rows, termination, count, pass);
-    rows.store(system, lambda);
+    rows.store(system, island, lambda);
     return count;
 }
 

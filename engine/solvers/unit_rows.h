@@ -1,5 +1,5 @@
-// The system equation in the form that the iterative and direct solvers work on: rows of unit length, one set of
-// axes for reading and writing. An inner matter of the solvers.
+// The rows of an island in the form that the iterative and direct solvers work on: of unit length, one set of axes
+// for reading and writing, rows and bodies by their numbers in the island. An inner matter of the solvers.
 //
 // With M^(-1/2) = [m^(-1/2), W] (W W^T = I^-1) and s_j = sqrt(A_jj):
 //
@@ -15,6 +15,7 @@
 // its friction are one. A block takes the velocities of its bodies once, for all its rows and columns.
 #pragma once
 
+#include "engine/islands.h"
 #include "engine/solvers/lanes.h"
 #include "engine/system_equation.h"
 
@@ -49,31 +50,32 @@ class UnitRows {
         std::array<double, 3> couplings{};
     };
 
-    // Takes the system and a guess [N]. A row with A_jj = 0 becomes one of zeros.
-    void load(const SystemEquation& system, const Columns& guess) {
-        rows.resize(static_cast<std::size_t>(system.row_count()));
+    // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes one
+    // of zeros.
+    void load(const SystemEquation& system, const Island& island, const Columns& guess) {
+        rows.resize(static_cast<std::size_t>(island.rows));
         blocks.clear();
         coupled_ = false;
-        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-            load_row(system, guess, j);
-            add_to_block(static_cast<int>(j));
+        int number = 0;
+        for (const RowRun& run : island.runs) {
+            for (int j = run.begin; j < run.end; ++j, ++number) {
+                Row& row = rows[static_cast<std::size_t>(number)];
+                row.a = run.a;
+                row.b = run.b;
+                load_row(system, island, run, guess, j, row);
+                add_to_block(number);
+            }
         }
-        velocity.resize(system.inverse_mass.size());
-        moves.resize(system.inverse_mass.size());
-        for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = system.inverse_mass[i].linear > 0.0;
+        velocity.resize(static_cast<std::size_t>(island.body_count));
+        movable = island.movable();
         follow();
     }
 
-    // Writes the answer [N].
-    void store(const SystemEquation& system, Columns& lambda) const {
-        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-            const Row& row = rows[static_cast<std::size_t>(j)];
-            for (int c = 0; c < columns; ++c) {
-                lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
-                // The bounds once more: scaling back may pass them by a rounding.
-                const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, c);
-                lambda(j, c) = std::max(std::min(lambda(j, c), high), low);
-            }
+    // Writes the answer [N] for the rows of the island that was loaded; both columns of `lambda` when it has one.
+    void store(const SystemEquation& system, const Island& island, Columns& lambda) const {
+        auto row = rows.begin();
+        for (const RowRun& run : island.runs) {
+            for (int j = run.begin; j < run.end; ++j, ++row) store_row(system, *row, j, lambda);
         }
     }
 
@@ -202,17 +204,19 @@ class UnitRows {
     std::vector<Row> rows;
     std::vector<Block> blocks;           // of all rows, in their order
     std::vector<BodyVelocity> velocity;  // x, one a body
-    std::vector<char> moves;             // whether a body can, one a body
+    int movable = 0;                     // so many bodies can move; the static ones come after them
 
   private:
-    void load_row(const SystemEquation& system, const Columns& guess, Eigen::Index j) {
+    // Row j of the system, which is of `run`; the bodies are there already.
+    void load_row(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
+                  int j, Row& row) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
-        Row& row = rows[static_cast<std::size_t>(j)];
         row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
-        row.a = source.body_a;
-        row.b = source.body_b;
         row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
+        if (row.of_row >= 0) {
+            row.of_row = row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
+        }
         if (!(row.scale > 0.0)) {
             row.y = row.t = {};
             row.low = row.high = 0.0;
@@ -228,6 +232,16 @@ class UnitRows {
             row.t[at(c)] = system.b(j, c) * to_t;
             row.y[at(c)] = guess(j, c) * to_y;
         }
+    }
+
+    void store_row(const SystemEquation& system, const Row& row, int j, Columns& lambda) const {
+        for (int c = 0; c < columns; ++c) {
+            lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
+            // The bounds once more: scaling back may pass them by a rounding.
+            const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, c);
+            lambda(j, c) = std::max(std::min(lambda(j, c), high), low);
+        }
+        if (columns < lambda.cols()) lambda(j, lambda.cols() - 1) = lambda(j, 0);
     }
 
     void add_to_block(int j) {

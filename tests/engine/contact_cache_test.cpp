@@ -35,6 +35,7 @@ TEST_CASE("a force is found again by pair and feature, even when the point has m
 
     const std::vector<Touch> now{touch({0, 1}, {{8, {0.5, 0, 0}}}), touch({1, 2}, {{7, {0, 1, 0}}})};
     std::vector<ContactForce> forces;
+    forces.clear();
     cache.recall(now, forces);
     REQUIRE(forces.size() == 2);
     CHECK(forces[0].normal.first == 2.0);
@@ -48,6 +49,7 @@ TEST_CASE(
     cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
                 std::vector<ContactForce>{force(1), force(2)});
     std::vector<ContactForce> forces;
+    forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 1}, {{30, {0.99, 0, 0}}, {31, {0.97, 0, 0}}})}, forces);
     CHECK(forces[0].normal.first == 2.0);
     CHECK(forces[1].normal.first == 0.0);
@@ -57,9 +59,11 @@ TEST_CASE("another pair finds nothing, and a pair that was away is forgotten") {
     ContactCache cache;
     cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}})}, std::vector<ContactForce>{force(1)});
     std::vector<ContactForce> forces;
+    forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 2}, {{7, {0, 0, 0}}})}, forces);
     CHECK(forces[0].normal.first == 0.0);
     cache.store(std::vector<Touch>{}, std::vector<ContactForce>{});
+    forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}})}, forces);
     CHECK(forces[0].normal.first == 0.0);
 }

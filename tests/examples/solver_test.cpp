@@ -19,8 +19,9 @@ constexpr double weight = 1.6;  // 0..2; 1 is Gauss-Seidel
 template <int columns>
 class OverRelaxed {
   public:
-    SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda) {
-        return iterate(rows_, system, termination, lambda, [](UnitRows<columns>& rows) {
+    SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
+                     Columns& lambda) {
+        return iterate(rows_, system, island, termination, lambda, [](UnitRows<columns>& rows) {
             double largest = 0.0;
             for (auto& row : rows.rows) {
                 for (int c = 0; c < columns; ++c) {

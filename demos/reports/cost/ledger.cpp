@@ -6,6 +6,7 @@
 #include "demos/simulation.h"
 #include "demos/step_division.h"
 #include "engine/collision/broad_phase.h"
+#include "engine/solvers/auto.h"
 
 #include <algorithm>
 
@@ -15,26 +16,6 @@ namespace {
 
 constexpr int steps_before = 30;  // memory has grown as far as it will, and the caches are warm
 constexpr int steps_counted = 120;
-
-// Counts the solves that did something.
-class CountingSolver : public engine::solvers::Solver {
-  public:
-    explicit CountingSolver(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}
-
-    engine::solvers::SolveCount solve(const engine::SystemEquation& system,
-                                      const engine::solvers::Termination& termination,
-                                      engine::Columns& lambda) override {
-        const engine::solvers::SolveCount count = solver_->solve(system, termination, lambda);
-        if (count.iterations > 0) ++solves_;
-        return count;
-    }
-
-    int solves() const { return solves_; }
-
-  private:
-    std::unique_ptr<Solver> solver_;
-    int solves_ = 0;
-};
 
 // Takes the steps of a run and does nothing else.
 class Walk {
@@ -87,13 +68,31 @@ double touches_of(const Scene& scene) {
     return static_cast<double>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
+IslandKind kind_of(const engine::Island& island) {
+    if (island.movable() == 1) return IslandKind::single;
+    std::vector<std::pair<int, int>> pairs;
+    for (const engine::RowRun& run : island.runs) pairs.emplace_back(std::minmax(run.a, run.b));
+    std::sort(pairs.begin(), pairs.end());
+    const auto count = static_cast<double>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+    return count <= engine::solvers::pairs_of_a_thread * island.movable() ? IslandKind::thread : IslandKind::heap;
+}
+
+void add_islands(const engine::World& world, std::array<IslandCounts, island_kinds.size()>& sum) {
+    using Method = engine::WarmStart::Method;
+    for (const engine::Island& island : world.islands().all()) {
+        IslandCounts& counts = sum[static_cast<std::size_t>(kind_of(island))];
+        const Method method = world.method_of(island);
+        (method == Method::kept ? counts.kept : method == Method::swept ? counts.swept : counts.exact) += 1.0;
+    }
+}
+
 void add_step(const engine::StepCount& step, Counts& sum) {
     sum.contact_rows += step.rows(engine::RowKind::contact);
     sum.friction_rows += step.rows(engine::RowKind::friction);
     sum.distance_rows += step.rows(engine::RowKind::distance);
     sum.columns += step.columns;
     sum.sweeps += step.sweeps;
-    sum.row_updates += 1.0 * step.rows() * step.columns * step.sweeps;
+    sum.row_updates += step.row_updates;
     sum.multiply_adds += step.multiply_adds;
 }
 
@@ -102,9 +101,12 @@ Counts means_of(Counts sum) {
     for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns}) {
         *each /= sum.substeps;
     }
-    for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.solves, &sum.sweeps, &sum.row_updates,
+    for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.sweeps, &sum.row_updates,
                          &sum.multiply_adds, &sum.allocations, &sum.allocated_bytes}) {
         *each /= steps_counted;
+    }
+    for (IslandCounts& counts : sum.islands) {
+        for (double* each : {&counts.kept, &counts.swept, &counts.exact}) *each /= steps_counted;
     }
     return sum;
 }
@@ -144,15 +146,7 @@ Moment moment_at(const Choices& choices, double seconds, const std::function<voi
 
 Counts count_steps(const Moment& moment) {
     Walk walk(moment);
-    engine::World& world = walk.scene().world;
-    CountingSolver* solver = nullptr;
-    if (world.solver) {
-        auto counting = std::make_unique<CountingSolver>(std::move(world.solver));
-        solver = counting.get();
-        world.solver = std::move(counting);
-    }
     walk.go(steps_before);
-    const int solves_before = solver ? solver->solves() : 0;
     Counts sum;
     for (int i = 0; i < steps_counted; ++i) {
         const Allocations before = allocations();
@@ -162,8 +156,8 @@ Counts count_steps(const Moment& moment) {
         sum.allocated_bytes += static_cast<double>(taken.bytes);
         sum.pairs += pairs_of(walk.scene(), moment.settings.margin);
         sum.touches += touches_of(walk.scene());
+        add_islands(walk.scene().world, sum.islands);
     }
-    if (solver) sum.solves = solver->solves() - solves_before;
     return means_of(sum);
 }
 

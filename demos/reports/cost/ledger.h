@@ -5,7 +5,9 @@
 #include "demos/reports/cost/parts.h"
 #include "demos/reports/cost/stage_clock.h"
 
+#include <array>
 #include <functional>
+#include <string_view>
 
 namespace pushfactor::demos::reports::cost {
 
@@ -20,6 +22,17 @@ struct Moment {
 // Calls `check` now and then, which may throw.
 Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
 
+// Islands by how their bodies are connected: one body, at most 1.5 pairs a body, more.
+enum class IslandKind { single, thread, heap };
+inline constexpr std::array<std::string_view, 3> island_kinds{"single", "thread", "heap"};
+
+// What was done with the islands of a kind: last forces kept, solved by sweeps, solved exactly.
+struct IslandCounts {
+    double kept = 0.0, swept = 0.0, exact = 0.0;
+
+    double all() const { return kept + swept + exact; }
+};
+
 // Means over the steps that were counted, each a step of the run.
 struct Counts {
     double substeps = 0.0;
@@ -27,9 +40,9 @@ struct Counts {
     double touches = 0.0;  // pairs with contact points
     double contact_rows = 0.0, friction_rows = 0.0, distance_rows = 0.0;
     double columns = 0.0;
-    double solves = 0.0;         // in which the guess was not good enough
-    double sweeps = 0.0;         // iterations of the solver, of whatever kind
-    double row_updates = 0.0;    // rows times columns times sweeps
+    std::array<IslandCounts, island_kinds.size()> islands{};  // of the last engine step in a step of the run
+    double sweeps = 0.0;         // iterations of the solver, of whatever kind, on the island with the most of them
+    double row_updates = 0.0;    // rows times columns times iterations, of all islands
     double multiply_adds = 0.0;  // of the solver
     double allocations = 0.0;
     double allocated_bytes = 0.0;

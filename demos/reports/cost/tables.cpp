@@ -12,11 +12,11 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-constexpr const char* columns =
-    "scene,start_s,made,bodies,force_sources,constraint_sources,contact_rules,step_rules,pairs,touches,contact_"
-    "rows,"
-    "friction_rows,distance_rows,columns,substeps,solves,sweeps,row_updates,multiply_adds,allocations,"
-    "allocated_bytes,step_us";
+constexpr const char* columns_before_islands =
+    "scene,start_s,made,bodies,force_sources,constraint_sources,contact_rules,step_rules,pairs,touches,contact_rows,"
+    "friction_rows,distance_rows,columns,substeps";
+constexpr const char* columns_after_islands =
+    "sweeps,row_updates,multiply_adds,allocations,allocated_bytes,step_us";
 
 std::string joined(const std::vector<std::string>& names, const char* none) {
     return names.empty() ? none : fmt::format("{}", fmt::join(names, " + "));
@@ -37,8 +37,13 @@ std::string csv_line(const Entry& entry, const char* made, const Entry::Made& wh
         std::to_string(bodies),     joined(parts.forces, ""),    joined(parts.constraints, ""),
         joined(parts.contacts, ""), joined(parts.step_rules, "")};
     for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
-                               counts.distance_rows, counts.columns, counts.substeps, counts.solves, counts.sweeps,
-                               counts.row_updates, counts.multiply_adds}) {
+                               counts.distance_rows, counts.columns, counts.substeps}) {
+        fields.push_back(to_text(value));
+    }
+    for (const IslandCounts& kind : counts.islands) {
+        for (const double value : {kind.kept, kind.swept, kind.exact}) fields.push_back(to_text(value));
+    }
+    for (const double value : {counts.sweeps, counts.row_updates, counts.multiply_adds}) {
         fields.push_back(to_text(value));
     }
     fields.push_back(memory(counts.allocations));
@@ -66,20 +71,35 @@ Lines parts_table(std::span<const Entry> entries) {
 }
 
 Lines counts_table(std::span<const Entry> entries) {
-    Lines lines{{"scene", "pairs", "touches", "contact rows", "friction rows", "distance rows", "columns", "solves",
-                 "sweeps", "multiply-adds", "allocations", "bytes"}};
+    Lines lines{{"scene", "pairs", "touches", "contact rows", "friction rows", "distance rows", "columns", "sweeps",
+                 "multiply-adds", "allocations", "bytes"}};
     for (const Entry& entry : entries) {
         const Counts& counts = entry.as_it_is.ledger.counts;
         std::vector<std::string> line{entry.name};
         for (const double value :
              {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows, counts.distance_rows,
-              counts.columns, counts.solves, counts.sweeps, counts.multiply_adds}) {
+              counts.columns, counts.sweeps, counts.multiply_adds}) {
             line.push_back(three_digits(value));
         }
         for (const double value : {counts.allocations, counts.allocated_bytes}) {
             line.push_back(allocations_are_counted() ? three_digits(value) : "not counted");
         }
         lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+// A line for each kind of islands that a scene has.
+Lines islands_table(std::span<const Entry> entries) {
+    Lines lines{{"scene", "kind", "islands", "kept", "swept", "exact"}};
+    for (const Entry& entry : entries) {
+        const Counts& counts = entry.as_it_is.ledger.counts;
+        for (std::size_t k = 0; k < island_kinds.size(); ++k) {
+            const IslandCounts& kind = counts.islands[k];
+            if (kind.all() == 0.0) continue;
+            lines.push_back({entry.name, std::string(island_kinds[k]), three_digits(kind.all()),
+                             three_digits(kind.kept), three_digits(kind.swept), three_digits(kind.exact)});
+        }
     }
     return lines;
 }
@@ -126,7 +146,9 @@ std::string three_digits(double value) {
 }
 
 std::string csv_text(std::span<const Entry> entries) {
-    std::string text = columns;
+    std::string text = columns_before_islands;
+    for (const std::string_view kind : island_kinds) text += fmt::format(",{0}_kept,{0}_swept,{0}_exact", kind);
+    text += fmt::format(",{}", columns_after_islands);
     for (const std::string_view stage : stage_names) text += fmt::format(",{}_us", stage);
     text += ",command\n";
     for (const Entry& entry : entries) {
@@ -141,9 +163,14 @@ std::vector<Section> table_sections(std::span<const Entry> entries) {
         section_of("parts", "What each scene is made of", "What is not named here was not constructed.",
                    parts_table(entries)),
         section_of("counts", "What a step does",
-                   "Means over 120 steps of 1/60 s, as each scene is. A solve is one that did something: where the "
-                   "remembered forces are good enough there is none, and no sweep.",
+                   "Means over 120 steps of 1/60 s, as each scene is. Sweeps are those of the island with the most of "
+                   "them: where the last forces are good enough there is none.",
                    counts_table(entries)),
+        section_of("islands", "How the islands are solved",
+                   "Bodies that rows join are an island, and each is solved by itself. Mean number per step of islands "
+                   "of one body, of at most 1.5 pairs per body (threads) and of more (heaps); of these, how many keep "
+                   "their last forces, are swept, and are solved exactly.",
+                   islands_table(entries)),
         section_of("times", "Where the time goes",
                    "CPU time in us a step, as each scene is; the stages without what reading the clock takes.",
                    times_table(entries)),

@@ -48,7 +48,7 @@ TEST_CASE("the interior point method settles every random problem, in a number o
             const tests::Frozen frozen = tests::random_rows(seed, rows / 8 + 2, rows, 2.0);
             UnitColumn column(frozen);
             std::vector<double> y(frozen.rows.size(), 0.0);
-            const double reached = InteriorPoint(column.matrix).solve(column.problem, 1e-7, 1000, y, column.count);
+            const double reached = InteriorPoint().solve(column.matrix, column.problem, 1e-7, 1000, y, column.count);
             INFO("seed " << seed << ", " << frozen.rows.size() << " rows");
             CHECK(reached <= 1e-7);
             CHECK(column.count.iterations <= 40);
@@ -69,15 +69,15 @@ TEST_CASE("from near the answer the active set gets there in a few steps, from f
         BodyVelocities x;
         follow(column.problem, y, x, r);
         const double before = residual(column.problem, y, r);
-        ActiveSet active_set(column.matrix);
+        ActiveSet active_set;
         std::vector<double> cold = y;
-        CHECK(active_set.solve(column.problem, 1e-12, 1000, cold, column.count) <= before);
+        CHECK(active_set.solve(column.matrix, column.problem, 1e-12, 1000, cold, column.count) <= before);
 
-        InteriorPoint(column.matrix).solve(column.problem, 1e-7, 1000, y, column.count);
+        InteriorPoint().solve(column.matrix, column.problem, 1e-7, 1000, y, column.count);
         active_set.start();
         SolveCount count;
         INFO("seed " << seed);
-        CHECK(active_set.solve(column.problem, 1e-9, 1000, y, count) <= 1e-9);
+        CHECK(active_set.solve(column.matrix, column.problem, 1e-9, 1000, y, count) <= 1e-9);
         CHECK(count.iterations <= 4);
     }
 }

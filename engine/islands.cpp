@@ -1,0 +1,222 @@
+#include "engine/islands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace pushfactor::engine {
+
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// 2 when the rows from `begin` up to `end` aim at different speeds in the two columns.
+int columns_of(int begin, int end, const SystemEquation& system) {
+    for (int j = begin; j < end; ++j) {
+        if (system.b(j, 0) != system.b(j, 1)) return 2;
+    }
+    return 1;
+}
+
+bool moves(const SystemEquation& system, int body) {
+    return system.inverse_mass[at(body)].linear > 0.0;
+}
+
+}  // namespace
+
+int Island::number_of(int row) const {
+    const auto after =
+        std::upper_bound(runs.begin(), runs.end(), row, [](int r, const RowRun& run) { return r < run.begin; });
+    const RowRun& run = *std::prev(after);
+    return run.first + row - run.begin;
+}
+
+namespace {
+
+// Calls `visit(row, j, a, b)` with each row of the island, its index in the step and the numbers of its bodies.
+template <typename Visit>
+void each_row(const SystemEquation& system, const Island& island, const Visit& visit) {
+    for (const RowRun& run : island.runs) {
+        for (int j = run.begin; j < run.end; ++j) visit(system.rows[at(j)], j, at(run.a), at(run.b));
+    }
+}
+
+}  // namespace
+
+void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
+                       Eigen::Index column, std::vector<Vector6>& forces) {
+    for (const int body : island.bodies) forces[at(body)].setZero();
+    for (const RowRun& run : island.runs) add_forces_of_pair(system, lambda, column, run.begin, run.end, forces);
+}
+
+double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda) {
+    double largest = 0.0;
+    std::vector<Vector6> accelerations;  // by number in the island
+    for (Eigen::Index column = 0; column < island.columns; ++column) {
+        accelerations.assign(at(island.body_count), Vector6::Zero());
+        each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
+            accelerations[a] += row.jacobian.a * lambda(j, column);
+            accelerations[b] += row.jacobian.b * lambda(j, column);
+        });
+        for (std::size_t k = 0; k < accelerations.size(); ++k) {
+            const bool movable = k < island.bodies.size();
+            accelerations[k] = movable ? accelerate(system.inverse_mass[at(island.bodies[k])], accelerations[k])
+                                       : Vector6(Vector6::Zero());
+        }
+        each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
+            const double diagonal = system.diagonal[j];
+            if (diagonal <= 0.0) return;
+            const double w = row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) -
+                             system.b(j, column);
+            const auto [low, high] = bounds_of(row, lambda, column);
+            const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
+            largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));
+        });
+    }
+    return largest;
+}
+
+void Islands::find(const SystemEquation& system) {
+    if (!find_runs(system)) return;
+    join_bodies(system);
+    gather_bodies();
+    gather_runs();
+    number_static_bodies();
+}
+
+// Returns whether they are others than the last time.
+bool Islands::find_runs(const SystemEquation& system) {
+    bool changed = body_count_ != system.inverse_mass.size();
+    body_count_ = system.inverse_mass.size();
+    new_followers_.clear();
+    const ConstraintRow* const rows = system.rows.data();
+    const int row_count = static_cast<int>(system.rows.size());
+    std::size_t count = 0;
+    for (int begin = 0; begin < row_count; ++count) {
+        const int a = rows[begin].body_a, b = rows[begin].body_b;
+        Found run{begin, begin, a, b, -1, 1};
+        run.movable = moves(system, a) ? a : moves(system, b) ? b : -1;
+        for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
+            // A bound that follows another row needs that row's force.
+            const int leader = rows[run.end].bounds.of_row;
+            if (leader >= 0 && leader < begin && run.movable >= 0) new_followers_.push_back({run.movable, leader});
+        }
+        if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
+        begin = run.end;
+        if (count == found_.size()) found_.emplace_back();
+        if (found_[count] == run) continue;
+        found_[count] = run;
+        changed = true;
+    }
+    changed = changed || count != found_.size() || new_followers_ != followers_;
+    found_.resize(count);
+    followers_.swap(new_followers_);
+    return changed;
+}
+
+int Islands::root_of(int body) {
+    while (parent_[at(body)] != body) {
+        int& parent = parent_[at(body)];
+        parent = parent_[at(parent)];
+        body = parent;
+    }
+    return body;
+}
+
+// The lower body is the root, so that the first body of an island is found first.
+void Islands::join(int a, int b) {
+    const auto [low, high] = std::minmax({root_of(a), root_of(b)});
+    parent_[at(high)] = low;
+}
+
+void Islands::join_bodies(const SystemEquation& system) {
+    parent_.assign(body_count_, -1);
+    hold_all_rows_ = true;
+    const auto take = [this](int body) {
+        if (parent_[at(body)] < 0) parent_[at(body)] = body;
+    };
+    for (const Found& run : found_) {
+        hold_all_rows_ = hold_all_rows_ && run.movable >= 0;
+        if (run.movable < 0) continue;
+        take(run.movable);
+        if (run.movable == run.body_b || !moves(system, run.body_b)) continue;
+        take(run.body_b);
+        join(run.body_a, run.body_b);
+    }
+    for (const auto& [body, leader] : followers_) {
+        for (const int other : {system.rows[at(leader)].body_a, system.rows[at(leader)].body_b}) {
+            if (moves(system, other)) join(body, other);
+        }
+    }
+}
+
+void Islands::gather_bodies() {
+    const int count = static_cast<int>(parent_.size());
+    islands_.clear();
+    island_of_.assign(parent_.size(), -1);
+    number_of_.resize(parent_.size());
+    for (int body = 0; body < count; ++body) {
+        if (parent_[at(body)] < 0) continue;
+        const int root = root_of(body);
+        if (root == body) {
+            island_of_[at(body)] = static_cast<int>(islands_.size());
+            islands_.emplace_back();
+        }
+        island_of_[at(body)] = island_of_[at(root)];
+        number_of_[at(body)] = islands_[at(of_body(body))].body_count++;
+    }
+    begin_.assign(1, 0);
+    for (const Island& island : islands_) begin_.push_back(begin_.back() + island.body_count);
+    bodies_.resize(at(begin_.back()));
+    for (int body = 0; body < count; ++body) {
+        if (of_body(body) >= 0) bodies_[at(begin_[at(of_body(body))] + number_of_[at(body)])] = body;
+    }
+    for (std::size_t k = 0; k < islands_.size(); ++k) {
+        islands_[k].bodies = std::span(bodies_).subspan(at(begin_[k]), at(islands_[k].body_count));
+    }
+}
+
+// Each island's runs together, in the order in which they are in the step.
+void Islands::gather_runs() {
+    begin_.assign(islands_.size() + 1, 0);
+    for (const Found& run : found_) {
+        if (run.movable >= 0) ++begin_[at(of_body(run.movable) + 1)];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    runs_.resize(at(begin_.back()));
+    for (std::size_t k = 0; k < islands_.size(); ++k) {
+        islands_[k].runs = std::span(runs_).subspan(at(begin_[k]), at(begin_[k + 1] - begin_[k]));
+    }
+    for (const Found& run : found_) {
+        if (run.movable < 0) continue;
+        Island& island = islands_[at(of_body(run.movable))];
+        runs_[at(begin_[at(of_body(run.movable))]++)] = {run.begin, run.end, island.rows, run.body_a, run.body_b};
+        island.rows += run.end - run.begin;
+        island.columns = std::max(island.columns, run.columns);
+    }
+}
+
+// Gives the runs the numbers that their bodies have in the island.
+void Islands::number_static_bodies() {
+    named_by_.assign(parent_.size(), -1);
+    RowRun* run = runs_.data();
+    for (int k = 0; k < static_cast<int>(islands_.size()); ++k) {
+        Island& island = islands_[at(k)];
+        const auto number = [&](int body) {
+            if (parent_[at(body)] < 0 && named_by_[at(body)] != k) {
+                named_by_[at(body)] = k;
+                number_of_[at(body)] = island.body_count++;
+            }
+            return number_of_[at(body)];
+        };
+        for (const RowRun* end = run + island.runs.size(); run != end; ++run) {
+            run->a = number(run->a);
+            run->b = number(run->b);
+        }
+    }
+}
+
+}  // namespace pushfactor::engine

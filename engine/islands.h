@@ -1,0 +1,98 @@
+// Islands: bodies that rows join, directly or through others. Static bodies join nothing.
+//
+// Ordered by island, A of the system equation (6.2.9) is block diagonal: no row of one island changes the velocity of
+// a body of another. So each island is a system of its own, and whatever is decided about a solve (method, columns,
+// iterations, tolerances) is decided for one island and depends on nothing outside of it.
+//
+// Not from the paper, which solves one system.
+#pragma once
+
+#include "engine/system_equation.h"
+
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+// Rows that follow each other in the step and act on the same two bodies.
+struct RowRun {
+    int begin = 0, end = 0;  // of the rows of the step, which `end` is not part of
+    int first = 0;           // number of row `begin` in the island
+    int a = 0, b = 0;        // numbers in the island of body_a and body_b of the rows
+};
+
+// Bodies and rows are numbered in the island as they are in the world: ascending. The static bodies that rows of the
+// island touch come after the movable ones, in the order in which rows name them.
+struct Island {
+    std::span<const int> bodies{};   // the movable ones: number k is body bodies[k] of the world; at least one
+    std::span<const RowRun> runs{};  // at least one
+    int rows = 0;
+    int body_count = 0;  // static ones included
+    int columns = 1;     // 2 when some row corrects for a single frame (8.1)
+
+    int movable() const { return static_cast<int>(bodies.size()); }
+    // The number in the island of `row` of the step, which must be one of the island's.
+    int number_of(int row) const;
+};
+
+// 6.2.1 for the rows of one island: writes f_c = J^T lambda of column `column` for its movable bodies into `forces`
+// [N and N m, one a body of the world] and leaves those of other bodies as they are.
+void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
+                       Eigen::Index column, std::vector<Vector6>& forces);
+
+// Natural-map residual of one island [m/s], as that of the system.
+double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
+
+class Islands {
+  public:
+    // Finds the islands of `system`, in time linear in its rows and bodies; while the same rows act on the same bodies
+    // as in the last call, they are found again at a glance. A row that no movable body takes part in belongs to none.
+    void find(const SystemEquation& system);
+
+    // In ascending order of their first bodies; good until the next find().
+    std::span<const Island> all() const { return islands_; }
+
+    // The island of a body, by its place in all(); below zero for a static body and for one without rows.
+    int of_body(int body) const { return island_of_[static_cast<std::size_t>(body)]; }
+
+    // Whether every row of the system belongs to an island.
+    bool hold_all_rows() const { return hold_all_rows_; }
+
+  private:
+    struct Found {
+        int begin, end;      // rows of the step
+        int body_a, body_b;  // of the world
+        int movable;         // one of them, -1 when both are static
+        int columns;
+        friend bool operator==(const Found&, const Found&) = default;
+    };
+    struct Follower {
+        int body;    // a movable one, of a row whose bounds follow
+        int leader;  // a row of other bodies
+        friend bool operator==(const Follower&, const Follower&) = default;
+    };
+
+    bool find_runs(const SystemEquation& system);
+    void join_bodies(const SystemEquation& system);
+    void gather_bodies();
+    void gather_runs();
+    void number_static_bodies();
+    void join(int a, int b);
+    int root_of(int body);
+
+    // What the islands follow from, as it was in the last find().
+    std::size_t body_count_ = 0;
+    std::vector<Found> found_;
+    std::vector<Follower> followers_, new_followers_;
+    std::vector<int> parent_;     // by body, in the forest of joined bodies; -1 without rows
+    std::vector<int> island_of_;  // by body
+    std::vector<int> number_of_;  // by body, in its island; of a static one in the island that has named it last
+    std::vector<int> named_by_;   // by body, the island that has named this static one last
+    std::vector<int> begin_;      // by island, where its bodies or its runs begin, and where the last one's end
+    std::vector<Island> islands_;
+    std::vector<int> bodies_;   // of all islands
+    std::vector<RowRun> runs_;  // of all islands
+    bool hold_all_rows_ = true;
+};
+
+}  // namespace pushfactor::engine

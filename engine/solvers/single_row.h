@@ -1,0 +1,39 @@
+// The answer for an island of a single row, such as a pendulum: 7.1.1 gives it at once, because no other row has a say.
+// An inner matter of the solvers.
+#pragma once
+
+#include "engine/solvers/solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine::solvers {
+
+// lambda = clamp(b / A_jj). Counted as the one sweep that it would take.
+inline SolveCount solve_single_row(const SystemEquation& system, const Island& island,
+                                   const Termination& termination, Columns& lambda) {
+    const Eigen::Index j = island.runs.front().begin;
+    const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+    const double diagonal = system.diagonal[j];
+    const Eigen::Index last = lambda.cols() - 1;
+    const auto answer = [&](Eigen::Index column) {
+        if (!(diagonal > 0.0)) return 0.0;
+        const auto [low, high] = bounds_of(row, lambda, column);
+        return std::max(std::min(system.b(j, column) / diagonal, high), low);
+    };
+    const double first = answer(0);
+    const double second = island.columns == 2 ? answer(1) : first;
+    SolveCount count;
+    if (termination.tolerance_high > 0.0) {
+        count.multiply_adds = 12.0 * island.columns;
+        const double change = std::max(std::abs(lambda(j, 0) - first), std::abs(lambda(j, last) - second));
+        if (system.dt * diagonal * change <= termination.tolerance_high) return count;
+    }
+    count.iterations = 1;
+    count.multiply_adds += 24.0 * island.columns;
+    lambda(j, 0) = first;
+    lambda(j, last) = second;
+    return count;
+}
+
+}  // namespace pushfactor::engine::solvers

@@ -1,0 +1,97 @@
+// Warm starts, paper section 6.2.3: which of its last forces an island may keep, and with which forces the next step
+// begins. Kept body by body, because islands part and meet: an island goes on from what its bodies have.
+//
+// Deviations: 6.2.3 begins each step with the last answer. Frozen forces under a stack are an inverted pendulum, and
+// the rules here are what lets it rest.
+#pragma once
+
+#include "engine/islands.h"
+#include "engine/solvers/solver.h"
+
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+class WarmStart {
+  public:
+    // What the last step leaves to the next.
+    struct Memory {
+        bool exact = false;  // whether the body's island was solved, and to rounding
+        int kept = 0;        // steps since its last solve; 0 for a body without rows
+    };
+
+    // What a step did with an island.
+    enum class Method { kept, swept, exact };
+
+    // Before the first solve of a step.
+    void begin(std::size_t bodies);
+
+    // What the bodies of `island` remember of the last step, together: the stricter rule, and the newest solve.
+    Memory memory_of(const Island& island) const;
+
+    // When to stop solving an island with this memory, where `usual` is the world's own rule.
+    //
+    // An exact answer that has stopped a motion holds the force that stopped it; kept for another step it would start
+    // the motion again, the other way round. So after an exact solve the guess has to be as good as an answer, and
+    // better, because what is left of the error grows while nothing is solved.
+    static solvers::Termination termination(const Memory& memory, solvers::Termination usual) {
+        if (memory.exact) usual.tolerance_high = usual.tolerance_low = after_exact * usual.tolerance_low;
+        return usual;
+    }
+
+    // Takes note of a solve. Within a step the same bodies may be solved again, in a larger island.
+    void solved(const Island& island, const Memory& memory, const solvers::SolveCount& count);
+
+    Method method_of(const Island& island) const { return record_of(island).method; }
+
+    // How the next step's forces follow from the guesses and answers of an island: guess + share (answer - guess), or
+    // zero.
+    //
+    // Forces that were kept for k steps with an error e have built up a velocity of k e. A solve takes off that and e
+    // itself, (k + 1) e; the next step needs e alone, so that the guess takes 1 / (k + 1) of the change. After an exact
+    // solve the guess is looked at anew. Forces of rows that contradict each other are as large as the method lets
+    // them: nothing is taken over from those.
+    struct Next {
+        double share = 1.0;
+        bool nothing = false;
+
+        Lambda operator()(const Lambda& guess, const Lambda& answer) const {
+            if (nothing) return {};
+            return {guess.first + share * (answer.first - guess.first),
+                    guess.last + share * (answer.last - guess.last)};
+        }
+    };
+    Next next(const Island& island) const {
+        const Record& record = record_of(island);
+        return {.share = record.method == Method::swept ? 1.0 / (1 + record.kept_before) : 1.0,
+                .nothing = record.contradicted};
+    }
+
+    // After the last solve of a step.
+    void end();
+
+    std::span<const Memory> memory() const { return memory_; }  // by body; empty before the first step
+    void set_memory(std::span<const Memory> memory) { memory_.assign(memory.begin(), memory.end()); }
+
+  private:
+    // How much better than an answer the guess has to be after an exact solve.
+    static constexpr double after_exact = 0.1;
+
+    // Of the step, the same for all bodies of an island.
+    struct Record {
+        bool in_island = false;
+        bool contradicted = false;
+        Method method = Method::kept;
+        int kept_before = 0;
+    };
+
+    const Record& record_of(const Island& island) const {
+        return records_[static_cast<std::size_t>(island.bodies.front())];
+    }
+
+    std::vector<Memory> memory_;
+    std::vector<Record> records_;
+};
+
+}  // namespace pushfactor::engine
