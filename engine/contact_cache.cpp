@@ -46,14 +46,23 @@ void ContactCache::add(const collision::Pair& pair, std::span<const Point> point
     points_.insert(points_.end(), points.begin(), points.end());
 }
 
-void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces) {
+void ContactCache::clear() {
     entries_.clear();
     points_.clear();
+}
+
+void ContactCache::store(const collision::Touch& touch, std::span<const ContactForce> forces) {
+    entries_.push_back({touch.pair, points_.size(), static_cast<int>(touch.points.size())});
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        points_.push_back({touch.points[i].feature, touch.points[i].position, forces[i]});
+    }
+}
+
+void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces) {
+    clear();
     for (const collision::Touch& touch : touches) {
-        entries_.push_back({touch.pair, points_.size(), static_cast<int>(touch.points.size())});
-        for (const collision::ContactPoint& point : touch.points) {
-            points_.push_back({point.feature, point.position, forces[points_.size()]});
-        }
+        store(touch, forces.first(touch.points.size()));
+        forces = forces.subspan(touch.points.size());
     }
 }
 

@@ -30,12 +30,16 @@ class ContactCache {
         int count = 0;
     };
 
-    // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point is
-    // the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
+    // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point
+    // is the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
     void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
 
     // Replaces the cache. `forces` in the order of recall.
     void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
+
+    // The same touch after touch, in ascending order of the pair, once the cache is empty. `forces` one a point.
+    void clear();
+    void store(const collision::Touch& touch, std::span<const ContactForce> forces);
 
     // What is stored, for whoever saves and restores a run: ascending pairs, and the points of all of them.
     std::span<const Entry> entries() const { return entries_; }

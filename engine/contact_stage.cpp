@@ -81,8 +81,8 @@ void ContactStage::append_normal(Contact& contact, const BodyPair& pair, const P
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
     contact.normal_row = static_cast<int>(rows.size());
     ++own_rows_;
-    ConstraintRow& row = append_contact_row(at, touch.normal, point.gap, choices_.correction,
-                                            choices_.slop * touch.size, dt, rows);
+    ConstraintRow& row =
+        append_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
         row.push = restitution_(row.push, impact_of(row, pair, touch, dt));
     }
@@ -232,7 +232,7 @@ void ContactStage::remember(std::span<const Lambda> answers) {
     store_forces();
 }
 
-// In ascending order of the pair, as the cache wants them.
+// The cache wants them in ascending order of the pair.
 void ContactStage::store_forces() {
     if (unforeseen_.empty()) {
         cache_->store(touches_, forces_);
@@ -240,25 +240,31 @@ void ContactStage::store_forces() {
     }
     struct Known {
         const collision::Touch* touch;
-        std::size_t force;
+        std::size_t force;  // into forces_
     };
-    std::vector<Known> all;
     std::size_t force = 0;
-    const auto add = [&](const collision::Touch& touch) {
-        all.push_back({&touch, force});
+    for (const collision::Touch& touch : touches_) force += touch.points.size();
+    std::vector<Known> unforeseen;
+    for (const collision::Touch& touch : unforeseen_) {
+        unforeseen.push_back({&touch, force});
         force += touch.points.size();
-    };
-    for (const collision::Touch& touch : touches_) add(touch);
-    for (const collision::Touch& touch : unforeseen_) add(touch);
-    std::sort(all.begin(), all.end(), [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
-    std::vector<collision::Touch> touches;
-    std::vector<ContactForce> forces;
-    for (const Known& known : all) {
-        touches.push_back(*known.touch);
-        const auto first = forces_.begin() + static_cast<std::ptrdiff_t>(known.force);
-        forces.insert(forces.end(), first, first + static_cast<std::ptrdiff_t>(known.touch->points.size()));
     }
-    cache_->store(touches, forces);
+    std::sort(unforeseen.begin(), unforeseen.end(),
+              [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
+
+    const std::span<const ContactForce> forces(forces_);
+    const auto store = [&](const Known& known) {
+        cache_->store(*known.touch, forces.subspan(known.force, known.touch->points.size()));
+    };
+    cache_->clear();
+    force = 0;
+    auto next = unforeseen.begin();
+    for (const collision::Touch& touch : touches_) {
+        for (; next != unforeseen.end() && next->touch->pair < touch.pair; ++next) store(*next);
+        store({&touch, force});
+        force += touch.points.size();
+    }
+    for (; next != unforeseen.end(); ++next) store(*next);
 }
 
 }  // namespace pushfactor::engine

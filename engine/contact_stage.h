@@ -81,8 +81,8 @@ class ContactStage : public ConstraintSource {
     };
     struct TouchFriction;
 
-    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, std::span<const Body> bodies,
-                        double dt, std::vector<ConstraintRow>& rows);
+    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
+                        std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows);
     std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order);
     void find_motions(std::span<const Body> bodies);
     void append_normal(Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
@@ -106,8 +106,8 @@ class ContactStage : public ConstraintSource {
     std::deque<collision::Touch> unforeseen_;
     std::vector<Motion> motions_;  // by body, at the start of the step; for friction
     ContactOrder order_, unforeseen_order_;
-    std::vector<Contact> contacts_;     // in the order of their rows
-    std::vector<ContactForce> forces_;  // in the order of touches_ and then of unforeseen_, and of their points
+    std::vector<Contact> contacts_;         // in the order of their rows
+    std::vector<ContactForce> forces_;      // in the order of touches_ and then of unforeseen_, and of their points
     std::vector<std::size_t> first_force_;  // of each touch at hand, into forces_
     int own_rows_ = 0;
 };

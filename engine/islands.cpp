@@ -69,8 +69,8 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
         each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
             const double diagonal = system.diagonal[j];
             if (diagonal <= 0.0) return;
-            const double w = row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) -
-                             system.b(j, column);
+            const double w =
+                row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) - system.b(j, column);
             const auto [low, high] = bounds_of(row, lambda, column);
             const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
             largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));
@@ -79,8 +79,8 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
     return largest;
 }
 
-void Islands::find(const SystemEquation& system) {
-    if (!find_runs(system)) return;
+void Islands::find(const SystemEquation& system, int first_new) {
+    if (!find_runs(system, first_new)) return;
     join_bodies(system);
     gather_bodies();
     gather_runs();
@@ -88,14 +88,14 @@ void Islands::find(const SystemEquation& system) {
 }
 
 // Returns whether they are others than the last time.
-bool Islands::find_runs(const SystemEquation& system) {
+bool Islands::find_runs(const SystemEquation& system, int first_new) {
     bool changed = body_count_ != system.inverse_mass.size();
     body_count_ = system.inverse_mass.size();
     new_followers_.clear();
     const ConstraintRow* const rows = system.rows.data();
     const int row_count = static_cast<int>(system.rows.size());
-    std::size_t count = 0;
-    for (int begin = 0; begin < row_count; ++count) {
+    std::size_t count = first_new > 0 ? found_.size() : 0;
+    for (int begin = first_new; begin < row_count; ++count) {
         const int a = rows[begin].body_a, b = rows[begin].body_b;
         Found run{begin, begin, a, b, -1, 1};
         run.movable = moves(system, a) ? a : moves(system, b) ? b : -1;
@@ -111,9 +111,14 @@ bool Islands::find_runs(const SystemEquation& system) {
         found_[count] = run;
         changed = true;
     }
-    changed = changed || count != found_.size() || new_followers_ != followers_;
+    changed = changed || count != found_.size();
     found_.resize(count);
-    followers_.swap(new_followers_);
+    if (first_new > 0) {
+        followers_.insert(followers_.end(), new_followers_.begin(), new_followers_.end());
+    } else {
+        changed = changed || new_followers_ != followers_;
+        followers_.swap(new_followers_);
+    }
     return changed;
 }
 

@@ -1,8 +1,8 @@
 // Islands: bodies that rows join, directly or through others. Static bodies join nothing.
 //
-// Ordered by island, A of the system equation (6.2.9) is block diagonal: no row of one island changes the velocity of
-// a body of another. So each island is a system of its own, and whatever is decided about a solve (method, columns,
-// iterations, tolerances) is decided for one island and depends on nothing outside of it.
+// Ordered by island, A of the system equation (6.2.9) is block diagonal: no row of one island changes the velocity
+// of a body of another. So each island is a system of its own, and whatever is decided about a solve (method,
+// columns, iterations, tolerances) is decided for one island and depends on nothing outside of it.
 //
 // Not from the paper, which solves one system.
 #pragma once
@@ -21,8 +21,8 @@ struct RowRun {
     int a = 0, b = 0;        // numbers in the island of body_a and body_b of the rows
 };
 
-// Bodies and rows are numbered in the island as they are in the world: ascending. The static bodies that rows of the
-// island touch come after the movable ones, in the order in which rows name them.
+// Bodies and rows are numbered in the island as they are in the world: ascending. The static bodies that rows of
+// the island touch come after the movable ones, in the order in which rows name them.
 struct Island {
     std::span<const int> bodies{};   // the movable ones: number k is body bodies[k] of the world; at least one
     std::span<const RowRun> runs{};  // at least one
@@ -45,9 +45,15 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
 
 class Islands {
   public:
-    // Finds the islands of `system`, in time linear in its rows and bodies; while the same rows act on the same bodies
-    // as in the last call, they are found again at a glance. A row that no movable body takes part in belongs to none.
-    void find(const SystemEquation& system);
+    // Finds the islands of `system`, in time linear in its rows and bodies; while the same rows act on the same
+    // bodies as in the last call, they are found again at a glance. A row that no movable body takes part in
+    // belongs to none.
+    void find(const SystemEquation& system) { find(system, 0); }
+
+    // The same when rows have come behind those of the last call, the first of them row `first_new`.
+    void find_again(const SystemEquation& system, std::size_t first_new) {
+        find(system, static_cast<int>(first_new));
+    }
 
     // In ascending order of their first bodies; good until the next find().
     std::span<const Island> all() const { return islands_; }
@@ -72,7 +78,8 @@ class Islands {
         friend bool operator==(const Follower&, const Follower&) = default;
     };
 
-    bool find_runs(const SystemEquation& system);
+    void find(const SystemEquation& system, int first_new);
+    bool find_runs(const SystemEquation& system, int first_new);
     void join_bodies(const SystemEquation& system);
     void gather_bodies();
     void gather_runs();

@@ -47,8 +47,8 @@ class RattleStep {
         }
     }
 
-    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole: for
-    // each island as often as it takes.
+    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole:
+    // for each island as often as it takes.
     void move(double kick, double drift) {
         prepare(kick);
         find_islands();
@@ -139,8 +139,8 @@ class RattleStep {
         return largest;
     }
 
-    // Ends the moves of the islands whose bars are as long as they should be to `enough` [m], or which came no nearer
-    // to that since the last time. Returns whether that is all of them.
+    // Ends the moves of the islands whose bars are as long as they should be to `enough` [m], or which came no
+    // nearer to that since the last time. Returns whether that is all of them.
     bool end_moves(double enough, bool first) {
         bool all = true;
         for (Move& move : moves_) {

@@ -25,16 +25,16 @@ class ConstraintSource {
     // Appends rows for the state of `bodies` and a step of `dt` [s]. Their order is kept: nobody sorts later.
     virtual void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) = 0;
 
-    // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first column
-    // [N and N m, one a body], as found with the rows so far; none when nothing is missing. Called again while other
-    // sources or this one append some. Since the last call, and in the first one since append_rows(), only bodies
-    // with `changed` (one a body) have got other forces.
+    // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first
+    // column [N and N m, one a body], as found with the rows so far; none when nothing is missing. Called again
+    // while other sources or this one append some. Since the last call, and in the first one since append_rows(),
+    // only bodies with `changed` (one a body) have got other forces.
     virtual void append_unforeseen(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/,
                                    std::span<const char> /*changed*/, double /*dt*/,
                                    std::vector<ConstraintRow>& /*rows*/) {}
 
-    // The forces that the next step should begin with, one for each row that the source has appended in this step, in
-    // that order: the answers, or something between them and the guesses.
+    // The forces that the next step should begin with, one for each row that the source has appended in this step,
+    // in that order: the answers, or something between them and the guesses.
     virtual void remember(std::span<const Lambda> answers) = 0;
 };
 

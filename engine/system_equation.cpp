@@ -97,12 +97,14 @@ inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& syste
     b.write(to_unit, system.unit_axes[j].b);
 }
 
+// Keeps the axes that are there.
 void size_axes(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
+    system.unit_axes.resize(system.rows.size());
+    if (system.diagonal.size() == count) return;  // Eigen would ask for memory all the same
     system.diagonal.conservativeResize(count);
     system.scale.conservativeResize(count);
     system.inverse_scale.conservativeResize(count);
-    system.unit_axes.resize(system.rows.size());
 }
 
 bool corrects(std::span<const ConstraintRow> rows) {
@@ -129,8 +131,13 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
     size_axes(system);
     const Eigen::Index before = system.column_count();
     const bool two_columns = (first > 0 && before == 2) || corrects(rows.subspan(first));
-    system.b.conservativeResize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
-    if (first > 0 && two_columns && before == 1) system.b.col(1) = system.b.col(0);
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    if (first == 0) {
+        system.b.resize(count, two_columns ? 2 : 1);
+    } else {
+        system.b.conservativeResize(count, two_columns ? 2 : 1);
+        if (two_columns && before == 1) system.b.col(1) = system.b.col(0);
+    }
     const std::vector<Vector6>& free = system.free_acceleration;
     for (std::size_t j = first; j < rows.size(); ++j) {
         const ConstraintRow& row = rows[j];

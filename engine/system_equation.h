@@ -63,8 +63,8 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces);
 
-// Adds to `forces` what row `begin` does to its bodies, and the rows behind it, up to `end`, that act on the same two.
-// Returns the first row that does not.
+// Adds to `forces` what row `begin` does to its bodies, and the rows behind it, up to `end`, that act on the same
+// two. Returns the first row that does not.
 inline Eigen::Index add_forces_of_pair(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                                        Eigen::Index begin, Eigen::Index end, std::vector<Vector6>& forces) {
     const ConstraintRow& first = system.rows[static_cast<std::size_t>(begin)];

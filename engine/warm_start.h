@@ -1,8 +1,8 @@
-// Warm starts, paper section 6.2.3: which of its last forces an island may keep, and with which forces the next step
-// begins. Kept body by body, because islands part and meet: an island goes on from what its bodies have.
+// Warm starts, paper section 6.2.3: which of its last forces an island may keep, and with which forces the next
+// step begins. Kept body by body, because islands part and meet: an island goes on from what its bodies have.
 //
-// Deviations: 6.2.3 begins each step with the last answer. Frozen forces under a stack are an inverted pendulum, and
-// the rules here are what lets it rest.
+// Deviations: 6.2.3 begins each step with the last answer. Frozen forces under a stack are an inverted pendulum,
+// and the rules here are what lets it rest.
 #pragma once
 
 #include "engine/islands.h"
@@ -32,9 +32,9 @@ class WarmStart {
 
     // When to stop solving an island with this memory, where `usual` is the world's own rule.
     //
-    // An exact answer that has stopped a motion holds the force that stopped it; kept for another step it would start
-    // the motion again, the other way round. So after an exact solve the guess has to be as good as an answer, and
-    // better, because what is left of the error grows while nothing is solved.
+    // An exact answer that has stopped a motion holds the force that stopped it; kept for another step it would
+    // start the motion again, the other way round. So after an exact solve the guess has to be as good as an
+    // answer, and better, because what is left of the error grows while nothing is solved.
     static solvers::Termination termination(const Memory& memory, solvers::Termination usual) {
         if (memory.exact) usual.tolerance_high = usual.tolerance_low = after_exact * usual.tolerance_low;
         return usual;
@@ -45,13 +45,13 @@ class WarmStart {
 
     Method method_of(const Island& island) const { return record_of(island).method; }
 
-    // How the next step's forces follow from the guesses and answers of an island: guess + share (answer - guess), or
-    // zero.
+    // How the next step's forces follow from the guesses and answers of an island: guess + share (answer - guess),
+    // or zero.
     //
-    // Forces that were kept for k steps with an error e have built up a velocity of k e. A solve takes off that and e
-    // itself, (k + 1) e; the next step needs e alone, so that the guess takes 1 / (k + 1) of the change. After an exact
-    // solve the guess is looked at anew. Forces of rows that contradict each other are as large as the method lets
-    // them: nothing is taken over from those.
+    // Forces that were kept for k steps with an error e have built up a velocity of k e. A solve takes off that and
+    // e itself, (k + 1) e; the next step needs e alone, so that the guess takes 1 / (k + 1) of the change. After an
+    // exact solve the guess is looked at anew. Forces of rows that contradict each other are as large as the method
+    // lets them: nothing is taken over from those.
     struct Next {
         double share = 1.0;
         bool nothing = false;

@@ -11,9 +11,13 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Limit on re-solves per step: each adds contacts for bodies that the last solve has thrown into something, one more
-// body of a chain of collisions each time.
+// Limit on re-solves per step: each adds contacts for bodies that the last solve has thrown into something, one
+// more body of a chain of collisions each time.
 constexpr int most_looks = 8;
+
+bool has_row_from(const Island& island, std::size_t first_row) {
+    return static_cast<std::size_t>(island.runs.back().end) > first_row;
+}
 
 }  // namespace
 
@@ -92,7 +96,7 @@ World::Work World::solve_islands() {
 }
 
 World::Work World::solve_islands_again(std::size_t first_new_row) {
-    islands_.find(system_);
+    islands_.find_again(system_, first_new_row);
     const bool second_column = system_.column_count() > lambda_.cols();
     lambda_.conservativeResize(system_.row_count(), system_.column_count());
     if (second_column) lambda_.col(1) = lambda_.col(0);
@@ -100,7 +104,7 @@ World::Work World::solve_islands_again(std::size_t first_new_row) {
     changed_.assign(bodies.size(), 0);
     Work work;
     for (const Island& island : islands_.all()) {
-        if (static_cast<std::size_t>(island.runs.back().end) <= first_new_row) continue;
+        if (!has_row_from(island, first_new_row)) continue;
         solve(island, work);
         constraint_forces(system_, island, lambda_, 0, moving_);
         for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
@@ -116,7 +120,7 @@ void World::guess(std::size_t first_row) {
         lambda_(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
     }
     for (const Island& island : islands_.all()) {
-        if (island.columns > last) continue;
+        if (island.columns > last || !has_row_from(island, first_row)) continue;
         for (const RowRun& run : island.runs) {
             for (int j = std::max(run.begin, static_cast<int>(first_row)); j < run.end; ++j) {
                 lambda_(j, 0) = lambda_(j, last);

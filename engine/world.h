@@ -64,8 +64,8 @@ class World {
 
     double time() const { return time_; }  // s, sum of all steps
 
-    // What a world carries from step to step beside its bodies and what its sources remember: the time and this, one
-    // a body. With all of it a world that was made anew goes on as the old one would have.
+    // What a world carries from step to step beside its bodies and what its sources remember: the time and this,
+    // one a body. With all of it a world that was made anew goes on as the old one would have.
     std::span<const WarmStart::Memory> warm_start() const { return warm_start_.memory(); }
     void resume(double time, std::span<const WarmStart::Memory> warm_start);
 
@@ -94,7 +94,8 @@ class World {
     void solve(const Island& island, Work& work);
     // Solves all islands from the guesses of their rows and writes moving_.
     Work solve_islands();
-    // Solves the islands with new rows once more, these rows from their guesses and the others from what has been found.
+    // Solves the islands with new rows once more, these rows from their guesses and the others from what has been
+    // found.
     Work solve_islands_again(std::size_t first_new_row);
     // Solves, and again with more rows while the answer takes bodies where no source foresaw them.
     Work solve_and_look(double dt);

@@ -1,13 +1,11 @@
-// Which pairs of colliders may touch. Candidates are found in a hashed grid with one level of cells a power of two
-// of size, so that the cost is linear in practice, for equal and for very different sizes. They are found for boxes
-// that are somewhat wider than the shapes, and serve for as long as every shape stays within its wide box: in a
-// scene at rest the grid is not filled again.
+// Which pairs of colliders may touch. Candidates are found for boxes that are somewhat wider than the shapes, and
+// serve for as long as a shape stays within its wide box. Only for one that has left it they are found anew, so
+// that what moves costs nothing where nothing does.
 #pragma once
 
+#include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,15 +26,9 @@ class BroadPhase {
                                      std::span<const Pose> poses, double margin);
 
   private:
-    struct Cell {
-        int level = 0;  // its edge is 2^level m
-        std::int64_t x = 0, y = 0, z = 0;
-        friend bool operator==(const Cell&, const Cell&) = default;
-    };
     // The bounding box of one finite shape.
-    struct Bounds {
-        Vector3 centre, reach;  // m; reach is half its edges
-        double slack = 0.0;     // m, by which the wide box reaches farther
+    struct Bounds : BoundingBox {
+        double slack = 0.0;  // m, by which the wide box reaches farther
         int collider = 0;
         int body = 0;
         bool fixed = false;  // of a static body
@@ -52,16 +44,15 @@ class BroadPhase {
         int other = 0;
     };
 
-    static Cell cell_of(const Vector3& centre, int level);
-    std::size_t bucket_of(const Cell& cell) const;
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
                double margin);
-    bool within_wide() const;
-    void find_candidates();
-    void fill_grid();
-    void add_with_planes();
-    void add_with_neighbours(int index);
-    void add_with_cell(int index, const Cell& cell);
+    bool has_same_shapes() const;
+    bool uses_grid() const;
+    void update_candidates();
+    void find_all_candidates();
+    void find_candidates_of_left();
+    void widen(std::size_t index);
+    void add_with_planes(int index);
     void add_if_near(int index, int other);
 
     std::vector<Bounds> bounds_;  // of the finite shapes, as they are
@@ -71,11 +62,11 @@ class BroadPhase {
     std::vector<Bounds> wide_;  // with wide reach
     std::vector<Plane> wide_planes_;
     std::vector<Candidate> candidates_;  // in ascending order of the pair
+    BoxGrid grid_;                       // of wide_, where there are many
+    std::size_t put_again_ = 0;          // boxes, since the grid was filled
 
-    std::vector<Cell> cells_;  // of the centres of the wide boxes, with edges no shorter than theirs
-    std::vector<int> levels_;  // that occur, ascending
-    std::vector<int> heads_;   // hash table: the first of each bucket, index into wide_, -1 for none
-    std::vector<int> next_;    // the next of the same bucket
+    std::vector<int> left_;       // boxes that have left their wide box
+    std::vector<char> has_left_;  // by box
     std::vector<Pair> pairs_;
 };
 

@@ -88,36 +88,28 @@ Body moved_to(const Body& body, const Pose& pose) {
 Moving Sweep::moving(int collider, const Step& step) const {
     const Collider& which = step.colliders[static_cast<std::size_t>(collider)];
     const auto body = static_cast<std::size_t>(which.body);
-    return {which.shape, pose_of(step.bodies[body]), motions_[body]};
+    return {which.shape, pose_of(step.bodies[body]), fast_pairs_.motion_of(collider)};
 }
 
 bool Sweep::any_fast(const Step& step) {
     fast_.clear();
-    motions_.clear();
     bool any = false;
     for (const Collider& collider : step.colliders) {
         fast_.push_back(is_fast(collider, step.bodies[static_cast<std::size_t>(collider.body)], step));
         any = any || fast_.back();
     }
-    if (!any) return false;
-    for (const Body& body : step.bodies) motions_.push_back(motion_of(body, step.dt));
-    return true;
+    return any;
 }
 
 bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
     fast_.clear();
-    motions_.clear();
     bool any = false;
     for (const Collider& collider : step.colliders) {
         const auto body = static_cast<std::size_t>(collider.body);
         fast_.push_back(changed[body] && is_thrown(collider, step.bodies[body], forces[body], step));
         any = any || fast_.back();
     }
-    if (!any) return false;
-    for (std::size_t i = 0; i < step.bodies.size(); ++i) {
-        motions_.push_back(motion_of(step.bodies[i], step.dt, forces[i]));
-    }
-    return true;
+    return any;
 }
 
 // Adds the touch of a pair that meets, with the motions of the moment.
@@ -148,7 +140,7 @@ bool Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& 
 
 void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
     auto touch = touches.begin();
-    const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
+    const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
         for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
@@ -184,7 +176,7 @@ std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<co
                                    const Step& step) {
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
-    const Outlook outlook{step.colliders, step.bodies, motions_, step.dt, step.detection.margin};
+    const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
         if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
     }

@@ -63,10 +63,9 @@ class Sweep {
     bool add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
     Moving moving(int collider, const Step& step) const;
 
-    std::vector<bool> fast_;       // by collider
-    std::vector<Motion> motions_;  // by body
+    std::vector<bool> fast_;  // by collider
     FastPairs fast_pairs_;
-    Found found_;                    // of the step
+    Found found_;  // of the step
     std::vector<Touch> refined_;
     std::vector<Touch> unforeseen_;  // of the last look
     std::span<const Touch> known_;   // what the last refine() returned

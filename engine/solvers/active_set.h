@@ -25,8 +25,8 @@ namespace pushfactor::engine::solvers {
 
 class ActiveSet {
   public:
-    // Forgets the factor: the matrix or the axes are others now. Problems that follow each other without a start() in
-    // between may differ in t and in bounds alone.
+    // Forgets the factor: the matrix or the axes are others now. Problems that follow each other without a start()
+    // in between may differ in t and in bounds alone.
     void start() { factored_.clear(); }
 
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or

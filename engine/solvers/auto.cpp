@@ -3,9 +3,9 @@
 // about as much as a few sweeps. Where the bodies are connected like a heap it is the other way round: a
 // factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
 //
-// So, of each island: keep the guess when it is good; take the answer of a single row at once; solve a thread exactly; sweep a
-// heap. A heap whose sweeps end far from the answer gets a bounded number of exact steps on
-// top. The rules look at the structure and the residual, never at the clock.
+// So, of each island: keep the guess when it is good; take the answer of a single row at once; solve a thread
+// exactly; sweep a heap. A heap whose sweeps end far from the answer gets a bounded number of exact steps on top.
+// The rules look at the structure and the residual, never at the clock.
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
@@ -38,7 +38,7 @@ class Auto {
         rows_.load(system, island, lambda);
         if (keeps_guess(rows_, termination, count)) return count;
         exact_.take(island);
-        if (exact_.pairs() <= pairs_of_a_thread * island.movable()) {
+        if (exact_.is_tree() || exact_.pairs() <= pairs_of_a_thread * island.movable()) {
             solve_thread(termination, count);
         } else {
             solve_heap(island, termination, count);

@@ -27,6 +27,8 @@ class ExactAnswer {
     // Finds out which bodies the rows connect. Comes first.
     void take(const Island& island) { structure_ = &structures_.of(island); }
     int pairs() const { return structure_->all_pairs; }  // static partners included
+    // Whether the movable bodies are connected without a circle, so that nothing fills in.
+    bool is_tree() const { return static_cast<int>(structure_->pairs.size()) < structure_->movable; }
 
     // Plans the factorisation. Comes second, and costs more where there are many pairs.
     void plan() { structures_.plan(*structure_); }
@@ -106,7 +108,8 @@ inline void ExactAnswer::settle(double tolerance, int factorisations, SolveCount
         const int before = count.iterations;
         interior_.solve(structure_->matrix, problem_, std::max(tolerance, near), left, y_, count);
         active_set_.start();
-        reached = active_set_.solve(structure_->matrix, problem_, tolerance, left - (count.iterations - before), y_, count);
+        reached = active_set_.solve(structure_->matrix, problem_, tolerance, left - (count.iterations - before), y_,
+                                    count);
         left -= count.iterations - before;
     }
 }

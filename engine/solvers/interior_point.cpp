@@ -96,7 +96,8 @@ void InteriorPoint::factor(BodyMatrix& matrix, const UnitProblem& problem, Solve
 
 // The step towards a complementarity of `target`; with `second_order` the products of the last step's changes are
 // taken into account.
-void InteriorPoint::aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order, SolveCount& count) {
+void InteriorPoint::aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order,
+                        SolveCount& count) {
     q_.resize(points_.size());
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) {
@@ -131,8 +132,8 @@ void InteriorPoint::go(const UnitProblem& problem, double share) {
     }
 }
 
-double InteriorPoint::solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance,
-                            int factorisations, std::vector<double>& y, SolveCount& count) {
+double InteriorPoint::solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance, int factorisations,
+                            std::vector<double>& y, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     start(problem, y);

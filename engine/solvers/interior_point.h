@@ -41,7 +41,8 @@ class InteriorPoint {
     double gap(const UnitProblem& problem, double share) const;
     double longest_step(const UnitProblem& problem) const;
     void factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count);
-    void aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order, SolveCount& count);
+    void aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order,
+             SolveCount& count);
     void go(const UnitProblem& problem, double share);
 
     std::vector<Point> points_;

@@ -1,5 +1,5 @@
-// The answer for an island of a single row, such as a pendulum: 7.1.1 gives it at once, because no other row has a say.
-// An inner matter of the solvers.
+// The answer for an island of a single row, such as a pendulum: 7.1.1 gives it at once, because no other row has a
+// say. An inner matter of the solvers.
 #pragma once
 
 #include "engine/solvers/solver.h"

@@ -34,9 +34,9 @@ class Solver {
   public:
     virtual ~Solver() = default;
 
-    // Solves the rows of `island`, which is one of `system`, in all its columns. `lambda` [N, rows of the system x its
-    // columns] holds the guess and receives the answer, in both columns when the island has one; rows of other islands
-    // are neither read nor written. A row with A_jj = 0 gets lambda 0.
+    // Solves the rows of `island`, which is one of `system`, in all its columns. `lambda` [N, rows of the system x
+    // its columns] holds the guess and receives the answer, in both columns when the island has one; rows of other
+    // islands are neither read nor written. A row with A_jj = 0 gets lambda 0.
     virtual SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                              Columns& lambda) = 0;
 

@@ -23,8 +23,9 @@ std::uint64_t hash_of(const Island& island) {
 bool is_of(const Structure& structure, const Island& island) {
     return structure.movable == island.movable() && structure.body_count == island.body_count &&
            std::equal(structure.connections.begin(), structure.connections.end(), island.runs.begin(),
-                      island.runs.end(),
-                      [](const auto& bodies, const RowRun& run) { return bodies == std::pair{run.a, run.b}; });
+                      island.runs.end(), [](const auto& bodies, const RowRun& run) {
+                          return bodies == std::pair{run.a, run.b};
+                      });
 }
 
 std::size_t size_of(const Structure& structure) {

@@ -1,6 +1,6 @@
-// What an exact solve knows of an island before it sees a number: which bodies rows connect, and from that the order
-// of elimination and where the factor fills in. Both stay from step to step while the same bodies touch, and islands
-// that are connected alike have them in common, so they are kept. An inner matter of the solvers.
+// What an exact solve knows of an island before it sees a number: which bodies rows connect, and from that the
+// order of elimination and where the factor fills in. Both stay from step to step while the same bodies touch, and
+// islands that are connected alike have them in common, so they are kept. An inner matter of the solvers.
 #pragma once
 
 #include "engine/islands.h"

@@ -50,8 +50,8 @@ class UnitRows {
         std::array<double, 3> couplings{};
     };
 
-    // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes one
-    // of zeros.
+    // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes
+    // one of zeros.
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         rows.resize(static_cast<std::size_t>(island.rows));
         blocks.clear();
@@ -215,7 +215,8 @@ class UnitRows {
         row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
         if (row.of_row >= 0) {
-            row.of_row = row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
+            row.of_row =
+                row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
         }
         if (!(row.scale > 0.0)) {
             row.y = row.t = {};
