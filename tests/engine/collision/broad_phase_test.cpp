@@ -115,3 +115,47 @@ TEST_CASE("pairs do not depend on where the scene is, up to a million metres awa
     const auto moved = pairs_in(other, there.colliders, there.bodies);
     CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == std::vector<Pair>(moved.begin(), moved.end()));
 }
+
+TEST_CASE("pairs of a crowd that moves, some of it or all, are those of a search that begins anew in each step") {
+    for (const int count : {40, 300}) {
+        for (const double share : {0.02, 0.3, 1.0}) {
+            Random random(9);
+            Crowd scene = crowd(random, count, {8, 3, 8});
+            BroadPhase broad_phase;
+            for (int step = 0; step < 40; ++step) {
+                for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+                    Body& body = scene.bodies[i];
+                    if (body.is_static() || random.in(0, 1) > share) continue;
+                    body.position += random.vector(-0.5, 0.5) * std::pow(10.0, random.in(-3, 0.5));
+                    body.orientation = random.rotation();
+                }
+                // One that has lost its numbers finds nobody, and others are found as before.
+                if (step == 20) scene.bodies[1].position.x() = std::numeric_limits<double>::quiet_NaN();
+                BroadPhase new_one;
+                const auto expected = pairs_in(new_one, scene.colliders, scene.bodies);
+                const auto pairs = pairs_in(broad_phase, scene.colliders, scene.bodies);
+                INFO(count << " bodies, " << share << " of them move, step " << step);
+                REQUIRE(std::vector<Pair>(pairs.begin(), pairs.end()) ==
+                        std::vector<Pair>(expected.begin(), expected.end()));
+            }
+        }
+    }
+}
+
+TEST_CASE("many boxes in a grid make the pairs that comparing all of them makes") {
+    Random random(12);
+    for (const Vector3& spread : {Vector3(20, 4, 4), Vector3(6, 6, 6)}) {
+        const Crowd scene = crowd(random, 400, spread);
+        std::vector<Pair> expected;
+        for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
+            for (std::size_t j = i + 1; j < scene.colliders.size(); ++j) {
+                if (scene.bodies[i].is_static() && scene.bodies[j].is_static()) continue;
+                const bool near = i == 0 ? reaches_plane(scene, j) : boxes_overlap(scene, i, j);
+                if (near) expected.push_back({static_cast<int>(i), static_cast<int>(j)});
+            }
+        }
+        BroadPhase broad_phase;
+        const auto pairs = pairs_in(broad_phase, scene.colliders, scene.bodies);
+        CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == expected);
+    }
+}
