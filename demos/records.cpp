@@ -50,8 +50,8 @@ class StepsRecord : public CsvRecord {
 
     void observe(const Simulation& simulation) override {
         const Sample& s = simulation.sample();
-        line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.step, s.time, s.kinetic_energy, s.potential_energy,
-             s.max_speed, s.penetration.max, s.penetration.rms, s.max_length_error, s.residual,
+        line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.step, s.time, s.kinetic_energy,
+             s.potential_energy, s.max_speed, s.penetration.max, s.penetration.rms, s.max_length_error, s.residual,
              s.count.rows(engine::RowKind::contact), s.count.rows(), s.count.columns, s.substeps, s.count.sweeps,
              s.count.islands, s.count.islands_kept, s.count.islands_swept, s.count.islands_exact);
         if (s.cpu_us) line(",{}", *s.cpu_us);

@@ -147,8 +147,10 @@ Json warm_start_json(const RunState& state, const SceneDescription& scene) {
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& state_file_keys() {
-    static const std::map<std::string, std::vector<std::string>> keys{
-        {"state", state_keys}, {"warm_start", warm_start_keys}, {"contact_force", contact_keys}, {"contact_force_point", point_keys}};
+    static const std::map<std::string, std::vector<std::string>> keys{{"state", state_keys},
+                                                                      {"warm_start", warm_start_keys},
+                                                                      {"contact_force", contact_keys},
+                                                                      {"contact_force_point", point_keys}};
     return keys;
 }
 
@@ -167,8 +169,7 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 }
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
-    Json json{{"time_s", state.time},
-              {"substeps", state.substeps}};
+    Json json{{"time_s", state.time}, {"substeps", state.substeps}};
     if (Json warm_start = warm_start_json(state, scene); !warm_start.empty()) json["warm_start"] = warm_start;
     for (const Lambda& force : state.distance_forces) json["distance_forces_n"].push_back(to_json(force));
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {

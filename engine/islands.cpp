@@ -94,15 +94,20 @@ bool Islands::find_runs(const SystemEquation& system, int first_new) {
     new_followers_.clear();
     const ConstraintRow* const rows = system.rows.data();
     const int row_count = static_cast<int>(system.rows.size());
-    std::size_t count = first_new > 0 ? found_.size() : 0;
-    for (int begin = first_new; begin < row_count; ++count) {
+    // The last run may go on with the new rows.
+    const bool again = first_new > 0 && !found_.empty();
+    std::size_t count = again ? found_.size() - 1 : 0;
+    for (int begin = again ? found_.back().begin : 0; begin < row_count; ++count) {
         const int a = rows[begin].body_a, b = rows[begin].body_b;
         Found run{begin, begin, a, b, -1, 1};
         run.movable = moves(system, a) ? a : moves(system, b) ? b : -1;
         for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
             // A bound that follows another row needs that row's force.
             const int leader = rows[run.end].bounds.of_row;
-            if (leader >= 0 && leader < begin && run.movable >= 0) new_followers_.push_back({run.movable, leader});
+            const bool is_new = run.end >= first_new;
+            if (is_new && leader >= 0 && leader < begin && run.movable >= 0) {
+                new_followers_.push_back({run.movable, leader});
+            }
         }
         if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
         begin = run.end;
@@ -113,7 +118,7 @@ bool Islands::find_runs(const SystemEquation& system, int first_new) {
     }
     changed = changed || count != found_.size();
     found_.resize(count);
-    if (first_new > 0) {
+    if (again) {
         followers_.insert(followers_.end(), new_followers_.begin(), new_followers_.end());
     } else {
         changed = changed || new_followers_ != followers_;

@@ -1,44 +1,51 @@
 #include "engine/solvers/structures.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Connections and blocks that are kept at most, beside those of the island at hand: some 20 MB.
+// Pairs and blocks that are kept at most, beside those of the island at hand: some 20 MB.
 constexpr std::size_t most_kept = 1 << 16;
 
-std::uint64_t hash_of(const Island& island) {
-    std::uint64_t hash = static_cast<std::uint64_t>(island.body_count);
-    for (const RowRun& run : island.runs) {
-        const auto bodies = (static_cast<std::uint64_t>(run.a) << 32) | static_cast<std::uint32_t>(run.b);
-        hash = (hash ^ bodies) * 0x9e3779b97f4a7c15u;
+std::uint64_t hash_of(const Island& island, const Structure::Pairs& pairs) {
+    auto hash = static_cast<std::uint64_t>(island.body_count);
+    for (const auto& [a, b] : pairs) {
+        const auto both = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
+        hash = (hash ^ both) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 29;
     }
     return hash;
 }
 
-bool is_of(const Structure& structure, const Island& island) {
-    return structure.movable == island.movable() && structure.body_count == island.body_count &&
-           std::equal(structure.connections.begin(), structure.connections.end(), island.runs.begin(),
-                      island.runs.end(), [](const auto& bodies, const RowRun& run) {
-                          return bodies == std::pair{run.a, run.b};
-                      });
-}
-
 std::size_t size_of(const Structure& structure) {
-    return structure.connections.size() + structure.matrix.block_count();
+    return structure.all_pairs.size() + structure.matrix.block_count();
 }
 
 }  // namespace
 
+// In an order of their own: that of the rows changes with heights, the structure does not.
+void Structures::find_pairs(const Island& island) {
+    pairs_.clear();
+    for (const RowRun& run : island.runs) pairs_.emplace_back(std::minmax(run.a, run.b));
+    if (!std::is_sorted(pairs_.begin(), pairs_.end())) std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+bool Structures::is_at_hand(const Structure& structure, const Island& island) const {
+    return structure.movable == island.movable() && structure.body_count == island.body_count &&
+           structure.all_pairs == pairs_;
+}
+
 Structure& Structures::of(const Island& island) {
-    const std::uint64_t hash = hash_of(island);
+    find_pairs(island);
+    const std::uint64_t hash = hash_of(island, pairs_);
     const auto [begin, end] = by_hash_.equal_range(hash);
     for (auto entry = begin; entry != end; ++entry) {
-        if (!is_of(*entry->second, island)) continue;
+        if (!is_at_hand(*entry->second, island)) continue;
         kept_.splice(kept_.begin(), kept_, entry->second);
         return kept_.front();
     }
@@ -51,15 +58,10 @@ Structure& Structures::make(const Island& island, std::uint64_t hash) {
     made.hash = hash;
     made.movable = island.movable();
     made.body_count = island.body_count;
-    for (const RowRun& run : island.runs) {
-        made.connections.emplace_back(run.a, run.b);
-        made.pairs.emplace_back(std::minmax(run.a, run.b));
-    }
-    std::sort(made.pairs.begin(), made.pairs.end());
-    made.pairs.erase(std::unique(made.pairs.begin(), made.pairs.end()), made.pairs.end());
-    made.all_pairs = static_cast<int>(made.pairs.size());
+    made.all_pairs = pairs_;
     // The static bodies have the highest numbers.
-    std::erase_if(made.pairs, [&](const auto& pair) { return pair.second >= made.movable; });
+    std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(made.movable_pairs),
+                 [&](const auto& pair) { return pair.second < made.movable; });
     size_ += size_of(made);
     forget_some();
     return made;
@@ -69,7 +71,7 @@ void Structures::plan(Structure& structure) {
     if (structure.planned) return;
     std::vector<int> bodies(static_cast<std::size_t>(structure.movable));
     std::iota(bodies.begin(), bodies.end(), 0);
-    structure.matrix.connect(static_cast<std::size_t>(structure.body_count), structure.pairs, bodies);
+    structure.matrix.connect(static_cast<std::size_t>(structure.body_count), structure.movable_pairs, bodies);
     structure.planned = true;
     size_ += structure.matrix.block_count();
     forget_some();

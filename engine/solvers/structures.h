@@ -15,12 +15,12 @@
 namespace pushfactor::engine::solvers {
 
 struct Structure {
-    std::uint64_t hash = 0;                        // of what follows
-    std::vector<std::pair<int, int>> connections;  // bodies of the island's runs, in their order
-    int movable = 0, body_count = 0;               // of the island
-    std::vector<std::pair<int, int>> pairs;        // of movable bodies, ascending, each once
-    int all_pairs = 0;                             // static partners included
-    BodyMatrix matrix;                             // connected once plan() has been called
+    std::uint64_t hash = 0;           // of the next three
+    int movable = 0, body_count = 0;  // of the island
+    using Pairs = std::vector<std::pair<int, int>>;
+    Pairs all_pairs;      // of bodies that rows connect, static ones included; ascending, each once
+    Pairs movable_pairs;  // of those the ones of two movable bodies
+    BodyMatrix matrix;    // connected once plan() has been called
     bool planned = false;
 };
 
@@ -39,12 +39,15 @@ class Structures {
   private:
     using Kept = std::list<Structure>;
 
+    void find_pairs(const Island& island);
+    bool is_at_hand(const Structure& structure, const Island& island) const;
     Structure& make(const Island& island, std::uint64_t hash);
     void forget_some();
 
     Kept kept_;  // the one that was asked for last comes first
     std::unordered_multimap<std::uint64_t, Kept::iterator> by_hash_;
-    std::size_t size_ = 0;  // connections and planned blocks of all that are kept
+    std::size_t size_ = 0;    // pairs and planned blocks of all that are kept
+    Structure::Pairs pairs_;  // of the island at hand
 };
 
 }  // namespace pushfactor::engine::solvers

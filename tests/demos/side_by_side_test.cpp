@@ -1,5 +1,5 @@
-// What happens in one place changes nothing in another: scenes in one world, too far apart to touch, do what each of
-// them does alone, to the last bit.
+// What happens in one place changes nothing in another: scenes in one world, too far apart to touch, do what each
+// of them does alone, to the last bit.
 #include "demos/scenes/side_by_side.h"
 
 #include "engine/diagnostics.h"

@@ -93,10 +93,12 @@ std::set<std::set<int>> by_spreading(const Frozen& frozen) {
 std::string text_of(const Islands& islands) {
     std::string text;
     for (const Island& island : islands.all()) {
-        text += "island of " + std::to_string(island.body_count) + ", columns " + std::to_string(island.columns) + ":";
+        text +=
+            "island of " + std::to_string(island.body_count) + ", columns " + std::to_string(island.columns) + ":";
         for (const int body : island.bodies) text += " " + std::to_string(body);
         for (const RowRun& run : island.runs) {
-            for (const int number : {run.begin, run.end, run.first, run.a, run.b}) text += "," + std::to_string(number);
+            for (const int number : {run.begin, run.end, run.first, run.a, run.b})
+                text += "," + std::to_string(number);
         }
         text += "\n";
     }
@@ -193,7 +195,8 @@ TEST_CASE("ordered by island, A is block diagonal: outside of the blocks all is 
     std::vector<int> island_of_row(frozen.rows.size(), -1);
     for (std::size_t k = 0; k < islands.all().size(); ++k) {
         for (const RowRun& run : islands.all()[k].runs) {
-            for (int j = run.begin; j < run.end; ++j) island_of_row[static_cast<std::size_t>(j)] = static_cast<int>(k);
+            for (int j = run.begin; j < run.end; ++j)
+                island_of_row[static_cast<std::size_t>(j)] = static_cast<int>(k);
         }
     }
     int outside = 0;

@@ -101,8 +101,8 @@ Counts means_of(Counts sum) {
     for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns}) {
         *each /= sum.substeps;
     }
-    for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.sweeps, &sum.row_updates,
-                         &sum.multiply_adds, &sum.allocations, &sum.allocated_bytes}) {
+    for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.sweeps, &sum.row_updates, &sum.multiply_adds,
+                         &sum.allocations, &sum.allocated_bytes}) {
         *each /= steps_counted;
     }
     for (IslandCounts& counts : sum.islands) {

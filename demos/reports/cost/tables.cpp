@@ -13,7 +13,8 @@ namespace {
 using Lines = std::vector<std::vector<std::string>>;
 
 constexpr const char* columns_before_islands =
-    "scene,start_s,made,bodies,force_sources,constraint_sources,contact_rules,step_rules,pairs,touches,contact_rows,"
+    "scene,start_s,made,bodies,force_sources,constraint_sources,contact_rules,step_rules,pairs,touches,contact_"
+    "rows,"
     "friction_rows,distance_rows,columns,substeps";
 constexpr const char* columns_after_islands =
     "sweeps,row_updates,multiply_adds,allocations,allocated_bytes,step_us";
@@ -76,9 +77,8 @@ Lines counts_table(std::span<const Entry> entries) {
     for (const Entry& entry : entries) {
         const Counts& counts = entry.as_it_is.ledger.counts;
         std::vector<std::string> line{entry.name};
-        for (const double value :
-             {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows, counts.distance_rows,
-              counts.columns, counts.sweeps, counts.multiply_adds}) {
+        for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
+                                   counts.distance_rows, counts.columns, counts.sweeps, counts.multiply_adds}) {
             line.push_back(three_digits(value));
         }
         for (const double value : {counts.allocations, counts.allocated_bytes}) {
@@ -162,15 +162,17 @@ std::vector<Section> table_sections(std::span<const Entry> entries) {
     return {
         section_of("parts", "What each scene is made of", "What is not named here was not constructed.",
                    parts_table(entries)),
-        section_of("counts", "What a step does",
-                   "Means over 120 steps of 1/60 s, as each scene is. Sweeps are those of the island with the most of "
-                   "them: where the last forces are good enough there is none.",
-                   counts_table(entries)),
-        section_of("islands", "How the islands are solved",
-                   "Bodies that rows join are an island, and each is solved by itself. Mean number per step of islands "
-                   "of one body, of at most 1.5 pairs per body (threads) and of more (heaps); of these, how many keep "
-                   "their last forces, are swept, and are solved exactly.",
-                   islands_table(entries)),
+        section_of(
+            "counts", "What a step does",
+            "Means over 120 steps of 1/60 s, as each scene is. Sweeps are those of the island with the most of "
+            "them: where the last forces are good enough there is none.",
+            counts_table(entries)),
+        section_of(
+            "islands", "How the islands are solved",
+            "Bodies that rows join are an island, and each is solved by itself. Mean number per step of islands "
+            "of one body, of at most 1.5 pairs per body (threads) and of more (heaps); of these, how many keep "
+            "their last forces, are swept, and are solved exactly.",
+            islands_table(entries)),
         section_of("times", "Where the time goes",
                    "CPU time in us a step, as each scene is; the stages without what reading the clock takes.",
                    times_table(entries)),

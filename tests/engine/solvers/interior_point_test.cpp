@@ -48,7 +48,8 @@ TEST_CASE("the interior point method settles every random problem, in a number o
             const tests::Frozen frozen = tests::random_rows(seed, rows / 8 + 2, rows, 2.0);
             UnitColumn column(frozen);
             std::vector<double> y(frozen.rows.size(), 0.0);
-            const double reached = InteriorPoint().solve(column.matrix, column.problem, 1e-7, 1000, y, column.count);
+            const double reached =
+                InteriorPoint().solve(column.matrix, column.problem, 1e-7, 1000, y, column.count);
             INFO("seed " << seed << ", " << frozen.rows.size() << " rows");
             CHECK(reached <= 1e-7);
             CHECK(column.count.iterations <= 40);
