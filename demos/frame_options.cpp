@@ -128,12 +128,13 @@ const std::array options{
                 [](const FrameChoices& c) { return c.camera.text; }},
     FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
-    FrameOption{"overlay", "WHAT",
-                "contacts, forces, push, velocities, several with commas: drawn over the bodies, with a legend; "
-                "forces:50 is 50 N a metre",
-                "some of contacts, forces, push, velocities with commas, the last three also with a scale like "
-                "forces:50",
-                set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
+    FrameOption{
+        "overlay", "WHAT",
+        "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
+        "islands: a colour for each; several with commas",
+        "some of contacts, forces, push, velocities, islands with commas, forces, push and velocities also with "
+        "a scale like forces:50",
+        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
                 fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare},

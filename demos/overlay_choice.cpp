@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> names{"contacts", "forces", "push", "velocities"};
+constexpr std::array<std::string_view, 5> names{"contacts", "forces", "push", "velocities", "islands"};
 
 }  // namespace
 
@@ -26,8 +26,7 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
         OverlayItem item{.kind = static_cast<OverlayKind>(found - names.begin())};
         if (colon != std::string_view::npos) {
             item.units_a_metre = parse_number(part.substr(colon + 1));
-            const bool scalable = item.kind != OverlayKind::contacts;
-            if (!scalable || !item.units_a_metre || *item.units_a_metre <= 0.0) return std::nullopt;
+            if (!has_arrows(item.kind) || !item.units_a_metre || *item.units_a_metre <= 0.0) return std::nullopt;
         }
         const bool twice = std::any_of(overlay.begin(), overlay.end(),
                                        [&](const OverlayItem& other) { return other.kind == item.kind; });

@@ -13,6 +13,7 @@ enum class OverlayKind {
     forces,      // N, of contacts with their friction and of distances, as they enter the momenta
     push,        // m/s, the push factors of contacts and distances
     velocities,  // m/s, of the centres of mass, from the stored momenta
+    islands,     // the bodies themselves, one colour per island
 };
 
 struct OverlayItem {
@@ -24,5 +25,10 @@ struct OverlayItem {
 std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
 std::string to_text(const std::vector<OverlayItem>& overlay);
 std::string_view name_of(OverlayKind kind);
+
+// Whether it has arrows, which have a scale.
+inline bool has_arrows(OverlayKind kind) {
+    return kind != OverlayKind::contacts && kind != OverlayKind::islands;
+}
 
 }  // namespace pushfactor::demos

@@ -96,6 +96,53 @@ void add_velocities(const Scene& scene, std::vector<Quantity>& found) {
     }
 }
 
+// By the first body of the island, so that an island keeps its colour while others come and go: the palette in
+// three shades, neighbours in different colours.
+glm::vec3 colour_of_island(std::size_t first_body) {
+    constexpr std::size_t colours = palette.size() - 1;  // ivory is for bodies in none
+    const glm::vec3 colour = to_glm(palette[first_body % colours]);
+    switch (first_body / colours % 3) {
+        case 1:
+            return glm::mix(colour, glm::vec3(1.0f), 0.45f);
+        case 2:
+            return 0.6f * colour;
+        default:
+            return colour;
+    }
+}
+
+constexpr std::string_view colour_of_none = "ivory";
+
+bool is_in_island(const Scene& scene, std::size_t body) {
+    return !scene.world.rows().empty() && scene.world.islands().of_body(static_cast<int>(body)) >= 0;
+}
+
+void add_islands(const Scene& scene, std::vector<Quantity>& found) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].mass) continue;
+        found.push_back({.place = scene.world.bodies[i].position, .kind = is_in_island(scene, i) ? 0u : 1u});
+    }
+}
+
+// Bodies are in the picture in their order, shape by shape.
+void colour_islands(const Scene& scene, renderer::Picture& picture) {
+    auto box = picture.boxes.begin();
+    auto sphere = picture.spheres.begin();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        glm::vec3* colour = nullptr;
+        if (std::holds_alternative<BoxShape>(body.shape)) colour = &(box++)->colour;
+        if (std::holds_alternative<SphereShape>(body.shape)) colour = &(sphere++)->colour;
+        if (!body.mass) continue;
+        const engine::Islands& islands = scene.world.islands();
+        *colour =
+            is_in_island(scene, i)
+                ? colour_of_island(static_cast<std::size_t>(
+                      islands.all()[static_cast<std::size_t>(islands.of_body(static_cast<int>(i)))].bodies.front()))
+                : to_glm(*find_colour(colour_of_none));
+    }
+}
+
 }  // namespace
 
 std::vector<LegendEntry> entries_of(OverlayKind kind) {
@@ -108,6 +155,9 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::push:
             return {{"push for this frame only", colour("orange"), "m/s"},
                     {"push that lasts", colour("vermilion"), "m/s"}};
+        case OverlayKind::islands:
+            return {{"one colour per island", colour("vermilion"), ""},
+                    {"in no island", colour(colour_of_none), ""}};
         case OverlayKind::velocities:
             break;
     }
@@ -117,6 +167,7 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
 std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
     std::vector<Quantity> found;
     if (kind == OverlayKind::velocities) add_velocities(scene, found);
+    if (kind == OverlayKind::islands) add_islands(scene, found);
     if (scene.world.rows().empty()) return found;
     if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
     if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
@@ -138,6 +189,10 @@ void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) 
 }
 
 void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
+    if (kind == OverlayKind::islands) {
+        colour_islands(scene, picture);
+        return;
+    }
     const std::vector<LegendEntry> entries = entries_of(kind);
     for (const Quantity& quantity : quantities(scene, kind)) {
         const glm::vec3 colour = to_glm(entries[quantity.kind].colour);

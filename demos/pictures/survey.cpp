@@ -60,7 +60,7 @@ Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Fr
                 for (const Quantity& quantity : quantities(scene, item.kind)) {
                     const double size = quantity.value.norm();
                     most = std::max(most, size);
-                    if (size > 0.0 || item.kind == OverlayKind::contacts) {
+                    if (size > 0.0 || !has_arrows(item.kind)) {
                         found.shown.insert({item.kind, quantity.kind});
                     }
                 }

@@ -7,6 +7,7 @@
 #include "demos/reports/about.h"
 #include "demos/reports/cost/cases.h"
 #include "demos/reports/cost/everything.h"
+#include "demos/reports/cost/neighbours.h"
 #include "demos/reports/cost/plots.h"
 #include "demos/reports/cost/tables.h"
 #include "demos/reports/parts.h"
@@ -25,22 +26,44 @@ class CostReport {
     explicit CostReport(const CostRequest& request)
         : request_(request), made_on_(line_of(about_this())), cases_(wanted_cases()) {
         make_folder(request_.folder / "everything");
+        if (!is_wanted(side_by_side, request_.parts)) return;
+        neighbours_ = neighbours(request_.quick);
+        make_folder(request_.folder / side_by_side);
     }
 
     void make() {
-        ProgressBar bar("report cost", static_cast<long>(cases_.size()));
+        ProgressBar bar("report cost", static_cast<long>(cases_.size() + neighbours_.size()));
         for (const CostCase& one : cases_) {
             entries_.push_back(entry_of(one));
             write_file(request_.folder / "cost.csv", fmt::format("# {}\n{}", made_on_, csv_text(entries_)));
-            write_page(table_sections(entries_));
-            bar.show(static_cast<long>(entries_.size()));
+            write_page(sections());
+            bar.show(done());
         }
-        std::vector<Section> sections = table_sections(entries_);
-        add_plots(entries_, made_on_, request_.folder, sections);
-        write_page(sections);
+        for (const Neighbours& scenes : neighbours_) {
+            write_file(request_.folder / side_by_side / (scenes.file_name() + ".json"),
+                       scene_file_text(scenes.together));
+            sums_.push_back(measure(scenes, request_.quick ? 3 : 5, [this] { check(); }));
+            write_file(request_.folder / "side_by_side.csv", fmt::format("# {}\n{}", made_on_, csv_text(sums_)));
+            write_page(sections());
+            bar.show(done());
+        }
+        std::vector<Section> all = sections();
+        add_plots(entries_, made_on_, request_.folder, all);
+        write_page(all);
     }
 
+    static constexpr const char* side_by_side = "side-by-side";
+
   private:
+    long done() const { return static_cast<long>(entries_.size() + sums_.size()); }
+
+    std::vector<Section> sections() const {
+        std::vector<Section> all;
+        if (!entries_.empty()) all = table_sections(entries_);
+        if (!sums_.empty()) all.push_back(section_of(sums_));
+        return all;
+    }
+
     std::vector<CostCase> wanted_cases() const {
         std::vector<CostCase> cases = cost_cases(request_.quick);
         std::erase_if(cases, [this](const CostCase& one) { return !is_wanted(one.scene, request_.parts); });
@@ -48,8 +71,8 @@ class CostReport {
     }
 
     void check() const {
-        stop_if_interrupted(fmt::format("{} of {} scenes are in {}", entries_.size(), cases_.size(),
-                                        (request_.folder / "cost.csv").string()));
+        stop_if_interrupted(fmt::format("{} of {} scenes are in {}", done(), cases_.size() + neighbours_.size(),
+                                        request_.folder.string()));
     }
 
     Entry entry_of(const CostCase& one) const {
@@ -88,7 +111,9 @@ class CostReport {
     CostRequest request_;
     std::string made_on_;
     std::vector<CostCase> cases_;
+    std::vector<Neighbours> neighbours_;
     std::vector<Entry> entries_;
+    std::vector<SumOfParts> sums_;
 };
 
 }  // namespace
@@ -96,6 +121,7 @@ class CostReport {
 std::vector<std::string> cost_parts() {
     std::vector<std::string> names;
     for (const SceneEntry& scene : catalogue()) names.emplace_back(scene.name);
+    names.emplace_back(CostReport::side_by_side);
     return names;
 }
 

@@ -117,14 +117,6 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-double time_of_step(const Moment& moment) {
-    Walk walk(moment);
-    walk.go(steps_before);
-    const double before = thread_cpu_us();
-    walk.go(steps_counted);
-    return (thread_cpu_us() - before) / steps_counted;
-}
-
 StageTimes time_of_stages(const Moment& moment, double cost) {
     Walk walk(moment);
     walk.go(steps_before);
@@ -159,6 +151,14 @@ Counts count_steps(const Moment& moment) {
         add_islands(walk.scene().world, sum.islands);
     }
     return means_of(sum);
+}
+
+double time_of_step(const Moment& moment) {
+    Walk walk(moment);
+    walk.go(steps_before);
+    const double before = thread_cpu_us();
+    walk.go(steps_counted);
+    return (thread_cpu_us() - before) / steps_counted;
 }
 
 Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check) {

@@ -65,6 +65,9 @@ struct Ledger {
 // Of the same steps always, so that equal programs give equal counts.
 Counts count_steps(const Moment& moment);
 
+// CPU time of those steps once, us per step.
+double time_of_step(const Moment& moment);
+
 // CPU times of those steps: the median of `repeats` goes of the mean over the steps.
 Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check);
 

@@ -1,0 +1,229 @@
+#include "demos/reports/cost/neighbours.h"
+
+#include "demos/numbers.h"
+#include "demos/reports/cost/ledger.h"
+#include "demos/reports/cost/tables.h"
+#include "demos/scenes/random.h"
+#include "demos/scenes/side_by_side.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::reports::cost {
+
+namespace {
+
+using engine::Quaternion;
+using engine::Vector3;
+using scenes::Random;
+
+SceneDescription on_the_ground(std::string name) {
+    SceneDescription scene;
+    scene.name = std::move(name);
+    scene.contacts = true;
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
+    return scene;
+}
+
+SceneDescription tower(int count, double x) {
+    SceneDescription scene = on_the_ground(fmt::format("tower of {}", count));
+    for (int i = 0; i < count; ++i) {
+        scene.bodies.push_back(
+            {.name = fmt::format("cube {}", i + 1), .shape = BoxShape{}, .mass = 1.0, .position = {x, i + 0.5, 0}});
+    }
+    return scene;
+}
+
+SceneDescription loose_cubes(int count, double x) {
+    SceneDescription scene = on_the_ground(fmt::format("{} loose cubes", count));
+    const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+    for (int i = 0; i < count; ++i) {
+        scene.bodies.push_back({.name = fmt::format("cube {}", i + 1),
+                                .shape = BoxShape{},
+                                .mass = 1.0,
+                                .position = {x + 2.0 * (i % side), 0.5, 2.0 * std::floor(i / side)}});
+    }
+    return scene;
+}
+
+// Balls that fall in layers between four walls, 4 m apart.
+SceneDescription pit(int count) {
+    constexpr double half = 2.0, radius = 0.3, spacing = 0.63;
+    SceneDescription scene = on_the_ground(fmt::format("pit of {} balls", count));
+    for (int k = 0; k < 4; ++k) {
+        const double angle = 0.5 * std::numbers::pi * k;
+        const Vector3 out(std::round(std::cos(angle)), 0, std::round(std::sin(angle)));
+        const Vector3 across(std::abs(out.z()), 0, std::abs(out.x()));
+        scene.bodies.push_back({.name = fmt::format("wall {}", k + 1),
+                                .shape = BoxShape{0.5 * out.cwiseAbs() + 5.0 * across + Vector3(0, 4, 0)},
+                                .position = (half + 0.25) * out + Vector3(0, 2, 0)});
+    }
+    Random random(1);
+    const int side = static_cast<int>((2.0 * half - 2.0 * radius) / spacing);
+    for (int i = 0; i < count; ++i) {
+        const int layer = i / (side * side), place = i % (side * side);
+        const double x = random.in(0.0, 0.02), z = random.in(0.0, 0.02);
+        scene.bodies.push_back(
+            {.name = fmt::format("ball {}", i + 1),
+             .shape = SphereShape{radius},
+             .mass = 1.0,
+             .position = {x + radius + 0.05 - half + spacing * (place % side), radius + 0.05 + spacing * layer,
+                          z + radius + 0.05 - half + spacing * std::floor(place / side)},
+             .friction = 0.3});
+    }
+    return scene;
+}
+
+// Cubes of 0.4 m, turned at random, that fall in layers.
+SceneDescription falling_pile(int count) {
+    constexpr int side = 5;
+    SceneDescription scene = on_the_ground(fmt::format("falling pile of {} cubes", count));
+    Random random(2);
+    for (int i = 0; i < count; ++i) {
+        const int layer = i / (side * side), place = i % (side * side);
+        Quaternion turn;
+        for (double& part : turn.coeffs()) part = random.in(-1.0, 1.0);
+        scene.bodies.push_back(
+            {.name = fmt::format("cube {}", i + 1),
+             .shape = BoxShape{Vector3::Constant(0.4)},
+             .mass = 1.0,
+             .position = {0.75 * (place % side), 0.5 + 0.75 * layer, 0.75 * std::floor(place / side)},
+             .orientation = turn.normalized()});
+    }
+    return scene;
+}
+
+Neighbours beside(std::vector<SceneDescription> parts, double start) {
+    Neighbours scenes;
+    scenes.name = parts.front().name;
+    for (std::size_t i = 1; i < parts.size(); ++i) scenes.name += " and " + parts[i].name;
+    scenes.times.assign(parts.size(), 1);
+    scenes.together = scenes::side_by_side(scenes.name, parts);
+    scenes.parts = std::move(parts);
+    scenes.start = start;
+    return scenes;
+}
+
+Neighbours many_towers(int towers, int cubes, double start) {
+    std::vector<SceneDescription> parts;
+    for (int i = 0; i < towers; ++i) parts.push_back(tower(cubes, 20.0 * i));
+    Neighbours scenes{.name = fmt::format("{} towers of {}", towers, cubes),
+                      .parts = {parts.front()},
+                      .times = {towers},
+                      .together = {},
+                      .start = start};
+    scenes.together = scenes::side_by_side(scenes.name, parts);
+    return scenes;
+}
+
+Moment moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
+    Choices choices;
+    choices.description = scene;
+    choices.settings = preset_settings("default");
+    choices.settings.substeps = 1;
+    return moment_at(choices, start, check);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// The largest distance between the movable bodies of the first part alone and in the common world, at the moment.
+double distance(const Moment& alone, const Moment& together) {
+    const Scene a = alone.build(), b = together.build();
+    double largest = 0.0;
+    std::size_t other = 0;
+    for (const engine::Body& body : a.world.bodies) {
+        if (body.is_static()) continue;
+        while (b.world.bodies[other].is_static()) ++other;
+        largest = std::max(largest, (body.position - b.world.bodies[other++].position).norm());
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::string Neighbours::file_name() const {
+    std::string text = name;
+    std::replace(text.begin(), text.end(), ' ', '-');
+    return text;
+}
+
+std::vector<Neighbours> neighbours(bool quick) {
+    std::vector<Neighbours> all;
+    all.push_back(beside({tower(20, -60.0), pit(40)}, 2.0));
+    all.push_back(many_towers(20, 10, 1.0));
+    all.push_back(beside({tower(20, -60.0), falling_pile(50)}, 0.3));
+    if (quick) return all;
+    all.push_back(beside({tower(20, -60.0), pit(200)}, 3.0));
+    all.push_back(beside({tower(20, -60.0), falling_pile(200)}, 0.3));
+    all.push_back(beside({pit(200), loose_cubes(600, 50.0)}, 3.0));
+    return all;
+}
+
+SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check) {
+    const Moment together = moment_of(scenes.together, scenes.start, check);
+    std::vector<Moment> parts;
+    for (const SceneDescription& part : scenes.parts) parts.push_back(moment_of(part, scenes.start, check));
+
+    SumOfParts sum{.name = scenes.name, .moved = distance(parts.front(), together)};
+    const Counts counts = count_steps(together);
+    for (const IslandCounts& kind : counts.islands) sum.islands += kind.all();
+    sum.together_multiply_adds = counts.multiply_adds;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        sum.parts_multiply_adds += scenes.times[i] * count_steps(parts[i]).multiply_adds;
+    }
+    std::vector<double> of_parts, of_all, ratios;
+    for (int go = 0; go < goes; ++go) {
+        double part_us = 0.0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            check();
+            part_us += scenes.times[i] * time_of_step(parts[i]);
+        }
+        check();
+        of_parts.push_back(part_us);
+        of_all.push_back(time_of_step(together));
+        ratios.push_back(of_all.back() / part_us);
+    }
+    sum.parts_us = median(of_parts);
+    sum.together_us = median(of_all);
+    sum.ratio = median(ratios);
+    return sum;
+}
+
+std::string csv_text(std::span<const SumOfParts> sums) {
+    std::string text =
+        "scenes,islands,parts_us,together_us,ratio,parts_multiply_adds,together_multiply_adds,first_part_moved_m\n";
+    for (const SumOfParts& sum : sums) {
+        text += fmt::format("{},{},{:.3f},{:.3f},{:.4f},{},{},{}\n", sum.name, to_text(sum.islands), sum.parts_us,
+                            sum.together_us, sum.ratio, to_text(sum.parts_multiply_adds),
+                            to_text(sum.together_multiply_adds), to_text(sum.moved));
+    }
+    return text;
+}
+
+Section section_of(std::span<const SumOfParts> sums) {
+    Plate plate;
+    plate.caption =
+        "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds of the "
+        "solver "
+        "per step, as the sum of the parts alone and together, and how far the first part is from where it would "
+        "be "
+        "alone. The scenes are in side-by-side/, the numbers in side_by_side.csv.";
+    plate.table = {{"scenes", "islands", "us, sum", "us, together", "ratio", "multiply-adds, sum",
+                    "multiply-adds, together", "moved in m"}};
+    for (const SumOfParts& sum : sums) {
+        plate.table.push_back({sum.name, three_digits(sum.islands), three_digits(sum.parts_us),
+                               three_digits(sum.together_us), fmt::format("{:.3f}", sum.ratio),
+                               three_digits(sum.parts_multiply_adds), three_digits(sum.together_multiply_adds),
+                               three_digits(sum.moved)});
+    }
+    return {"side-by-side", "A world costs the sum of its parts", plate};
+}
+
+}  // namespace pushfactor::demos::reports::cost
