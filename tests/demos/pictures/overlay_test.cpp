@@ -3,7 +3,9 @@
 
 #include "demos/choices.h"
 #include "demos/errors.h"
+#include "demos/pictures/draw_list.h"
 #include "demos/pictures/survey.h"
+#include "demos/pictures/to_glm.h"
 #include "demos/simulation.h"
 #include "tests/catch.h"
 
@@ -113,4 +115,42 @@ TEST_CASE("a survey finds the usual size of what is shown and how far the bodies
     CHECK(found.typical.at(OverlayKind::velocities) > 20.0);
     CHECK(found.shown.contains({OverlayKind::push, 1}));
     CHECK(!found.shown.contains({OverlayKind::push, 0}));
+}
+
+TEST_CASE("islands: bodies have the colour of their island, another one than the next, and ivory when in none") {
+    // Two balls on each other, one that lies alone, and one in flight.
+    SceneDescription scene;
+    scene.name = "islands";
+    scene.contacts = true;
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
+    const auto add = [&](const char* name, double x, double y) {
+        scene.bodies.push_back(
+            {.name = name, .shape = SphereShape{0.5}, .mass = 1.0, .position = {x, y, 0}, .colour = "green"});
+    };
+    add("lower", 0, 0.5);
+    scene.bodies.push_back({.name = "plate", .shape = BoxShape{{2, 0.2, 2}}, .position = {9, 1, 0}});
+    add("upper", 0, 1.5);
+    add("alone", 3, 0.5);
+    add("flying", 6, 5);
+    const Settings settings = preset_settings("default");
+    Simulation run(build_scene(scene, settings), settings);
+    const auto picture = [&] {
+        auto all = draw_list(run.scene(), run.scene().view);
+        const auto before = all;
+        add_overlay(run.scene(), OverlayKind::islands, 1.0, all);
+        CHECK(all.boxes[0].colour == before.boxes[0].colour);  // static
+        CHECK(all.arrows.empty());
+        return all;
+    };
+    const glm::vec3 ivory = to_glm(*find_colour("ivory"));
+    for (const auto& sphere : picture().spheres) CHECK(sphere.colour == ivory);  // before the first step
+    run.advance();
+    const auto spheres = picture().spheres;
+    REQUIRE(spheres.size() == 4);
+    CHECK(spheres[0].colour == spheres[1].colour);
+    CHECK(spheres[0].colour != spheres[2].colour);
+    CHECK(spheres[2].colour != ivory);
+    CHECK(spheres[3].colour == ivory);
+    CHECK(quantities(run.scene(), OverlayKind::islands).size() == 4);
+    CHECK_NOTHROW(require_shown(run.scene(), {{.kind = OverlayKind::islands}}));
 }

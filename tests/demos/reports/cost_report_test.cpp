@@ -2,6 +2,7 @@
 #include "demos/named_run.h"
 #include "demos/reports/cost/everything.h"
 #include "demos/reports/cost/ledger.h"
+#include "demos/reports/cost/neighbours.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"
@@ -137,6 +138,31 @@ TEST_CASE("a stack at rest keeps its forces: it checks them and neither solves n
     CHECK(swept.sweeps == 25.0);
     CHECK(swept.row_updates == 25.0 * 60.0 * swept.columns);
     CHECK(swept.multiply_adds == 24.0 * swept.row_updates);
+}
+
+TEST_CASE("scenes side by side do the work of the sum of their parts, and none moves for another's sake") {
+    for (const Neighbours& scenes : neighbours(true)) {
+        INFO(scenes.name);
+        const SumOfParts sum = measure(scenes, 1, [] {});
+        CHECK(sum.islands > 1.0);
+        CHECK(sum.parts_multiply_adds > 1000.0);
+        CHECK(sum.together_multiply_adds == Approx(sum.parts_multiply_adds).epsilon(1e-12));
+        CHECK(sum.moved == 0.0);
+        CHECK(sum.together_us > 0.0);
+    }
+}
+
+TEST_CASE("the ledger counts the islands of a scene by kind and by what is done with them") {
+    const auto islands_of = [](const Counts& counts, IslandKind kind) {
+        return counts.islands[static_cast<std::size_t>(kind)];
+    };
+    const Counts wave = counted(run_of("pendulum-wave", {}), 1.0).counts;
+    CHECK(islands_of(wave, IslandKind::single).swept == 50.0);
+    CHECK(islands_of(wave, IslandKind::thread).all() == 0.0);
+    const Counts chain = counted(run_of("chain", {}), 1.0).counts;
+    CHECK(islands_of(chain, IslandKind::thread).exact == 1.0);
+    const Counts funnel = counted(run_of("funnel", {}), 10.0).counts;
+    CHECK(islands_of(funnel, IslandKind::heap).all() == 1.0);
 }
 
 TEST_CASE("stages add up in the order of the step, and reading the clock is not among them") {
