@@ -109,20 +109,16 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
     }
 }
 
-// The contacts of the touches in the order given, with what the cache knows of their forces.
+// The contacts of the touches in the order given.
 std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const collision::Touch> touches,
                                                             std::span<const ContactIndex> order) {
+    std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
-    std::size_t force = forces_.size();
     for (const collision::Touch& touch : touches) {
         first_force_.push_back(force);
         force += touch.points.size();
     }
-    if (cache_) {
-        cache_->recall(touches, forces_);
-    } else {
-        forces_.resize(force);
-    }
+    forces_.resize(force);  // zero where the cache has said nothing
 
     const std::size_t before = contacts_.size();
     contacts_.resize(before + order.size());
@@ -181,6 +177,7 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     contacts_.clear();
     forces_.clear();
     own_rows_ = 0;
+    if (cache_) cache_->recall(touches_, forces_);
     append_touches(touches_, order_, bodies, dt, rows);
 }
 
@@ -189,6 +186,7 @@ void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<con
     if (!sweep_) return;
     const auto found = sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection});
     if (found.empty()) return;
+    // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();
     append_touches(found, unforeseen_order_, bodies, dt, rows);
     // The sweep keeps its touches until the next look only.

@@ -28,7 +28,10 @@ class ExactAnswer {
     void take(const Island& island) { structure_ = &structures_.of(island); }
     int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // static partners included
     // Whether the movable bodies are connected without a circle, so that nothing fills in.
-    bool is_tree() const { return static_cast<int>(structure_->movable_pairs.size()) < structure_->movable; }
+    bool is_tree() const {
+        const auto pairs = static_cast<int>(structure_->movable_pairs.size());
+        return pairs > 0 && pairs < structure_->movable;
+    }
 
     // Plans the factorisation. Comes second, and costs more where there are many pairs.
     void plan() { structures_.plan(*structure_); }

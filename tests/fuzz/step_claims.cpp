@@ -83,19 +83,22 @@ struct Objective {
     double scale = 0.0;  // J
 };
 
+// Of the rows of one island.
 template <typename ForceOf>
-Objective objective(const SystemEquation& system, ForceOf force_of) {
+Objective objective(const SystemEquation& system, const engine::Island& island, ForceOf force_of) {
     std::vector<Vector6> forces(system.inverse_mass.size(), Vector6::Zero());
     const Eigen::Index last = system.column_count() - 1;
     Objective q;
     const double dt2 = system.dt * system.dt;
-    for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-        const ConstraintRow& row = system.rows[at(j)];
-        const double force = force_of(j);
-        forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * force;
-        forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * force;
-        q.value -= dt2 * system.b(j, last) * force;
-        q.scale += dt2 * (std::abs(system.b(j, last) * force) + system.diagonal(j) * force * force);
+    for (const engine::RowRun& run : island.runs) {
+        for (Eigen::Index j = run.begin; j < run.end; ++j) {
+            const ConstraintRow& row = system.rows[at(j)];
+            const double force = force_of(j);
+            forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * force;
+            forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * force;
+            q.value -= dt2 * system.b(j, last) * force;
+            q.scale += dt2 * (std::abs(system.b(j, last) * force) + system.diagonal(j) * force * force);
+        }
     }
     for (std::size_t i = 0; i < forces.size(); ++i) {
         q.value += 0.5 * dt2 * forces[i].dot(engine::accelerate(system.inverse_mass[i], forces[i]));
@@ -121,16 +124,20 @@ std::optional<Broken> energy(const Step& step) {
     for (Eigen::Index j = 0; j < system.row_count(); ++j) {
         gain -= system.dt * answer(j) * system.rows[at(j)].push.lasting;
     }
-    scale += objective(system, answer).scale;
-
-    // The bounds may have changed since the cached forces were an answer.
-    const Objective cached = objective(system, [&](Eigen::Index j) { return system.rows[at(j)].guess.last; });
-    const Objective clamped = objective(system, [&](Eigen::Index j) {
-        const ConstraintRow& row = system.rows[at(j)];
-        return std::clamp(row.guess.last, row.bounds.c_min, row.bounds.c_max);
-    });
-    const double start = std::max({0.0, cached.value, clamped.value});
-    const double allowed = start + rounding * (scale + cached.scale);
+    // Each island may gain what its own guess brings, and no other's may make up for it. The bounds may have
+    // changed since the cached forces were an answer.
+    double start = 0.0;
+    for (const engine::Island& island : step.world.islands().all()) {
+        const Objective cached =
+            objective(system, island, [&](Eigen::Index j) { return system.rows[at(j)].guess.last; });
+        const Objective clamped = objective(system, island, [&](Eigen::Index j) {
+            const ConstraintRow& row = system.rows[at(j)];
+            return std::clamp(row.guess.last, row.bounds.c_min, row.bounds.c_max);
+        });
+        start += std::max({0.0, cached.value, clamped.value});
+        scale += objective(system, island, answer).scale + cached.scale;
+    }
+    const double allowed = start + rounding * scale;
     if (gain <= allowed) return {};
     return Broken{"energy", fmt::format("{:.3g} J more than the push gives, of {:.3g} J; {:.3g} J from the guess",
                                         gain, scale, start)};
