@@ -4,8 +4,9 @@
 // factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
 //
 // So, of each island: keep the guess when it is good; take the answer of a single row at once; solve a thread
-// exactly; sweep a heap. A heap whose sweeps end far from the answer gets a bounded number of exact steps on top.
-// The rules look at the structure and the residual, never at the clock.
+// exactly, and a tree if that costs no more than its sweeps; sweep a heap. A heap whose sweeps end far from the
+// answer gets a bounded number of exact steps on top. The rules look at the structure and the residual, never at
+// the clock.
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
@@ -28,6 +29,9 @@ constexpr double far = 3e-2;
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
 
+// What roundings leave of the largest speed that a row is asked for, where no tolerance is given.
+constexpr double rounding = 1e-12;
+
 template <int columns>
 class Auto {
   public:
@@ -38,8 +42,10 @@ class Auto {
         rows_.load(system, island, lambda);
         if (keeps_guess(rows_, termination, count)) return count;
         exact_.take(island);
-        if (exact_.is_tree() || exact_.pairs() <= pairs_of_a_thread * island.movable()) {
+        if (exact_.pairs() <= pairs_of_a_thread * island.movable()) {
             solve_thread(termination, count);
+        } else if (exact_.is_tree() && !rows_.bounds_follow()) {
+            solve_tree(termination, count);
         } else {
             solve_heap(island, termination, count);
         }
@@ -53,6 +59,19 @@ class Auto {
         exact_.solve(rows_, termination.tolerance_low, std::max(termination.iterations, factorisations_of_a_thread),
                      count);
         count.exact = true;
+    }
+
+    // Bodies that rest on many others at once, which hold nothing of each other: nothing fills in, and an answer
+    // takes few factorisations or none. So an exact answer may cost what the sweeps would, which come if it is not
+    // found.
+    void solve_tree(const Termination& termination, SolveCount& count) {
+        exact_.plan();
+        const double sweeps = termination.iterations * rows_.pass_work();
+        const int factorisations = static_cast<int>(sweeps / (exact_.factor_work() + rows_.factor_rows_work()));
+        if (factorisations > 0) exact_.solve(rows_, termination.tolerance_low, factorisations, count);
+        const double enough = std::max(termination.tolerance_low, rounding * rows_.fastest());
+        count.exact = factorisations > 0 && count.residual <= enough;
+        if (!count.exact) work_down(rows_, termination, count, sweep<columns>);
     }
 
     void solve_heap(const Island& island, const Termination& termination, SolveCount& count) {

@@ -200,6 +200,22 @@ class UnitRows {
     // Multiply-adds of one pass that reads and writes every row in every column, and of one that only reads.
     double pass_work() const { return 24.0 * columns * static_cast<double>(rows.size()); }
     double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
+    // Of adding all rows to a matrix that is to be factorised.
+    double factor_rows_work() const { return 108.0 * static_cast<double>(rows.size()); }
+
+    // The largest speed that a row is asked for [m/s].
+    double fastest() const {
+        double largest = 0.0;
+        for (const Row& row : rows) {
+            for (const double t : row.t) largest = std::max(largest, row.scale * std::abs(t));
+        }
+        return largest;
+    }
+
+    // Whether some bound is a multiple of another row's force.
+    bool bounds_follow() const {
+        return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });
+    }
 
     std::vector<Row> rows;
     std::vector<Block> blocks;           // of all rows, in their order
