@@ -172,7 +172,7 @@ class RattleStep {
             const Island& island = world_.islands_.all()[k];
             const solvers::SolveCount count =
                 world_.solver->solve(world_.system_, island, world_.termination, lambda);
-            world_.warm_start_.solved(island, {}, count);
+            world_.warm_start_.solved(island, count);
             sweeps = std::max(sweeps, count.iterations);
             work_.row_updates += 1.0 * island.rows * count.iterations;
             work_.multiply_adds += count.multiply_adds;

@@ -1,7 +1,5 @@
 #include "engine/warm_start.h"
 
-#include <algorithm>
-
 namespace pushfactor::engine {
 
 namespace {
@@ -16,23 +14,12 @@ void WarmStart::begin(std::size_t bodies) {
     records_.assign(bodies, {});
 }
 
-WarmStart::Memory WarmStart::memory_of(const Island& island) const {
-    Memory all = memory_[static_cast<std::size_t>(island.bodies.front())];
-    for (const int body : island.bodies.subspan(1)) {
-        const Memory& own = memory_[static_cast<std::size_t>(body)];
-        all.exact = all.exact || own.exact;
-        all.kept = std::min(all.kept, own.kept);
-    }
-    return all;
-}
-
-void WarmStart::solved(const Island& island, const Memory& memory, const solvers::SolveCount& count) {
+void WarmStart::solved(const Island& island, const solvers::SolveCount& count) {
     Record record{.in_island = true,
                   .contradicted = count.exact && count.residual > contradiction,
                   .method = count.exact            ? Method::exact
                             : count.iterations > 0 ? Method::swept
-                                                   : Method::kept,
-                  .kept_before = memory.kept};
+                                                   : Method::kept};
     for (const int body : island.bodies) {
         record.method = std::max(record.method, records_[static_cast<std::size_t>(body)].method);
     }
@@ -43,7 +30,7 @@ void WarmStart::end() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         const Record& record = records_[i];
         const bool kept = record.in_island && record.method == Method::kept;
-        memory_[i] = {.exact = record.method == Method::exact, .kept = kept ? record.kept_before + 1 : 0};
+        memory_[i] = {.exact = record.method == Method::exact, .kept = kept ? memory_[i].kept + 1 : 0};
     }
 }
 

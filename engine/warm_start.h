@@ -8,6 +8,7 @@
 #include "engine/islands.h"
 #include "engine/solvers/solver.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ class WarmStart {
     // What the last step leaves to the next.
     struct Memory {
         bool exact = false;  // whether the body's island was solved, and to rounding
-        int kept = 0;        // steps since its last solve; 0 for a body without rows
+        int kept = 0;        // steps since an island of the body was solved; 0 for a body without rows
     };
 
     // What a step did with an island.
@@ -27,28 +28,25 @@ class WarmStart {
     // Before the first solve of a step.
     void begin(std::size_t bodies);
 
-    // What the bodies of `island` remember of the last step, together: the stricter rule, and the newest solve.
-    Memory memory_of(const Island& island) const;
-
-    // When to stop solving an island with this memory, where `usual` is the world's own rule.
+    // When to stop solving `island`, where `usual` is the world's own rule.
     //
     // An exact answer that has stopped a motion holds the force that stopped it; kept for another step it would
     // start the motion again, the other way round. So after an exact solve the guess has to be as good as an
     // answer, and better, because what is left of the error grows while nothing is solved.
-    static solvers::Termination termination(const Memory& memory, solvers::Termination usual) {
-        if (memory.exact) usual.tolerance_high = usual.tolerance_low = after_exact * usual.tolerance_low;
+    solvers::Termination termination(const Island& island, solvers::Termination usual) const {
+        if (was_exact(island)) usual.tolerance_high = usual.tolerance_low = after_exact * usual.tolerance_low;
         return usual;
     }
 
     // Takes note of a solve. Within a step the same bodies may be solved again, in a larger island.
-    void solved(const Island& island, const Memory& memory, const solvers::SolveCount& count);
+    void solved(const Island& island, const solvers::SolveCount& count);
 
     Method method_of(const Island& island) const { return record_of(island).method; }
 
-    // How the next step's forces follow from the guesses and answers of an island: guess + share (answer - guess),
-    // or zero.
+    // How the next step's force of a row follows from its guess and its answer: guess + share (answer - guess), or
+    // zero.
     //
-    // Forces that were kept for k steps with an error e have built up a velocity of k e. A solve takes off that and
+    // A force that was kept for k steps with an error e has built up a velocity of k e. A solve takes off that and
     // e itself, (k + 1) e; the next step needs e alone, so that the guess takes 1 / (k + 1) of the change. After an
     // exact solve the guess is looked at anew. Forces of rows that contradict each other are as large as the method
     // lets them: nothing is taken over from those.
@@ -62,10 +60,14 @@ class WarmStart {
                     guess.last + share * (answer.last - guess.last)};
         }
     };
-    Next next(const Island& island) const {
-        const Record& record = record_of(island);
-        return {.share = record.method == Method::swept ? 1.0 / (1 + record.kept_before) : 1.0,
-                .nothing = record.contradicted};
+    // Of a row between these two bodies of the world, of which one at least is in an island.
+    Next next(int body_a, int body_b) const {
+        const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
+        const Record& record = records_[a].in_island ? records_[a] : records_[b];
+        if (record.method != Method::swept) return {.share = 1.0, .nothing = record.contradicted};
+        int kept = records_[a].in_island ? memory_[a].kept : memory_[b].kept;
+        if (records_[b].in_island) kept = std::min(kept, memory_[b].kept);
+        return {.share = 1.0 / (1 + kept), .nothing = false};
     }
 
     // After the last solve of a step.
@@ -83,8 +85,13 @@ class WarmStart {
         bool in_island = false;
         bool contradicted = false;
         Method method = Method::kept;
-        int kept_before = 0;
     };
+
+    // Whether all of its bodies were in an island that was solved to rounding in the last step.
+    bool was_exact(const Island& island) const {
+        return std::all_of(island.bodies.begin(), island.bodies.end(),
+                           [this](int body) { return memory_[static_cast<std::size_t>(body)].exact; });
+    }
 
     const Record& record_of(const Island& island) const {
         return records_[static_cast<std::size_t>(island.bodies.front())];

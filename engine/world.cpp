@@ -135,10 +135,9 @@ void World::guess(std::size_t first_row) {
 }
 
 void World::solve(const Island& island, Work& work) {
-    const WarmStart::Memory memory = warm_start_.memory_of(island);
     const solvers::SolveCount count =
-        solver->solve(system_, island, WarmStart::termination(memory, termination), lambda_);
-    warm_start_.solved(island, memory, count);
+        solver->solve(system_, island, warm_start_.termination(island, termination), lambda_);
+    warm_start_.solved(island, count);
     work.sweeps = std::max(work.sweeps, count.iterations);
     work.row_updates += 1.0 * island.rows * island.columns * count.iterations;
     work.multiply_adds += count.multiply_adds;
@@ -148,8 +147,9 @@ void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
     answers_.assign(rows_.size(), {});
     for (const Island& island : islands_.all()) {
-        const WarmStart::Next next = warm_start_.next(island);
         for (const RowRun& run : island.runs) {
+            const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
+            const WarmStart::Next next = warm_start_.next(first.body_a, first.body_b);
             for (int j = run.begin; j < run.end; ++j) {
                 const auto row = static_cast<std::size_t>(j);
                 answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});

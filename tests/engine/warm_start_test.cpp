@@ -27,15 +27,25 @@ struct Group {
 void step(WarmStart& warm_start, std::initializer_list<std::pair<const Group*, solvers::SolveCount>> solves) {
     warm_start.begin(6);
     for (const auto& [group, count] : solves) {
-        warm_start.solved(group->island, warm_start.memory_of(group->island), count);
+        warm_start.solved(group->island, count);
     }
     warm_start.end();
 }
 
-double share(WarmStart& warm_start, const Group& group, const solvers::SolveCount& count) {
+const Memory& memory_of(const WarmStart& warm_start, int body) {
+    return warm_start.memory()[static_cast<std::size_t>(body)];
+}
+
+// Whether the guess of the next step would have to be better than usual.
+bool is_strict(const WarmStart& warm_start, const Group& group) {
+    return warm_start.termination(group.island, usual).tolerance_high < usual.tolerance_high;
+}
+
+// What is taken over of an answer that changes by 1 N, for a row between two bodies.
+double share(WarmStart& warm_start, const Group& group, const solvers::SolveCount& count, int a, int b) {
     warm_start.begin(6);
-    warm_start.solved(group.island, warm_start.memory_of(group.island), count);
-    return warm_start.next(group.island)({.first = 0.0, .last = 0.0}, {.first = 1.0, .last = 1.0}).last;
+    warm_start.solved(group.island, count);
+    return warm_start.next(a, b)({.first = 0.0, .last = 0.0}, {.first = 1.0, .last = 1.0}).last;
 }
 
 }  // namespace
@@ -45,9 +55,11 @@ TEST_CASE("after k steps with kept forces a sweep's answer counts for 1 / (k + 1
     for (const int k : {0, 1, 4, 99}) {
         WarmStart warm_start;
         for (int i = 0; i < k; ++i) step(warm_start, {{&group, kept}});
-        CHECK(share(warm_start, group, swept) == Approx(1.0 / (k + 1)));
-        CHECK(share(warm_start, group, exact) == 1.0);
-        CHECK(share(warm_start, group, kept) == 1.0);
+        for (const auto& [a, b] : {std::pair{1, 2}, std::pair{0, 1}, std::pair{2, 0}}) {  // 0 is static
+            CHECK(share(warm_start, group, swept, a, b) == Approx(1.0 / (k + 1)));
+            CHECK(share(warm_start, group, exact, a, b) == 1.0);
+            CHECK(share(warm_start, group, kept, a, b) == 1.0);
+        }
     }
 }
 
@@ -55,52 +67,54 @@ TEST_CASE("after an exact solve the guess has to be better than an answer, in th
     const Group group({1, 2});
     WarmStart warm_start;
     step(warm_start, {{&group, exact}});
-    const solvers::Termination strict = WarmStart::termination(warm_start.memory_of(group.island), usual);
+    const solvers::Termination strict = warm_start.termination(group.island, usual);
     CHECK(strict.tolerance_high == 0.1 * usual.tolerance_low);
     CHECK(strict.tolerance_low == 0.1 * usual.tolerance_low);
     CHECK(strict.iterations == usual.iterations);
     step(warm_start, {{&group, kept}});
-    CHECK(WarmStart::termination(warm_start.memory_of(group.island), usual).tolerance_high == usual.tolerance_high);
+    CHECK_FALSE(is_strict(warm_start, group));
 }
 
 TEST_CASE("what one island does is not remembered by another") {
     const Group left({0, 1}), right({3, 4, 5});
     WarmStart warm_start;
     for (int i = 0; i < 10; ++i) step(warm_start, {{&left, kept}, {&right, exact}});
-    CHECK(warm_start.memory_of(left.island).kept == 10);
-    CHECK_FALSE(warm_start.memory_of(left.island).exact);
-    CHECK(warm_start.memory_of(right.island).kept == 0);
-    CHECK(warm_start.memory_of(right.island).exact);
+    CHECK_FALSE(is_strict(warm_start, left));
+    CHECK(is_strict(warm_start, right));
+    for (const int body : {0, 1}) CHECK(memory_of(warm_start, body).kept == 10);
+    for (const int body : {3, 4, 5}) CHECK(memory_of(warm_start, body).kept == 0);
 }
 
-TEST_CASE("islands that meet take the newest solve and the stricter rule, parts keep what they had") {
+TEST_CASE(
+    "where islands meet each row goes on from what its bodies have, and one that comes does not change the rest") {
     const Group tower({0, 1, 2}), ball({4}), together({0, 1, 2, 4});
     WarmStart warm_start;
-    for (int i = 0; i < 10; ++i) step(warm_start, {{&tower, kept}, {&ball, i < 8 ? exact : kept}});
-    CHECK(warm_start.memory_of(together.island).kept == 2);
+    for (int i = 0; i < 9; ++i) step(warm_start, {{&tower, kept}, {&ball, i < 7 ? exact : kept}});
+    CHECK(share(warm_start, together, swept, 1, 2) == Approx(0.1));
+    CHECK(share(warm_start, together, swept, 2, 4) == Approx(1.0 / 3.0));
+    // Strict only where all were solved exactly.
     step(warm_start, {{&tower, kept}, {&ball, exact}});
-    CHECK(warm_start.memory_of(together.island).exact);
-    CHECK(warm_start.memory_of(together.island).kept == 0);
-    step(warm_start, {{&together, kept}});
-    step(warm_start, {{&together, kept}});
-    CHECK(warm_start.memory_of(tower.island).kept == 2);
-    CHECK(warm_start.memory_of(ball.island).kept == 2);
+    CHECK(is_strict(warm_start, ball));
+    CHECK_FALSE(is_strict(warm_start, together));
+    step(warm_start, {{&together, exact}});
+    CHECK(is_strict(warm_start, tower));
 }
 
 TEST_CASE("a body without rows forgets, and within a step the larger island counts with all that was done") {
     const Group first({1}), larger({1, 2});
     WarmStart warm_start;
     for (int i = 0; i < 5; ++i) step(warm_start, {{&first, kept}});
+    CHECK(memory_of(warm_start, 1).kept == 5);
     step(warm_start, {});
-    CHECK(warm_start.memory_of(first.island).kept == 0);
+    CHECK(memory_of(warm_start, 1).kept == 0);
     step(warm_start, {{&first, exact}, {&larger, kept}});
-    CHECK(warm_start.memory_of(larger.island).exact);
+    CHECK(is_strict(warm_start, larger));
     CHECK(warm_start.method_of(larger.island) == Method::exact);
 }
 
 TEST_CASE("nothing is taken over from rows that contradict each other") {
     const Group group({1, 2});
     WarmStart warm_start;
-    CHECK(share(warm_start, group, contradicting) == 0.0);
-    CHECK(share(warm_start, group, exact) == 1.0);
+    CHECK(share(warm_start, group, contradicting, 1, 2) == 0.0);
+    CHECK(share(warm_start, group, exact, 1, 2) == 1.0);
 }
