@@ -10,7 +10,7 @@ namespace pushfactor::demos {
 
 struct RunState {
     double time = 0.0;                                    // s, of the world; forces may depend on it
-    std::vector<engine::WarmStart::Memory> warm_start{};  // one a body; none when nothing has been solved yet
+    std::vector<engine::WarmStart::Memory> warm_start{};  // one per body; none when nothing has been solved yet
     double substeps = 1.0;                                // asked for in the last step; fades from step to step
     std::vector<engine::Lambda> distance_forces{};        // N, one a distance
     engine::ContactCache contact_forces{};                // colliders are the bodies in their order

@@ -37,7 +37,7 @@ class ContactCache {
     // Replaces the cache. `forces` in the order of recall.
     void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
 
-    // The same touch after touch, in ascending order of the pair, once the cache is empty. `forces` one a point.
+    // The same touch after touch, in ascending order of the pair, once the cache is empty. `forces`: one per point.
     void clear();
     void store(const collision::Touch& touch, std::span<const ContactForce> forces);
 

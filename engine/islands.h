@@ -36,7 +36,7 @@ struct Island {
 };
 
 // 6.2.1 for the rows of one island: writes f_c = J^T lambda of column `column` for its movable bodies into `forces`
-// [N and N m, one a body of the world] and leaves those of other bodies as they are.
+// [N and N m, one per body of the world] and leaves those of other bodies as they are.
 void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                        Eigen::Index column, std::vector<Vector6>& forces);
 

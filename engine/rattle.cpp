@@ -39,6 +39,7 @@ class RattleStep {
     void begin(double dt) {
         // Each step solves for its positions, so that no error grows while forces are kept.
         world_.warm_start_.set_memory({});
+        world_.warm_start_.begin(world_.bodies.size());
         world_.append_rows(dt);
         require_bars(world_.rows_);
         world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);

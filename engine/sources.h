@@ -26,9 +26,9 @@ class ConstraintSource {
     virtual void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) = 0;
 
     // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first
-    // column [N and N m, one a body], as found with the rows so far; none when nothing is missing. Called again
+    // column [N and N m, one per body], as found with the rows so far; none when nothing is missing. Called again
     // while other sources or this one append some. Since the last call, and in the first one since append_rows(),
-    // only bodies with `changed` (one a body) have got other forces.
+    // only bodies with `changed` (one per body) have got other forces.
     virtual void append_unforeseen(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/,
                                    std::span<const char> /*changed*/, double /*dt*/,
                                    std::vector<ConstraintRow>& /*rows*/) {}

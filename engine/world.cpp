@@ -58,7 +58,6 @@ void World::append_rows(double dt) {
         constraints[s]->append_rows(bodies, dt, rows_);
         appended_.push_back({s, begin, rows_.size()});
     }
-    warm_start_.begin(bodies.size());
 }
 
 void World::append_unforeseen(double dt) {
@@ -86,6 +85,7 @@ World::Work World::solve_and_look(double dt) {
 }
 
 World::Work World::solve_islands() {
+    warm_start_.begin(bodies.size());
     islands_.find(system_);
     lambda_.resize(system_.row_count(), system_.column_count());
     guess(0);

@@ -65,7 +65,7 @@ class World {
     double time() const { return time_; }  // s, sum of all steps
 
     // What a world carries from step to step beside its bodies and what its sources remember: the time and this,
-    // one a body. With all of it a world that was made anew goes on as the old one would have.
+    // one per body. With all of it a world that was made anew goes on as the old one would have.
     std::span<const WarmStart::Memory> warm_start() const { return warm_start_.memory(); }
     void resume(double time, std::span<const WarmStart::Memory> warm_start);
 
@@ -119,8 +119,8 @@ class World {
     Islands islands_;
     WarmStart warm_start_;
     Columns lambda_;
-    std::vector<char> changed_;  // one a body, whether the last solves may have given it another force
-    std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one a row
+    std::vector<char> changed_;  // one per body, whether the last solves may have given it another force
+    std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row
     std::vector<Vector6> moving_;                      // f_cv = J^T Lambda.first, N and N m
     std::vector<Vector6> lasting_;  // f_c0 = J^T Lambda.last, of bodies whose island has two columns
 };

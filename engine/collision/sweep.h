@@ -35,8 +35,8 @@ class Sweep {
     // order of the pair; good until the next call.
     std::span<const Touch> refine(std::span<const Touch> touches, const Step& step);
 
-    // The touches that are missing when the constraint `forces` act too [N and N m, one a body]: of pairs that
-    // neither refine() nor look() has had in this step. Only bodies with `changed` (one a body) have got other
+    // The touches that are missing when the constraint `forces` act too [N and N m, one per body]: of pairs that
+    // neither refine() nor look() has had in this step. Only bodies with `changed` (one per body) have got other
     // forces since the last of those calls. In ascending order of the pair; good until the next call, but for the
     // points and bodies that they refer to, which are good until the next refine().
     std::span<const Touch> look(std::span<const Vector6> forces, std::span<const char> changed, const Step& step);

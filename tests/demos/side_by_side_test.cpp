@@ -170,10 +170,15 @@ TEST_CASE("a tower, a chain and a heap beside each other are three islands when 
 
     Simulation simulation(build_scene(side_by_side("all", parts), settings), settings);
     for (int i = 0; i < 600; ++i) simulation.advance();
-    const engine::StepCount& count = simulation.sample().count;
-    CHECK(count.islands == 3);
-    CHECK(count.islands_kept == 2);   // the tower and the heap rest
-    CHECK(count.islands_exact == 1);  // the chain swings
+    int kept = 0;
+    for (int i = 0; i < 60; ++i) {
+        const engine::StepCount& count = simulation.advance().count;
+        CHECK(count.islands == 3);
+        CHECK(count.islands_exact == 1);  // the chain swings
+        CHECK(count.islands_kept + count.islands_swept == 2);
+        kept += count.islands_kept;
+    }
+    CHECK(kept > 60 + 30);  // the tower always, the heap most of the time: measured 60 + 53
 }
 
 TEST_CASE("two thousand islands do the work of two thousand, each as if it were alone") {

@@ -214,7 +214,8 @@ Section section_of(std::span<const SumOfParts> sums) {
         "solver "
         "per step, as the sum of the parts alone and together, and how far the first part is from where it would "
         "be "
-        "alone. The scenes are in side-by-side/, the numbers in side_by_side.csv.";
+        "alone. The scenes are in side-by-side/.";
+    plate.files = {"side_by_side.csv"};
     plate.table = {{"scenes", "islands", "us, sum", "us, together", "ratio", "multiply-adds, sum",
                     "multiply-adds, together", "moved in m"}};
     for (const SumOfParts& sum : sums) {

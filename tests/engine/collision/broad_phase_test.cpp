@@ -53,6 +53,19 @@ bool reaches_plane(const Crowd& crowd, std::size_t i) {
     return up.dot(crowd.bodies[i].position - crowd.bodies[0].position) < up.cwiseAbs().dot(reach);
 }
 
+// Each with each.
+std::vector<Pair> by_comparing(const Crowd& scene) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
+        for (std::size_t j = i + 1; j < scene.colliders.size(); ++j) {
+            if (scene.bodies[i].is_static() && scene.bodies[j].is_static()) continue;
+            const bool near = i == 0 ? reaches_plane(scene, j) : boxes_overlap(scene, i, j);
+            if (near) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+        }
+    }
+    return pairs;
+}
+
 std::span<const Pair> pairs_in(BroadPhase& broad_phase, std::span<const Collider> colliders,
                                std::span<const Body> bodies) {
     std::vector<Pose> poses;
@@ -66,14 +79,7 @@ TEST_CASE("the broad phase finds what comparing all bounding boxes finds, in ord
     Random random(7);
     for (const Vector3& spread : {Vector3(8, 2, 2), Vector3(1, 30, 1), Vector3(4, 4, 4)}) {
         const Crowd scene = crowd(random, 60, spread);
-        std::vector<Pair> expected;
-        for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
-            for (std::size_t j = i + 1; j < scene.colliders.size(); ++j) {
-                if (scene.bodies[i].is_static() && scene.bodies[j].is_static()) continue;
-                const bool near = i == 0 ? reaches_plane(scene, j) : boxes_overlap(scene, i, j);
-                if (near) expected.push_back({static_cast<int>(i), static_cast<int>(j)});
-            }
-        }
+        const std::vector<Pair> expected = by_comparing(scene);
         BroadPhase broad_phase;
         const auto pairs = pairs_in(broad_phase, scene.colliders, scene.bodies);
         CHECK(!expected.empty());
@@ -129,7 +135,7 @@ TEST_CASE("pairs of a crowd that moves, some of it or all, are those of a search
                     body.position += random.vector(-0.5, 0.5) * std::pow(10.0, random.in(-3, 0.5));
                     body.orientation = random.rotation();
                 }
-                // One that has lost its numbers finds nobody, and others are found as before.
+                // A body that has become non-finite has no pairs, and the pairs of others are as before.
                 if (step == 20) scene.bodies[1].position.x() = std::numeric_limits<double>::quiet_NaN();
                 BroadPhase new_one;
                 const auto expected = pairs_in(new_one, scene.colliders, scene.bodies);
@@ -146,14 +152,7 @@ TEST_CASE("many boxes in a grid make the pairs that comparing all of them makes"
     Random random(12);
     for (const Vector3& spread : {Vector3(20, 4, 4), Vector3(6, 6, 6)}) {
         const Crowd scene = crowd(random, 400, spread);
-        std::vector<Pair> expected;
-        for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
-            for (std::size_t j = i + 1; j < scene.colliders.size(); ++j) {
-                if (scene.bodies[i].is_static() && scene.bodies[j].is_static()) continue;
-                const bool near = i == 0 ? reaches_plane(scene, j) : boxes_overlap(scene, i, j);
-                if (near) expected.push_back({static_cast<int>(i), static_cast<int>(j)});
-            }
-        }
+        const std::vector<Pair> expected = by_comparing(scene);
         BroadPhase broad_phase;
         const auto pairs = pairs_in(broad_phase, scene.colliders, scene.bodies);
         CHECK(std::vector<Pair>(pairs.begin(), pairs.end()) == expected);
