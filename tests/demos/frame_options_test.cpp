@@ -60,7 +60,8 @@ TEST_CASE("overlays are named, may have a scale, and are not named twice") {
     CHECK(choices->overlay[0].units_a_metre == 50.0);
     CHECK(!choices->overlay[1].units_a_metre);
     CHECK(to_text(choices->overlay) == "forces:50,contacts");
-    for (const char* wrong : {"force", "", "forces,", "contacts:3", "forces:0", "forces:x", "push,push", "islands:3"}) {
+    for (const char* wrong :
+         {"force", "", "forces,", "contacts:3", "forces:0", "forces:x", "push,push", "islands:3"}) {
         INFO(wrong);
         CHECK(!set("overlay", wrong));
     }
