@@ -107,16 +107,16 @@ Neighbours beside(std::vector<SceneDescription> parts, double start) {
     return scenes;
 }
 
-Neighbours many_towers(int towers, int cubes, double start) {
+// The same scene many times, each at another x [m].
+Neighbours many(const std::string& name, int count, const std::function<SceneDescription(double x)>& scene,
+                double start) {
     std::vector<SceneDescription> parts;
-    for (int i = 0; i < towers; ++i) parts.push_back(tower(cubes, 20.0 * i));
-    Neighbours scenes{.name = fmt::format("{} towers of {}", towers, cubes),
-                      .parts = {parts.front()},
-                      .times = {towers},
-                      .together = {},
-                      .start = start};
-    scenes.together = scenes::side_by_side(scenes.name, parts);
-    return scenes;
+    for (int i = 0; i < count; ++i) parts.push_back(scene(60.0 * i));
+    return {.name = name,
+            .parts = {parts.front()},
+            .times = {count},
+            .together = scenes::side_by_side(name, parts),
+            .start = start};
 }
 
 Moment moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
@@ -157,12 +157,15 @@ std::string Neighbours::file_name() const {
 std::vector<Neighbours> neighbours(bool quick) {
     std::vector<Neighbours> all;
     all.push_back(beside({tower(20, -60.0), pit(40)}, 2.0));
-    all.push_back(many_towers(20, 10, 1.0));
+    all.push_back(many(
+        "20 towers of 10", 20, [](double x) { return tower(10, x); }, 1.0));
     all.push_back(beside({tower(20, -60.0), falling_pile(50)}, 0.3));
     if (quick) return all;
     all.push_back(beside({tower(20, -60.0), pit(200)}, 3.0));
     all.push_back(beside({tower(20, -60.0), falling_pile(200)}, 0.3));
     all.push_back(beside({pit(200), loose_cubes(600, 50.0)}, 3.0));
+    all.push_back(many(
+        "4 fields of 500 loose cubes", 4, [](double x) { return loose_cubes(500, x); }, 1.0));
     return all;
 }
 
