@@ -99,8 +99,8 @@ bool Islands::find_runs(const SystemEquation& system, int first_new) {
     std::size_t count = again ? found_.size() - 1 : 0;
     for (int begin = again ? found_.back().begin : 0; begin < row_count; ++count) {
         const int a = rows[begin].body_a, b = rows[begin].body_b;
-        Found run{begin, begin, a, b, -1, 1};
-        run.movable = moves(system, a) ? a : moves(system, b) ? b : -1;
+        const bool a_moves = moves(system, a), b_moves = moves(system, b);
+        Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves, 1};
         for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
             // A bound that follows another row needs that row's force.
             const int leader = rows[run.end].bounds.of_row;
@@ -152,7 +152,7 @@ void Islands::join_bodies(const SystemEquation& system) {
         hold_all_rows_ = hold_all_rows_ && run.movable >= 0;
         if (run.movable < 0) continue;
         take(run.movable);
-        if (run.movable == run.body_b || !moves(system, run.body_b)) continue;
+        if (!run.joins) continue;
         take(run.body_b);
         join(run.body_a, run.body_b);
     }

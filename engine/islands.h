@@ -69,6 +69,7 @@ class Islands {
         int begin, end;      // rows of the step
         int body_a, body_b;  // of the world
         int movable;         // one of them, -1 when both are static
+        bool joins;          // whether both can move
         int columns;
         friend bool operator==(const Found&, const Found&) = default;
     };

@@ -186,6 +186,19 @@ TEST_CASE("found again they are what they would be if they were new, whether row
     }
 }
 
+TEST_CASE("a body that is made static, or movable again, parts and joins islands") {
+    Frozen frozen = random_graph(11, 30, 25);
+    Islands islands;
+    for (std::size_t body = 0; body < 30; ++body) {
+        const InverseMass before = frozen.system.inverse_mass[body];
+        for (const InverseMass& inverse_mass : {InverseMass{}, InverseMass{.linear = 1.0}, before}) {
+            frozen.system.inverse_mass[body] = inverse_mass;
+            islands.find(frozen.system);
+            REQUIRE(text_of(islands) == islands_of(frozen.system));
+        }
+    }
+}
+
 TEST_CASE("ordered by island, A is block diagonal: outside of the blocks all is zero") {
     const Frozen frozen = random_graph(7, 40, 25);
     const MatrixX A = tests::dense_matrix(frozen.system);
