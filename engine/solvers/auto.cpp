@@ -61,9 +61,8 @@ class Auto {
         count.exact = true;
     }
 
-    // Bodies that rest on many others at once, which hold nothing of each other: nothing fills in, and an answer
-    // takes few factorisations or none. So an exact answer may cost what the sweeps would, which come if it is not
-    // found.
+    // Movable bodies connected without a cycle: the factor has no fill-in, and at rest one or two factorisations
+    // are enough. The budget is the cost of the sweeps, which follow when it is used up.
     void solve_tree(const Termination& termination, SolveCount& count) {
         exact_.plan();
         const double sweeps = termination.iterations * rows_.pass_work();

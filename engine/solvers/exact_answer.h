@@ -27,7 +27,7 @@ class ExactAnswer {
     // Finds out which bodies the rows connect. Comes first.
     void take(const Island& island) { structure_ = &structures_.of(island); }
     int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // static partners included
-    // Whether the movable bodies are connected without a circle, so that nothing fills in.
+    // Whether several movable bodies are connected without a cycle, so that the factor has no fill-in.
     bool is_tree() const {
         const auto pairs = static_cast<int>(structure_->movable_pairs.size());
         return pairs > 0 && pairs < structure_->movable;

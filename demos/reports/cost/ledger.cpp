@@ -111,12 +111,6 @@ Counts means_of(Counts sum) {
     return sum;
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 StageTimes time_of_stages(const Moment& moment, double cost) {
     Walk walk(moment);
     walk.go(steps_before);
@@ -151,6 +145,12 @@ Counts count_steps(const Moment& moment) {
         add_islands(walk.scene().world, sum.islands);
     }
     return means_of(sum);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 double time_of_step(const Moment& moment) {

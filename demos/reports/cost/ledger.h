@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos::reports::cost {
 
@@ -64,6 +65,9 @@ struct Ledger {
 
 // Of the same steps always, so that equal programs give equal counts.
 Counts count_steps(const Moment& moment);
+
+// The upper one of the middle two of an even number of values; at least one.
+double median(std::vector<double> values);
 
 // CPU time of those steps once, us per step.
 double time_of_step(const Moment& moment);

@@ -127,12 +127,6 @@ Moment moment_of(const SceneDescription& scene, double start, const std::functio
     return moment_at(choices, start, check);
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // The largest distance between the movable bodies of the first part alone and in the common world, at the moment.
 double distance(const Moment& alone, const Moment& together) {
     const Scene a = alone.build(), b = together.build();
