@@ -5,8 +5,7 @@ namespace pushfactor::demos {
 void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
     into.bodies = scene.world.bodies;
     into.state.time = scene.world.time();
-    const auto warm_start = scene.world.warm_start();
-    into.state.warm_start.assign(warm_start.begin(), warm_start.end());
+    scene.world.take_memory(into.state.warm_start);
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
     if (scene.contacts && scene.contacts->cache()) into.state.contact_forces = *scene.contacts->cache();

@@ -87,6 +87,25 @@ void SubstepCount::add(const Sample& sample) {
     if (sample.too_few_substeps) ++short_steps;
 }
 
+void UnsolvedSteps::add(const Sample& sample) {
+    const auto place = [&](const std::optional<BodyPair>& bodies) {
+        return Place{sample.step, sample.time, bodies};
+    };
+    ++of;
+    if (sample.count.islands_unsolved > 0) {
+        ++count;
+        if (!first) first = place(sample.worst_unsolved);
+    }
+    if (sample.count.islands_contradicting > 0) {
+        ++contradicting;
+        if (!first_contradicting) first_contradicting = place(sample.contradicting);
+    }
+    if (sample.residual > worst_residual) {
+        worst_residual = sample.residual;
+        worst = place(sample.worst_unsolved);
+    }
+}
+
 Measurements::Measurements(const Simulation& simulation)
     : standing_(simulation.scene().standing),
       scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
@@ -121,6 +140,7 @@ void Measurements::observe(const Simulation& simulation) {
     residuals_.push_back(sample.residual);
     if (sample.cpu_us) cpu_us_.push_back(*sample.cpu_us);
     substeps_.add(sample);
+    unsolved_.add(sample);
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());

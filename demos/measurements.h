@@ -39,6 +39,24 @@ struct SubstepCount {
     void add(const Sample& sample);
 };
 
+// What was not solved. A step of the run counts when it has left an island with more than the upper tolerance.
+struct UnsolvedSteps {
+    struct Place {
+        long step = 0;
+        double time = 0.0;                 // s
+        std::optional<BodyPair> bodies{};  // of the row that was most wrong, where it has been looked for
+    };
+
+    long of = 0;                        // steps of the run
+    long count = 0;                     // that were not solved
+    long contradicting = 0;             // with rows that no forces can satisfy together
+    double worst_residual = 0.0;        // m/s, of all steps
+    std::optional<Place> first, worst;  // the worst is that of all steps
+    std::optional<Place> first_contradicting;
+
+    void add(const Sample& sample);
+};
+
 class Measurements {
   public:
     explicit Measurements(const Simulation& simulation);  // at the start of the run
@@ -61,6 +79,7 @@ class Measurements {
     const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
     double max_kinetic_energy_last_second() const;                  // J
     const SubstepCount& substeps() const { return substeps_; }
+    const UnsolvedSteps& unsolved() const { return unsolved_; }
     std::vector<std::pair<std::string, double>> of_scene() const;  // what the scene is about
     std::vector<double> heights() const;                           // m, movable bodies at the end
 
@@ -99,6 +118,7 @@ class Measurements {
     std::optional<double> lean_time_, fall_time_;
     std::vector<double> residuals_, cpu_us_;
     SubstepCount substeps_;
+    UnsolvedSteps unsolved_;
 };
 
 // The middle of the sorted values, the mean of the two middle ones for an even number; 0 for none.

@@ -5,6 +5,7 @@
 #include "demos/output_file.h"
 #include "demos/scene_file.h"
 #include "demos/summary.h"
+#include "demos/warnings.h"
 
 #include <fmt/format.h>
 
@@ -58,6 +59,11 @@ std::string ObservedRun::finish() {
     for (const auto& record : records_) record->finish();
     if (save_state_) write_file(*save_state_, state_text(choices_, simulation_, simulation_.checkpoint()));
     return summary_text(choices_, simulation_, measurements_);
+}
+
+std::string ObservedRun::warnings(const std::string& panel) const {
+    const std::string& scene = simulation_.scene().name;
+    return warning_text(panel.empty() ? scene : scene + ", " + panel, simulation_, measurements_);
 }
 
 }  // namespace pushfactor::demos

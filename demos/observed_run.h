@@ -27,6 +27,10 @@ class ObservedRun {
     // Completes the files and gives the summary.
     std::string finish();
 
+    // What has to be said about what was not solved, in lines of their own; nothing when all is well. `panel` tells
+    // runs of one scene apart.
+    std::string warnings(const std::string& panel = "") const;
+
   private:
     std::string save_last_good() const;
 

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "engine/contact_cache.h"
-#include "engine/warm_start.h"
+#include "engine/island_solver.h"
 
 #include <vector>
 
 namespace pushfactor::demos {
 
 struct RunState {
-    double time = 0.0;                                    // s, of the world; forces may depend on it
-    std::vector<engine::WarmStart::Memory> warm_start{};  // one per body; none when nothing has been solved yet
-    double substeps = 1.0;                                // asked for in the last step; fades from step to step
-    std::vector<engine::Lambda> distance_forces{};        // N, one a distance
-    engine::ContactCache contact_forces{};                // colliders are the bodies in their order
+    double time = 0.0;                                       // s, of the world; forces may depend on it
+    std::vector<engine::IslandSolver::Memory> warm_start{};  // one per body; none when nothing has been solved yet
+    double substeps = 1.0;                                   // asked for in the last step; fades from step to step
+    std::vector<engine::Lambda> distance_forces{};           // N, one a distance
+    engine::ContactCache contact_forces{};                   // colliders are the bodies in their order
 };
 
 }  // namespace pushfactor::demos

@@ -54,6 +54,11 @@ long whole_steps(const Settings& settings) {
     return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
 }
 
+std::string_view body_name(const Scene& scene, int body) {
+    const auto index = static_cast<std::size_t>(body);
+    return index < scene.bodies.size() ? std::string_view(scene.bodies[index].name) : "world";
+}
+
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
     : scene_(std::move(scene)), settings_(settings), division_(division_of(scene_, settings)), clock_(clock) {
     start();
@@ -107,9 +112,26 @@ void Simulation::step_engine(double dt) {
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
     sample_.count.multiply_adds += so_far.multiply_adds;
-    sample_.residual = std::max(sample_.residual, natural_residual(scene_.world.system(), scene_.world.lambda()));
+    const double residual = natural_residual(scene_.world.system(), scene_.world.lambda());
+    find_worst(residual);
+    sample_.count.islands_unsolved = std::max(sample_.count.islands_unsolved, so_far.islands_unsolved);
+    sample_.count.islands_contradicting =
+        std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
+    sample_.residual = std::max(sample_.residual, residual);
     sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
     ++sample_.substeps;
+}
+
+// While sample_.count is of the engine step that has just ended.
+void Simulation::find_worst(double residual) {
+    if (sample_.count.islands_unsolved > 0 && residual > largest_unsolved_) {
+        largest_unsolved_ = residual;
+        sample_.worst_unsolved = worst_unsolved(scene_.world);
+    }
+    if (sample_.count.islands_contradicting > 0 && !contradicted_) {
+        contradicted_ = true;
+        sample_.contradicting = worst_contradicting(scene_.world);
+    }
 }
 
 void Simulation::measure_state() {
@@ -145,9 +167,9 @@ void Simulation::require_finite_sample() const {
 }
 
 void Simulation::fail(std::size_t body, std::string_view quantity) const {
-    const std::string name = body < scene_.bodies.size() ? scene_.bodies[body].name : "world";
-    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name, name,
-                                     quantity, sample_.step, sample_.time));
+    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
+                                     body_name(scene_, static_cast<int>(body)), quantity, sample_.step,
+                                     sample_.time));
 }
 
 }  // namespace pushfactor::demos

@@ -4,6 +4,7 @@
 #include "demos/checkpoint.h"
 #include "demos/scene.h"
 #include "demos/step_division.h"
+#include "demos/worst_row.h"
 #include "engine/diagnostics.h"
 #include "engine/penetration.h"
 
@@ -12,8 +13,9 @@
 
 namespace pushfactor::demos {
 
-// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed, residual and
-// length error are the largest, rows, columns and islands are those of the last.
+// What one step of the run was like. A run step is `substeps` engine steps: their sweeps are summed; residual,
+// length error and the islands that were not solved or have rows that contradict each other are the largest of any;
+// rows, columns and other islands are those of the last.
 struct Sample {
     long step = 0;
     double time = 0.0;                // s
@@ -28,10 +30,17 @@ struct Sample {
     std::string_view substep_rule;  // that asked for the most of them; empty when none did
     bool too_few_substeps = false;  // it asked for more than there may be
     std::optional<double> cpu_us;   // of the engine steps alone, when there is a clock
+
+    // Between whom, looked for only where somebody will ask: an unsolved step whose residual is the largest so far,
+    // and the first step whose rows contradict each other.
+    std::optional<BodyPair> worst_unsolved, contradicting;
 };
 
 // How many whole steps fit into settings.seconds.
 long whole_steps(const Settings& settings);
+
+// How messages call a body of the world.
+std::string_view body_name(const Scene& scene, int body);
 
 class Simulation {
   public:
@@ -56,6 +65,7 @@ class Simulation {
     void start();
     void divide_step();
     void step_engine(double dt);
+    void find_worst(double residual);
     void measure_state();
     void require_finite_state() const;
     void require_finite_sample() const;
@@ -67,6 +77,8 @@ class Simulation {
     Clock clock_;
     Sample sample_;
     Checkpoint before_;
+    double largest_unsolved_ = 0.0;  // m/s, residual of any engine step that was not solved
+    bool contradicted_ = false;      // rows of any engine step
 };
 
 }  // namespace pushfactor::demos

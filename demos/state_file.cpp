@@ -4,20 +4,23 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace pushfactor::demos {
 
 namespace {
 
 using engine::ContactCache;
+using engine::IslandSolver;
 using engine::Lambda;
 using engine::Vector3;
-using engine::WarmStart;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-const Keys state_keys{"time_s", "warm_start", "substeps", "distance_forces_n", "contact_forces"};
-const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps"};
+// Of the state itself, solved_exactly and kept_steps are from the time before each body had its own.
+const Keys state_keys{"time_s",         "warm_start",     "substeps",  "distance_forces_n",
+                      "contact_forces", "solved_exactly", "kept_steps"};
+const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -71,16 +74,26 @@ class BodyIndex {
     std::map<std::string, int, std::less<>> indices_;
 };
 
-std::vector<WarmStart::Memory> read_warm_start(const JsonReader& json, const SceneDescription& scene) {
+// What stands in `json` for whatever bodies it is about.
+IslandSolver::Memory read_memory(const JsonReader& json) {
+    IslandSolver::Memory memory;
+    if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();
+    if (json.has("kept_steps")) {
+        memory.forces.kept = static_cast<int>(whole_number(json.at("kept_steps"), 0.0, 1e9));
+    }
+    if (json.has("exact_debt_multiply_adds")) {
+        memory.debt.work = json.at("exact_debt_multiply_adds").number(0.0, 1e15);
+    }
+    if (json.has("exact_failures")) memory.debt.failures = json.at("exact_failures").number(0.0, 1e3);
+    return memory;
+}
+
+std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
-    std::vector<WarmStart::Memory> memory(scene.bodies.size());
+    std::vector<IslandSolver::Memory> memory(scene.bodies.size());
     for (const JsonReader& entry : json.elements()) {
         entry.require_object(warm_start_keys);
-        WarmStart::Memory common;
-        if (entry.has("solved_exactly")) common.exact = entry.at("solved_exactly").boolean();
-        if (entry.has("kept_steps")) {
-            common.kept = static_cast<int>(whole_number(entry.at("kept_steps"), 0.0, 1e9));
-        }
+        const IslandSolver::Memory common = read_memory(entry);
         for (const JsonReader& name : entry.at("bodies").elements()) {
             memory[static_cast<std::size_t>(indices.of(name))] = common;
         }
@@ -132,14 +145,19 @@ Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const 
 
 // Bodies that have the same to remember stand together; those that have nothing are left out.
 Json warm_start_json(const RunState& state, const SceneDescription& scene) {
-    std::map<std::pair<bool, int>, Json> names;
+    std::map<std::tuple<bool, int, double, double>, Json> names;
+    const std::tuple<bool, int, double, double> nothing{};
     for (std::size_t i = 0; i < scene.bodies.size() && i < state.warm_start.size(); ++i) {
-        const auto& [exact, kept] = state.warm_start[i];
-        if (exact || kept > 0) names[{exact, kept}].push_back(scene.bodies[i].name);
+        const auto& [forces, debt] = state.warm_start[i];
+        const std::tuple memory{forces.exact, forces.kept, debt.work, debt.failures};
+        if (memory != nothing) names[memory].push_back(scene.bodies[i].name);
     }
     Json json = Json::array();
     for (const auto& [memory, bodies] : names) {
-        json.push_back({{"bodies", bodies}, {"solved_exactly", memory.first}, {"kept_steps", memory.second}});
+        const auto& [exact, kept, debt, failures] = memory;
+        Json& group = json.emplace_back(Json{{"bodies", bodies}, {"solved_exactly", exact}, {"kept_steps", kept}});
+        if (debt > 0.0) group["exact_debt_multiply_adds"] = debt;
+        if (failures > 0.0) group["exact_failures"] = failures;
     }
     return json;
 }
@@ -158,6 +176,7 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     json.require_object(state_keys);
     RunState state;
     if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
+    state.warm_start.assign(scene.bodies.size(), read_memory(json));
     if (json.has("warm_start")) state.warm_start = read_warm_start(json.at("warm_start"), scene);
     if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
     state.distance_forces.resize(scene.distances.size());

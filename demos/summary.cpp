@@ -60,6 +60,11 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["max_kinetic_energy_j_last_second"] = measured.max_kinetic_energy_last_second();
     summary["max_upward_speed_m_per_s"] = measured.max_upward_speed();
     summary["residual_m_per_s_median"] = measured.median_residual();
+    const UnsolvedSteps& unsolved = measured.unsolved();
+    summary["residual_m_per_s_worst"] = unsolved.worst_residual;
+    summary["unsolved_steps"] = unsolved.count;
+    summary["first_unsolved_step"] = unsolved.first ? Json(unsolved.first->step) : Json(nullptr);
+    summary["contradicting_steps"] = unsolved.contradicting;
     summary["energy_initial_j"] = measured.initial_energy();
     summary["energy_final_j"] = measured.final_energy();
     summary["energy_gain_j"] = measured.energy_gain();

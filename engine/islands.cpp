@@ -52,29 +52,29 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
     for (const RowRun& run : island.runs) add_forces_of_pair(system, lambda, column, run.begin, run.end, forces);
 }
 
+double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
+                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations) {
+    accelerations.assign(at(island.body_count), Vector6::Zero());
+    for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+        const auto body = at(island.bodies[k]);
+        accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
+    }
+    double largest = 0.0;
+    each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
+        const double w =
+            row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) - system.b(j, column);
+        const double miss = row_residual(system, lambda, column, j, w);
+        if (!(miss <= largest)) largest = miss;
+    });
+    return largest;
+}
+
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda) {
     double largest = 0.0;
-    std::vector<Vector6> accelerations;  // by number in the island
+    std::vector<Vector6> forces(system.inverse_mass.size()), accelerations;
     for (Eigen::Index column = 0; column < island.columns; ++column) {
-        accelerations.assign(at(island.body_count), Vector6::Zero());
-        each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
-            accelerations[a] += row.jacobian.a * lambda(j, column);
-            accelerations[b] += row.jacobian.b * lambda(j, column);
-        });
-        for (std::size_t k = 0; k < accelerations.size(); ++k) {
-            const bool movable = k < island.bodies.size();
-            accelerations[k] = movable ? accelerate(system.inverse_mass[at(island.bodies[k])], accelerations[k])
-                                       : Vector6(Vector6::Zero());
-        }
-        each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
-            const double diagonal = system.diagonal[j];
-            if (diagonal <= 0.0) return;
-            const double w =
-                row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) - system.b(j, column);
-            const auto [low, high] = bounds_of(row, lambda, column);
-            const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
-            largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));
-        });
+        constraint_forces(system, island, lambda, column, forces);
+        largest = std::max(largest, natural_residual(system, island, lambda, column, forces, accelerations));
     }
     return largest;
 }

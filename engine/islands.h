@@ -43,6 +43,10 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
 // Natural-map residual of one island [m/s], as that of the system.
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
 
+// The same of one column, whose `forces` constraint_forces() has written. `accelerations` is memory to be reused.
+double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
+                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations);
+
 class Islands {
   public:
     // Finds the islands of `system`, in time linear in its rows and bodies; while the same rows act on the same

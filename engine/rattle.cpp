@@ -38,8 +38,8 @@ class RattleStep {
     // Takes the rows and their guesses where the step begins.
     void begin(double dt) {
         // Each step solves for its positions, so that no error grows while forces are kept.
-        world_.warm_start_.set_memory({});
-        world_.warm_start_.begin(world_.bodies.size());
+        world_.island_solver_.set_memory({});
+        world_.island_solver_.begin(world_.bodies.size());
         world_.append_rows(dt);
         require_bars(world_.rows_);
         world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);
@@ -99,11 +99,11 @@ class RattleStep {
 
     // The momenta after a kick by the external forces and by lambda.
     void kick_ahead(double kick) {
-        constraint_forces(world_.system_, world_.lambda_, 0, world_.moving_);
+        constraint_forces(world_.system_, world_.lambda_, 0, forces_.moving);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
             const Body& body = world_.bodies[i];
             if (body.is_static()) continue;
-            const Vector6& f_c = world_.moving_[i];
+            const Vector6& f_c = forces_.moving[i];
             ahead_[i].linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), kick);
             ahead_[i].angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), kick);
         }
@@ -167,13 +167,15 @@ class RattleStep {
 
     // Those whose moves have not ended.
     void solve_open_islands(Columns& lambda) {
+        world_.island_solver_.begin_another();
+        forces_.moving.resize(world_.bodies.size());
         int sweeps = 0;
         for (std::size_t k = 0; k < moves_.size(); ++k) {
             if (moves_[k].ended) continue;
             const Island& island = world_.islands_.all()[k];
             const solvers::SolveCount count =
-                world_.solver->solve(world_.system_, island, world_.termination, lambda);
-            world_.warm_start_.solved(island, count);
+                world_.island_solver_.solve(*world_.solver, world_.termination, world_.system_, island,
+                                            Budget::Take::rest, nullptr, lambda, forces_);
             sweeps = std::max(sweeps, count.iterations);
             work_.row_updates += 1.0 * island.rows * count.iterations;
             work_.multiply_adds += count.multiply_adds;
@@ -190,7 +192,8 @@ class RattleStep {
     World& world_;
     std::vector<Body> ahead_;
     std::vector<ConstraintRow> rows_ahead_;
-    Columns change_;           // of lambda, N
+    Columns change_;  // of lambda, N
+    ConstraintForces forces_;
     std::vector<Move> moves_;  // by island
     bool found_islands_ = false;
     World::Work work_;

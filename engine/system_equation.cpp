@@ -187,14 +187,10 @@ double natural_residual(const SystemEquation& system, const Columns& lambda) {
             forces[i] = accelerate(system.inverse_mass[i], forces[i]);
         }
         for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-            const double diagonal = system.diagonal[j];
-            if (diagonal <= 0.0) continue;
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
                              row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
-            const auto [low, high] = bounds_of(row, lambda, column);
-            const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
-            largest = std::max(largest, system.dt * diagonal * std::abs(lambda(j, column) - moved));
+            largest = std::max(largest, row_residual(system, lambda, column, j, w));
         }
     }
     return largest;

@@ -15,6 +15,9 @@
 #include "engine/constraint_row.h"
 #include "engine/math.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -95,8 +98,19 @@ inline Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen
     return {row.bounds.c_min * other, row.bounds.c_max * other};
 }
 
-// Natural-map residual [m/s]: the largest velocity that a row still gets wrong,
-// dt max_j A_jj |lambda_j - clamp(lambda_j - w_j / A_jj)| with w = A lambda - b, over all columns.
+// The velocity that row `j` still gets wrong [m/s], dt A_jj |lambda_j - clamp(lambda_j - w / A_jj)|, where `w` is
+// its part of A lambda - b [m/s^2]; infinite where something is not a number.
+inline double row_residual(const SystemEquation& system, const Columns& lambda, Eigen::Index column, Eigen::Index j,
+                           double w) {
+    const double diagonal = system.diagonal[j];
+    if (diagonal <= 0.0) return 0.0;
+    const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, column);
+    const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
+    const double miss = system.dt * diagonal * std::abs(lambda(j, column) - moved);
+    return std::isnan(miss) ? std::numeric_limits<double>::infinity() : miss;
+}
+
+// Natural-map residual [m/s]: the largest row_residual(), over all columns.
 double natural_residual(const SystemEquation& system, const Columns& lambda);
 
 }  // namespace pushfactor::engine

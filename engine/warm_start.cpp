@@ -2,13 +2,6 @@
 
 namespace pushfactor::engine {
 
-namespace {
-
-// Residual above which an exact solve means that rows contradict each other [m/s].
-constexpr double contradiction = 1e-3;
-
-}  // namespace
-
 void WarmStart::begin(std::size_t bodies) {
     memory_.resize(bodies);
     records_.assign(bodies, {});
@@ -16,7 +9,7 @@ void WarmStart::begin(std::size_t bodies) {
 
 void WarmStart::solved(const Island& island, const solvers::SolveCount& count) {
     Record record{.in_island = true,
-                  .contradicted = count.exact && count.residual > contradiction,
+                  .contradicted = count.contradicts,
                   .method = count.exact            ? Method::exact
                             : count.iterations > 0 ? Method::swept
                                                    : Method::kept};

@@ -34,7 +34,7 @@ class WarmStart {
     // start the motion again, the other way round. So after an exact solve the guess has to be as good as an
     // answer, and better, because what is left of the error grows while nothing is solved.
     solvers::Termination termination(const Island& island, solvers::Termination usual) const {
-        if (was_exact(island)) usual.tolerance_high = usual.tolerance_low = after_exact * usual.tolerance_low;
+        if (was_exact(island)) usual.tolerance_high = after_exact * usual.tolerance_low;
         return usual;
     }
 
@@ -64,7 +64,8 @@ class WarmStart {
     Next next(int body_a, int body_b) const {
         const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
         const Record& record = records_[a].in_island ? records_[a] : records_[b];
-        if (record.method != Method::swept) return {.share = 1.0, .nothing = record.contradicted};
+        if (record.contradicted) return {.share = 0.0, .nothing = true};
+        if (record.method != Method::swept) return {};
         int kept = records_[a].in_island ? memory_[a].kept : memory_[b].kept;
         if (records_[b].in_island) kept = std::min(kept, memory_[b].kept);
         return {.share = 1.0 / (1 + kept), .nothing = false};

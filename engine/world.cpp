@@ -12,8 +12,8 @@ namespace pushfactor::engine {
 namespace {
 
 // Limit on re-solves per step: each adds contacts for bodies that the last solve has thrown into something, one
-// more body of a chain of collisions each time.
-constexpr int most_looks = 8;
+// more body of a chain of collisions each time; one of them finishes what was left unsolved.
+constexpr int most_looks = 9;
 
 bool has_row_from(const Island& island, std::size_t first_row) {
     return static_cast<std::size_t>(island.runs.back().end) > first_row;
@@ -63,7 +63,7 @@ void World::append_rows(double dt) {
 void World::append_unforeseen(double dt) {
     for (std::size_t s = 0; s < constraints.size(); ++s) {
         const std::size_t begin = rows_.size();
-        constraints[s]->append_unforeseen(bodies, moving_, changed_, dt, rows_);
+        constraints[s]->append_unforeseen(bodies, forces_.moving, changed_, dt, rows_);
         if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
     }
 }
@@ -71,27 +71,32 @@ void World::append_unforeseen(double dt) {
 World::Work World::solve_and_look(double dt) {
     Work work = solve_islands();
     changed_.assign(bodies.size(), 1);
+    bool finished = false;
     for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
         append_unforeseen(dt);
-        if (rows_.size() == known) break;
-        extend_system(rows_, system_);
-        const Work again = solve_islands_again(known);
-        work.sweeps += again.sweeps;
-        work.row_updates += again.row_updates;
-        work.multiply_adds += again.multiply_adds;
+        if (rows_.size() > known) {
+            extend_system(rows_, system_);
+            work += solve_islands_again(known);
+        } else if (!finished) {
+            work += finish_islands();
+            finished = true;
+        } else {
+            break;
+        }
     }
     return work;
 }
 
 World::Work World::solve_islands() {
-    warm_start_.begin(bodies.size());
+    island_solver_.begin(bodies.size());
     islands_.find(system_);
     lambda_.resize(system_.row_count(), system_.column_count());
-    guess(0);
+    guess(0, lambda_);
+    forces_.moving.assign(bodies.size(), Vector6::Zero());
+    forces_.lasting.resize(bodies.size());
     Work work;
-    for (const Island& island : islands_.all()) solve(island, work);
-    constraint_forces(system_, lambda_, 0, moving_);
+    for (const Island& island : islands_.all()) solve(island, nullptr, work);
     return work;
 }
 
@@ -100,47 +105,61 @@ World::Work World::solve_islands_again(std::size_t first_new_row) {
     const bool second_column = system_.column_count() > lambda_.cols();
     lambda_.conservativeResize(system_.row_count(), system_.column_count());
     if (second_column) lambda_.col(1) = lambda_.col(0);
-    guess(first_new_row);
+    guess(first_new_row, lambda_);
+    first_guess_.resize(lambda_.rows(), lambda_.cols());
+    guess(0, first_guess_);
     changed_.assign(bodies.size(), 0);
     Work work;
     for (const Island& island : islands_.all()) {
         if (!has_row_from(island, first_new_row)) continue;
-        solve(island, work);
-        constraint_forces(system_, island, lambda_, 0, moving_);
+        solve(island, &first_guess_, work);
         for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
     }
     return work;
 }
 
-void World::guess(std::size_t first_row) {
-    const Eigen::Index last = lambda_.cols() - 1;
+World::Work World::finish_islands() {
+    changed_.assign(bodies.size(), 0);
+    Work work;
+    for (const Island& island : islands_.all()) {
+        if (!island_solver_.can_go_on(island, termination)) continue;
+        work.add(island, island_solver_.go_on(*solver, termination, system_, island, lambda_, forces_));
+        for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
+    }
+    return work;
+}
+
+void World::guess(std::size_t first_row, Columns& lambda) const {
+    const Eigen::Index last = lambda.cols() - 1;
     for (std::size_t j = first_row; j < rows_.size(); ++j) {
         const auto row = static_cast<Eigen::Index>(j);
-        lambda_(row, 0) = rows_[j].guess.first;
-        lambda_(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
+        lambda(row, 0) = rows_[j].guess.first;
+        lambda(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
     }
     for (const Island& island : islands_.all()) {
         if (island.columns > last || !has_row_from(island, first_row)) continue;
         for (const RowRun& run : island.runs) {
             for (int j = std::max(run.begin, static_cast<int>(first_row)); j < run.end; ++j) {
-                lambda_(j, 0) = lambda_(j, last);
+                lambda(j, 0) = lambda(j, last);
             }
         }
     }
     // A row that belongs to no island moves nothing.
     for (std::size_t j = first_row; j < rows_.size() && !islands_.hold_all_rows(); ++j) {
         const auto row = static_cast<Eigen::Index>(j);
-        if (!(system_.diagonal[row] > 0.0)) lambda_.row(row).setZero();
+        if (!(system_.diagonal[row] > 0.0)) lambda.row(row).setZero();
     }
 }
 
-void World::solve(const Island& island, Work& work) {
-    const solvers::SolveCount count =
-        solver->solve(system_, island, warm_start_.termination(island, termination), lambda_);
-    warm_start_.solved(island, count);
-    work.sweeps = std::max(work.sweeps, count.iterations);
-    work.row_updates += 1.0 * island.rows * island.columns * count.iterations;
-    work.multiply_adds += count.multiply_adds;
+void World::solve(const Island& island, Columns* first_guess, Work& work) {
+    work.add(island, island_solver_.solve(*solver, termination, system_, island, Budget::Take::half, first_guess,
+                                          lambda_, forces_));
+}
+
+void World::Work::add(const Island& island, const solvers::SolveCount& count) {
+    sweeps = std::max(sweeps, count.iterations);
+    row_updates += 1.0 * island.rows * island.columns * count.iterations;
+    multiply_adds += count.multiply_adds;
 }
 
 void World::remember() {
@@ -149,14 +168,14 @@ void World::remember() {
     for (const Island& island : islands_.all()) {
         for (const RowRun& run : island.runs) {
             const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
-            const WarmStart::Next next = warm_start_.next(first.body_a, first.body_b);
+            const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
             for (int j = run.begin; j < run.end; ++j) {
                 const auto row = static_cast<std::size_t>(j);
                 answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
             }
         }
     }
-    warm_start_.end();
+    island_solver_.end();
     hand_out_answers();
 }
 
@@ -180,9 +199,9 @@ void World::hand_out_answers() {
     }
 }
 
-void World::resume(double time, std::span<const WarmStart::Memory> warm_start) {
+void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
-    warm_start_.set_memory(warm_start);
+    island_solver_.set_memory(memory);
 }
 
 void World::prepare(double dt) {
@@ -198,32 +217,22 @@ bool World::has_lasting_force(std::size_t body) const {
     return island >= 0 && islands_.all()[static_cast<std::size_t>(island)].columns == 2;
 }
 
-void World::find_lasting_forces() {
-    lasting_.resize(bodies.size());
-    if (system_.column_count() < 2) return;
-    for (const Island& island : islands_.all()) {
-        if (island.columns == 2) constraint_forces(system_, island, lambda_, 1, lasting_);
-    }
-}
-
 void World::kick_back_half(double dt) {
     prepare(dt);
-    find_lasting_forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
-        const Vector6& f_c = has_lasting_force(i) ? lasting_[i] : moving_[i];
+        const Vector6& f_c = has_lasting_force(i) ? forces_.lasting[i] : forces_.moving[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
     }
 }
 
 void World::integrate(double dt) {
-    find_lasting_forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
-        const Vector6& f_cv = moving_[i];
+        const Vector6& f_cv = forces_.moving[i];
 
         // Momenta that live for this move only, where there is a single-frame push (8.1).
         const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
@@ -236,7 +245,7 @@ void World::integrate(double dt) {
             body.angular_momentum = l;
             continue;
         }
-        const Vector6& f_c0 = lasting_[i];
+        const Vector6& f_c0 = forces_.lasting[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
     }
@@ -248,7 +257,10 @@ StepCount World::count(const Work& work) const {
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
     count.islands = static_cast<int>(islands_.all().size());
     for (const Island& island : islands_.all()) {
-        switch (warm_start_.method_of(island)) {
+        const IslandSolver::Outcome& outcome = outcome_of(island);
+        count.islands_unsolved += !outcome.solved;
+        count.islands_contradicting += outcome.contradicts;
+        switch (method_of(island)) {
             case WarmStart::Method::kept:
                 ++count.islands_kept;
                 break;

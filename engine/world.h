@@ -2,11 +2,11 @@
 #pragma once
 
 #include "engine/integrator.h"
+#include "engine/island_solver.h"
 #include "engine/islands.h"
 #include "engine/solvers/solver.h"
 #include "engine/sources.h"
 #include "engine/system_equation.h"
-#include "engine/warm_start.h"
 
 #include <array>
 #include <memory>
@@ -27,14 +27,16 @@ class StageObserver {
 // What one step did.
 struct StepCount {
     std::array<int, row_kind_count> rows_of_kind{};  // by RowKind
-    int columns = 0;             // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
-    int islands = 0;             // of bodies that rows join
-    int islands_kept = 0;        // whose last forces were good enough
-    int islands_swept = 0;       // that were solved by sweeps, or other iterations
-    int islands_exact = 0;       // that were solved to rounding
-    int sweeps = 0;              // iterations of the solver, on the island with the most of them
-    double row_updates = 0.0;    // rows times columns times iterations, of all islands
-    double multiply_adds = 0.0;  // of the solver
+    int columns = 0;                // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
+    int islands = 0;                // of bodies that rows join
+    int islands_kept = 0;           // whose last forces were good enough
+    int islands_swept = 0;          // that were solved by sweeps, or other iterations
+    int islands_exact = 0;          // that were solved to rounding
+    int islands_unsolved = 0;       // of those that were worked on, with more than the upper tolerance left
+    int islands_contradicting = 0;  // in which an exact method found rows that no forces can satisfy together
+    int sweeps = 0;                 // iterations of the solver, on the island with the most of them
+    double row_updates = 0.0;       // rows times columns times iterations, of all islands
+    double multiply_adds = 0.0;     // of the solver
 
     int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
     int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
@@ -66,8 +68,8 @@ class World {
 
     // What a world carries from step to step beside its bodies and what its sources remember: the time and this,
     // one per body. With all of it a world that was made anew goes on as the old one would have.
-    std::span<const WarmStart::Memory> warm_start() const { return warm_start_.memory(); }
-    void resume(double time, std::span<const WarmStart::Memory> warm_start);
+    void take_memory(std::vector<IslandSolver::Memory>& memory) const { island_solver_.take_memory(memory); }
+    void resume(double time, std::span<const IslandSolver::Memory> memory);
 
     // The rows, the system and its answer of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_; }
@@ -76,7 +78,12 @@ class World {
 
     // The islands of the last step, and what it did with one of them.
     const Islands& islands() const { return islands_; }
-    WarmStart::Method method_of(const Island& island) const { return warm_start_.method_of(island); }
+    WarmStart::Method method_of(const Island& island) const {
+        return island_solver_.warm_start().method_of(island);
+    }
+    const IslandSolver::Outcome& outcome_of(const Island& island) const {
+        return island_solver_.outcome_of(island);
+    }
 
   private:
     friend class RattleStep;  // another step, made of the same stages (rattle.h)
@@ -85,24 +92,32 @@ class World {
     struct Work {
         int sweeps = 0;
         double row_updates = 0.0, multiply_adds = 0.0;
+
+        void add(const Island& island, const solvers::SolveCount& count);
+        void operator+=(const Work& other) {
+            sweeps += other.sweeps;
+            row_updates += other.row_updates;
+            multiply_adds += other.multiply_adds;
+        }
     };
 
     void add_forces();
     void append_rows(double dt);
     void append_unforeseen(double dt);
-    void guess(std::size_t first_row);
-    void solve(const Island& island, Work& work);
-    // Solves all islands from the guesses of their rows and writes moving_.
+    void guess(std::size_t first_row, Columns& lambda) const;
+    void solve(const Island& island, Columns* first_guess, Work& work);
+    // Solves all islands from the guesses of their rows and writes forces_.
     Work solve_islands();
     // Solves the islands with new rows once more, these rows from their guesses and the others from what has been
     // found.
     Work solve_islands_again(std::size_t first_new_row);
+    // Gives the islands that are not solved the iterations that are left.
+    Work finish_islands();
     // Solves, and again with more rows while the answer takes bodies where no source foresaw them.
     Work solve_and_look(double dt);
     void remember();
     void hand_out_answers();
-    // Writes lasting_. Where an island has one column, the forces that move its bodies are those that last.
-    void find_lasting_forces();
+    // Where an island has one column, the forces that move its bodies are those that last.
     bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
     StepCount count(const Work& work) const;
@@ -117,12 +132,11 @@ class World {
     std::vector<Appended> appended_;
     SystemEquation system_;
     Islands islands_;
-    WarmStart warm_start_;
-    Columns lambda_;
+    IslandSolver island_solver_;
+    Columns lambda_, first_guess_;
     std::vector<char> changed_;  // one per body, whether the last solves may have given it another force
     std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row
-    std::vector<Vector6> moving_;                      // f_cv = J^T Lambda.first, N and N m
-    std::vector<Vector6> lasting_;  // f_c0 = J^T Lambda.last, of bodies whose island has two columns
+    ConstraintForces forces_;
 };
 
 }  // namespace pushfactor::engine

@@ -140,6 +140,9 @@ void render_job(const Job& job, const Request& request, pictures::Studio& studio
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
     make_frames(job, request, runs, film, times);
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        fmt::print(stderr, "{}", runs[i].warnings(job.panels[i].label));
+    }
 }
 
 // On standard error, because data may be on standard output.

@@ -3,6 +3,8 @@
 #include "demos/output_file.h"
 #include "demos/progress.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pushfactor::demos::commands {
@@ -41,6 +43,7 @@ void run(const Request& request) {
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
+    fmt::print(stderr, "{}", observed.warnings());
 }
 
 }  // namespace pushfactor::demos::commands

@@ -3,10 +3,12 @@
 // about as much as a few sweeps. Where the bodies are connected like a heap it is the other way round: a
 // factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
 //
-// So, of each island: keep the guess when it is good; take the answer of a single row at once; solve a thread
+// So, of each island: take the answer of a single row at once; solve a thread
 // exactly, and a tree if that costs no more than its sweeps; sweep a heap. A heap whose sweeps end far from the
-// answer gets a bounded number of exact steps on top. The rules look at the structure and the residual, never at
-// the clock.
+// answer gets a bounded number of exact steps on top. A pile that begins to touch looks like a thread and is none:
+// exact answers have to pay off, which the account of the island knows (budget.h); one that is cut short gives back
+// the guess that it came with, and sweeps follow. The rules look at the structure, the residual and the account,
+// never at the clock.
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
@@ -20,32 +22,33 @@ namespace {
 
 // From here on not even the order of elimination is worth finding out.
 constexpr double pairs_of_a_heap = 2.2;
-// Factorisations of an exact answer, at least: cut short it is worth little, and the iterations of a scene are
-// meant for sweeps.
-constexpr int factorisations_of_a_thread = 100;
+// Factorisations that an exact answer takes at least where something has changed.
+constexpr double least_factorisations = 2.0;
+// Sweeps below which those of a heap may not have got anywhere: what looks have left of them. An island of so many
+// bodies gets its exact steps then, however they are connected.
+constexpr int enough_sweeps = 7;
+constexpr int small_island = 32;
 // What is left after the sweeps of a heap that calls for exact steps [m/s].
 constexpr double far = 3e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
-
-// What roundings leave of the largest speed that a row is asked for, where no tolerance is given.
-constexpr double rounding = 1e-12;
+// Share of the largest speed that a row is asked for below which an exact answer is one, though it may have
+// stopped short of the tolerance.
+constexpr double good_share = 1e-6;
 
 template <int columns>
 class Auto {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                      Columns& lambda) {
-        if (island.rows == 1) return solve_single_row(system, island, termination, lambda);
+        if (island.rows == 1) return solve_single_row(system, island, lambda);
         SolveCount count;
         rows_.load(system, island, lambda);
-        if (keeps_guess(rows_, termination, count)) return count;
         exact_.take(island);
-        if (exact_.pairs() <= pairs_of_a_thread * island.movable()) {
+        const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
+        if (is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
-        } else if (exact_.is_tree() && !rows_.bounds_follow()) {
-            solve_tree(termination, count);
         } else {
             solve_heap(island, termination, count);
         }
@@ -56,34 +59,44 @@ class Auto {
   private:
     void solve_thread(const Termination& termination, SolveCount& count) {
         exact_.plan();
-        exact_.solve(rows_, termination.tolerance_low, std::max(termination.iterations, factorisations_of_a_thread),
-                     count);
-        count.exact = true;
+        const bool pays = columns * least_factorisations * exact_.factorisation(rows_) <= termination.credit;
+        if (!pays || !solve_exactly(termination, count)) work_down(rows_, termination, count, sweep<columns>);
     }
 
-    // Movable bodies connected without a cycle: the factor has no fill-in, and at rest one or two factorisations
-    // are enough. The budget is the cost of the sweeps, which follow when it is used up.
-    void solve_tree(const Termination& termination, SolveCount& count) {
-        exact_.plan();
-        const double sweeps = termination.iterations * rows_.pass_work();
-        const int factorisations = static_cast<int>(sweeps / (exact_.factor_work() + rows_.factor_rows_work()));
-        if (factorisations > 0) exact_.solve(rows_, termination.tolerance_low, factorisations, count);
-        const double enough = std::max(termination.tolerance_low, rounding * rows_.fastest());
-        count.exact = factorisations > 0 && count.residual <= enough;
-        if (!count.exact) work_down(rows_, termination, count, sweep<columns>);
+    // Returns whether that led anywhere; else the forces are those from before.
+    bool solve_exactly(const Termination& termination, SolveCount& count) {
+        guess_ = rows_.rows;
+        Effort effort(termination.credit);
+        count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
+        // What rows that contradict each other leave, sweeps cannot lower either.
+        count.exhausted = count.contradicts;
+        if (count.exact || count.contradicts) return true;
+        count.multiply_adds += rows_.look_work();
+        if (rows_.residual() <= good_share * rows_.fastest()) return true;
+        count.gave_up = true;
+        rows_.rows = guess_;
+        rows_.follow();
+        return false;
     }
 
     void solve_heap(const Island& island, const Termination& termination, SolveCount& count) {
         if (work_down(rows_, termination, count, sweep<columns>)) return;
-        if (exact_.pairs() > pairs_of_a_heap * island.movable()) return;
+        const bool few_sweeps = termination.iterations < enough_sweeps && island.movable() <= small_island;
+        if (!few_sweeps && exact_.pairs() > pairs_of_a_heap * island.movable()) return;
         count.multiply_adds += rows_.look_work();
-        if (rows_.residual() <= far) return;
+        const double swept = rows_.residual();
+        if (swept <= far) return;
         exact_.plan();
-        if (exact_.factor_work() > sweeps_an_exact_step * rows_.pass_work()) return;
-        exact_.solve(rows_, termination.tolerance_low, exact_steps, count);
+        const double factorisation = exact_.factorisation(rows_);
+        if (factorisation > sweeps_an_exact_step * rows_.pass_work()) return;
+        if (exact_steps * columns * factorisation > termination.credit) return;
+        Effort effort(termination.credit, exact_steps);
+        exact_.solve(rows_, termination.tolerance_low, effort, count);
+        count.gave_up = rows_.residual() > 0.5 * swept;
     }
 
     UnitRows<columns> rows_;
+    std::vector<typename UnitRows<columns>::Row> guess_;
     ExactAnswer exact_;
 };
 

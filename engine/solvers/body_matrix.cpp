@@ -1,129 +1,16 @@
 #include "engine/solvers/body_matrix.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <iterator>
-#include <set>
 
 namespace pushfactor::engine::solvers {
 
-void BodyMatrix::connect(std::size_t bodies, std::span<const std::pair<int, int>> pairs,
-                         std::span<const int> alone) {
-    if (bodies == bodies_ && std::equal(pairs.begin(), pairs.end(), connected_.begin(), connected_.end()) &&
-        std::equal(alone.begin(), alone.end(), alone_.begin(), alone_.end())) {
-        return;
-    }
-    bodies_ = bodies;
-    connected_.assign(pairs.begin(), pairs.end());
-    alone_.assign(alone.begin(), alone.end());
-
-    std::vector<std::vector<int>> neighbours(bodies);
-    node_of_.assign(bodies, -1);
-    for (const int body : alone) node_of_[static_cast<std::size_t>(body)] = 0;
-    for (const auto& [a, b] : pairs) {
-        node_of_[static_cast<std::size_t>(a)] = node_of_[static_cast<std::size_t>(b)] = 0;
-        neighbours[static_cast<std::size_t>(a)].push_back(b);
-        neighbours[static_cast<std::size_t>(b)].push_back(a);
-    }
-    order_nodes(std::move(neighbours));
-    plan();
-}
-
-// Least degree first; the neighbours of an eliminated body become neighbours of each other. Among equals the one
-// with the lowest index, so that the order depends on nothing else.
-void BodyMatrix::order_nodes(std::vector<std::vector<int>> neighbours) {
-    std::set<std::pair<std::size_t, int>> left;  // degree and body
-    for (std::size_t body = 0; body < bodies_; ++body) {
-        auto& own = neighbours[body];
-        std::sort(own.begin(), own.end());
-        own.erase(std::unique(own.begin(), own.end()), own.end());
-        if (node_of_[body] >= 0) left.insert({own.size(), static_cast<int>(body)});
-    }
-    nodes_.clear();
-    std::vector<std::vector<int>> below;  // as bodies
-    while (!left.empty()) {
-        const int body = left.begin()->second;
-        left.erase(left.begin());
-        const std::vector<int> around = std::move(neighbours[static_cast<std::size_t>(body)]);
-        for (const int other : around) {
-            std::vector<int> merged;
-            auto& own = neighbours[static_cast<std::size_t>(other)];
-            left.erase({own.size(), other});
-            std::set_union(own.begin(), own.end(), around.begin(), around.end(), std::back_inserter(merged));
-            std::erase_if(merged, [&](int b) { return b == body || b == other; });
-            own = std::move(merged);
-            left.insert({own.size(), other});
-        }
-        node_of_[static_cast<std::size_t>(body)] = static_cast<int>(nodes_.size());
-        nodes_.push_back({.body = body, .below = {}, .blocks = {}, .updates = {}});
-        below.push_back(around);
-    }
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        for (const int body : below[k]) nodes_[k].below.push_back(node_of_[static_cast<std::size_t>(body)]);
-        std::sort(nodes_[k].below.begin(), nodes_[k].below.end());
-    }
-}
-
-// Where each block of the factor lies, and which products go where.
-void BodyMatrix::plan() {
-    int count = static_cast<int>(nodes_.size());
-    for (Node& node : nodes_) {
-        for (std::size_t i = 0; i < node.below.size(); ++i) node.blocks.push_back(count++);
-    }
-    blocks_.resize(static_cast<std::size_t>(count));
-    factor_work_ = 0.0;
-    for (Node& node : nodes_) {
-        for (std::size_t j = 0; j < node.below.size(); ++j) {
-            for (std::size_t i = j; i < node.below.size(); ++i) {
-                const int target = i == j ? node.below[i] : block_between(node.below[j], node.below[i]);
-                node.updates.push_back({target, node.blocks[i], node.blocks[j]});
-            }
-        }
-        // Of the diagonal block, of each block below it, and of each product.
-        factor_work_ += 56.0 + 126.0 * static_cast<double>(node.below.size()) +
-                        216.0 * static_cast<double>(node.updates.size());
-    }
-}
-
-int BodyMatrix::block_between(int earlier, int later) const {
-    const Node& node = nodes_[static_cast<std::size_t>(earlier)];
-    const auto found = std::lower_bound(node.below.begin(), node.below.end(), later);
-    assert(found != node.below.end() && *found == later);
-    return node.blocks[static_cast<std::size_t>(found - node.below.begin())];
-}
-
-void BodyMatrix::set_identity() {
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (i < nodes_.size()) {
-            blocks_[i].setIdentity();
-        } else {
-            blocks_[i].setZero();
-        }
-    }
-}
-
-void BodyMatrix::add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight) {
-    const int node_a = node_of_[static_cast<std::size_t>(a)];
-    const int node_b = node_of_[static_cast<std::size_t>(b)];
-    const Vector6 weighted_a = weight * u_a;
-    if (node_a >= 0) blocks_[static_cast<std::size_t>(node_a)].noalias() += weighted_a * u_a.transpose();
-    if (node_b < 0) return;
-    const Vector6 weighted_b = weight * u_b;
-    blocks_[static_cast<std::size_t>(node_b)].noalias() += weighted_b * u_b.transpose();
-    if (node_a < 0 || node_a == node_b) return;
-    // A block belongs to the earlier node's column and the later node's row.
-    if (node_a < node_b) {
-        blocks_[static_cast<std::size_t>(block_between(node_a, node_b))].noalias() += weighted_b * u_a.transpose();
-    } else {
-        blocks_[static_cast<std::size_t>(block_between(node_b, node_a))].noalias() += weighted_a * u_b.transpose();
-    }
-}
+namespace {
 
 // Replaces the lower triangle of a symmetric positive definite matrix by the inverse of its Cholesky factor, and
 // what is above by zeros. With the inverse every further step is a product, without divisions that wait for each
 // other.
-void BodyMatrix::invert_factor(Matrix6& matrix) {
+void invert_factor(Matrix6& matrix) {
     Matrix6 inverse = Matrix6::Zero();
     for (int column = 0; column < 6; ++column) {
         for (int k = 0; k < column; ++k) {
@@ -141,41 +28,181 @@ void BodyMatrix::invert_factor(Matrix6& matrix) {
     matrix = inverse;
 }
 
-void BodyMatrix::factor() {
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const Node& node = nodes_[k];
-        invert_factor(blocks_[k]);
-        for (const int block : node.blocks) {
-            Matrix6& below = blocks_[static_cast<std::size_t>(block)];
-            below = (below * blocks_[k].transpose()).eval();
+// Replaces any matrix by its inverse: Gauss-Jordan with exchanges of rows. Not finite where it is singular.
+void invert(Matrix6& matrix) {
+    Matrix6 inverse = Matrix6::Identity();
+    for (int column = 0; column < 6; ++column) {
+        int pivot = column;
+        for (int row = column + 1; row < 6; ++row) {
+            if (std::abs(matrix(row, column)) > std::abs(matrix(pivot, column))) pivot = row;
         }
-        for (const Update& update : node.updates) {
-            blocks_[static_cast<std::size_t>(update.target)].noalias() -=
-                blocks_[static_cast<std::size_t>(update.left)] *
-                blocks_[static_cast<std::size_t>(update.right)].transpose();
+        if (pivot != column) {
+            matrix.row(pivot).swap(matrix.row(column));
+            inverse.row(pivot).swap(inverse.row(column));
+        }
+        const double to_unit = 1.0 / matrix(column, column);
+        matrix.row(column) *= to_unit;
+        inverse.row(column) *= to_unit;
+        for (int row = 0; row < 6; ++row) {
+            if (row == column) continue;
+            const double share = matrix(row, column);
+            matrix.row(row) -= share * matrix.row(column);
+            inverse.row(row) -= share * inverse.row(column);
+        }
+    }
+    matrix = inverse;
+}
+
+}  // namespace
+
+void BodyMatrix::begin(const Elimination& order) {
+    order_ = &order;
+    symmetric_ = true;
+    last_ = {};
+    blocks_.resize(order.block_count());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (i < order.nodes().size()) {
+            blocks_[i].setIdentity();
+        } else {
+            blocks_[i].setZero();
+        }
+    }
+}
+
+// A block belongs to the earlier node's column and the later node's row.
+const BodyMatrix::Between& BodyMatrix::between(int a, int b) {
+    if (last_.a != a || last_.b != b) {
+        const int node_a = node_of(a), node_b = node_of(b);
+        last_ = {.a = a,
+                 .b = b,
+                 .block = order_->block_between(std::min(node_a, node_b), std::max(node_a, node_b)),
+                 .a_first = node_a < node_b};
+    }
+    return last_;
+}
+
+void BodyMatrix::add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight) {
+    const int node_a = node_of(a), node_b = node_of(b);
+    const Vector6 weighted_a = weight * u_a;
+    if (node_a >= 0) block(node_a).noalias() += weighted_a * u_a.transpose();
+    if (node_b < 0) return;
+    const Vector6 weighted_b = weight * u_b;
+    block(node_b).noalias() += weighted_b * u_b.transpose();
+    if (node_a < 0 || node_a == node_b) return;
+    const Between& pair = between(a, b);
+    if (pair.a_first) {
+        block(pair.block).noalias() += weighted_b * u_a.transpose();
+    } else {
+        block(pair.block).noalias() += weighted_a * u_b.transpose();
+    }
+}
+
+void BodyMatrix::add_product(int a, const Vector6& v_a, const Vector6& u_a, int b, const Vector6& v_b,
+                             const Vector6& u_b) {
+    if (symmetric_) {
+        symmetric_ = false;
+        above_.assign(blocks_.size(), Matrix6::Zero());
+    }
+    const int node_a = node_of(a), node_b = node_of(b);
+    if (node_a >= 0) block(node_a).noalias() += v_a * u_a.transpose();
+    if (node_b >= 0) block(node_b).noalias() += v_b * u_b.transpose();
+    if (node_a < 0 || node_b < 0 || node_a == node_b) return;
+    const Between& pair = between(a, b);
+    const Matrix6 b_by_a = v_b * u_a.transpose(), a_by_b = v_a * u_b.transpose();
+    const Matrix6& below = pair.a_first ? b_by_a : a_by_b;
+    const Matrix6& over = pair.a_first ? a_by_b : b_by_a;
+    block(pair.block) += below;
+    above_[static_cast<std::size_t>(pair.block)] += over - below.transpose();
+}
+
+void BodyMatrix::factor() {
+    if (symmetric_) {
+        factor_symmetric();
+    } else {
+        factor_general();
+    }
+}
+
+void BodyMatrix::factor_symmetric() {
+    const auto& nodes = order_->nodes();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Elimination::Node& node = nodes[k];
+        invert_factor(blocks_[k]);
+        for (const int index : node.blocks) block(index) = (block(index) * blocks_[k].transpose()).eval();
+        for (const Elimination::Update& update : node.updates) {
+            block(update.target).noalias() -= block(update.left) * block(update.right).transpose();
+        }
+    }
+}
+
+// Of column k stay L_ik as they are, and D_k^-1 U_kj.
+void BodyMatrix::factor_general() {
+    const auto& nodes = order_->nodes();
+    for (std::size_t i = nodes.size(); i < blocks_.size(); ++i) above_[i] += blocks_[i].transpose();
+    const auto above = [this](int index) -> Matrix6& { return above_[static_cast<std::size_t>(index)]; };
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Elimination::Node& node = nodes[k];
+        invert(blocks_[k]);
+        for (const int index : node.blocks) above(index) = (blocks_[k] * above(index)).eval();
+        for (const Elimination::Update& update : node.updates) {
+            block(update.target).noalias() -= block(update.left) * above(update.right);
+            if (update.left == update.right) continue;
+            above(update.target).noalias() -= block(update.right) * above(update.left);
         }
     }
 }
 
 void BodyMatrix::solve(std::vector<Vector6>& x) const {
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        const Node& node = nodes_[k];
+    if (symmetric_) {
+        solve_symmetric(x);
+    } else {
+        solve_general(x);
+    }
+}
+
+void BodyMatrix::solve_symmetric(std::vector<Vector6>& x) const {
+    const auto& nodes = order_->nodes();
+    const auto body_of = [&nodes](int node) {
+        return static_cast<std::size_t>(nodes[static_cast<std::size_t>(node)].body);
+    };
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Elimination::Node& node = nodes[k];
         Vector6& own = x[static_cast<std::size_t>(node.body)];
         own = (blocks_[k] * own).eval();
         for (std::size_t i = 0; i < node.below.size(); ++i) {
-            const int body = nodes_[static_cast<std::size_t>(node.below[i])].body;
-            x[static_cast<std::size_t>(body)].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
+            x[body_of(node.below[i])].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
         }
     }
-    for (std::size_t k = nodes_.size(); k-- > 0;) {
-        const Node& node = nodes_[k];
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+        const Elimination::Node& node = nodes[k];
         Vector6& own = x[static_cast<std::size_t>(node.body)];
         for (std::size_t i = 0; i < node.below.size(); ++i) {
-            const int body = nodes_[static_cast<std::size_t>(node.below[i])].body;
             own.noalias() -=
-                blocks_[static_cast<std::size_t>(node.blocks[i])].transpose() * x[static_cast<std::size_t>(body)];
+                blocks_[static_cast<std::size_t>(node.blocks[i])].transpose() * x[body_of(node.below[i])];
         }
         own = (blocks_[k].transpose() * own).eval();
+    }
+}
+
+void BodyMatrix::solve_general(std::vector<Vector6>& x) const {
+    const auto& nodes = order_->nodes();
+    const auto body_of = [&nodes](int node) {
+        return static_cast<std::size_t>(nodes[static_cast<std::size_t>(node)].body);
+    };
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Elimination::Node& node = nodes[k];
+        Vector6& own = x[static_cast<std::size_t>(node.body)];
+        own = (blocks_[k] * own).eval();
+        for (std::size_t i = 0; i < node.below.size(); ++i) {
+            x[body_of(node.below[i])].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
+        }
+    }
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+        const Elimination::Node& node = nodes[k];
+        Vector6& own = x[static_cast<std::size_t>(node.body)];
+        for (std::size_t i = 0; i < node.below.size(); ++i) {
+            own.noalias() -= above_[static_cast<std::size_t>(node.blocks[i])] * x[body_of(node.below[i])];
+        }
     }
 }
 

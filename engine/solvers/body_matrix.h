@@ -1,12 +1,14 @@
-// Symmetric positive definite matrices with a 6 x 6 block for each movable body, and their Cholesky factors: what a
-// solver needs that works on the bodies' velocities instead of on the rows' forces. The blocks outside of the
-// diagonal are where rows connect two bodies, and where elimination fills in.
+// Matrices with a 6 x 6 block for each movable body, and their factors: what a solver needs that works on the
+// bodies' velocities instead of on the rows' forces. The blocks outside of the diagonal are where rows connect two
+// bodies, and where elimination fills in (elimination.h).
+//
+// Symmetric positive definite while only add() has added to it: Cholesky factors. After add_product() it is
+// symmetric no more: L U factors, without exchanges between blocks.
 #pragma once
 
 #include "engine/math.h"
+#include "engine/solvers/elimination.h"
 
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace pushfactor::engine::solvers {
@@ -15,53 +17,48 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 class BodyMatrix {
   public:
-    // Which bodies are connected: pairs of body indices below `bodies`, in any order and number. A body that is in
-    // no pair and not in `alone` has no block. Orders the bodies by least degree, so that little fills in. Does
-    // nothing when nothing has changed since the last call.
-    void connect(std::size_t bodies, std::span<const std::pair<int, int>> pairs, std::span<const int> alone);
+    // Makes it the unit matrix, to be factorised in this order, which must outlive its use.
+    void begin(const Elimination& order);
 
-    // Multiply-adds of one factorisation.
-    double factor_work() const { return factor_work_; }
-    std::size_t block_count() const { return blocks_.size(); }
-    double solve_work() const { return 72.0 * static_cast<double>(blocks_.size()); }
-
-    void set_identity();
-
-    // Adds weight u u^T for u = (u_a at body a, u_b at body b); a body without a block is skipped (below zero).
+    // Adds weight u u^T for u = (u_a at body a, u_b at body b). A body without a block is skipped. Two bodies with
+    // blocks must be connected.
     void add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight);
 
-    // Replaces the matrix by its factor; the diagonal blocks of that by their inverses.
+    // Adds v u^T for v = (v_a at body a, v_b at body b) and u likewise.
+    void add_product(int a, const Vector6& v_a, const Vector6& u_a, int b, const Vector6& v_b, const Vector6& u_b);
+
+    // Replaces the matrix by its factors; the diagonal blocks of those by their inverses.
     void factor();
 
-    // Solves for a vector with six entries a body, in place; entries of bodies without a block stay.
+    // Solves for a vector with six entries per body, in place; entries of bodies without a block stay.
     void solve(std::vector<Vector6>& x) const;
 
-    bool has(int body) const { return node_of_[static_cast<std::size_t>(body)] >= 0; }
+    // Multiply-adds of factor() for the matrix as it is.
+    double factor_work() const { return symmetric_ ? order_->symmetric_work() : order_->general_work(); }
+    double solve_work() const { return order_->solve_work(); }
 
   private:
-    struct Update {
-        int target, left, right;  // blocks: target -= left right^T
+    // The block of two bodies, the node of the earlier one, and whether that is the first of them.
+    struct Between {
+        int a = -1, b = -1;
+        int block = 0;
+        bool a_first = true;
     };
-    struct Node {
-        int body = 0;
-        std::vector<int> below;   // nodes later in the order that are connected, ascending
-        std::vector<int> blocks;  // of them, in that order
-        std::vector<Update> updates;
-    };
+    int node_of(int body) const { return order_->node_of(body); }
+    Matrix6& block(int index) { return blocks_[static_cast<std::size_t>(index)]; }
+    const Between& between(int a, int b);
+    void factor_symmetric();
+    void factor_general();
+    void solve_symmetric(std::vector<Vector6>& x) const;
+    void solve_general(std::vector<Vector6>& x) const;
 
-    static void invert_factor(Matrix6& matrix);
-    void order_nodes(std::vector<std::vector<int>> neighbours);
-    void plan();
-    int block_between(int earlier, int later) const;
-
-    std::vector<std::pair<int, int>> connected_;  // what connect() was asked for
-    std::vector<int> alone_;
-    std::size_t bodies_ = 0;
-
-    std::vector<int> node_of_;  // of a body, by its place in the order; -1 without a block
-    std::vector<Node> nodes_;
-    std::vector<Matrix6> blocks_;  // the diagonal ones first
-    double factor_work_ = 0.0;
+    const Elimination* order_ = nullptr;
+    bool symmetric_ = true;
+    std::vector<Matrix6> blocks_;  // on and below the diagonal
+    // Above the diagonal, at the place of the block that mirrors it: first what it has beyond that one transposed,
+    // then the block itself, then that times the inverse of the diagonal block before it.
+    std::vector<Matrix6> above_;
+    Between last_;  // rows of the same two bodies come together
 };
 
 }  // namespace pushfactor::engine::solvers

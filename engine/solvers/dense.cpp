@@ -75,7 +75,6 @@ class Dense : public Solver {
                      Columns& lambda) override {
         const bool checked = termination.tolerance_high > 0.0;
         SolveCount count;
-        if (checked && natural_residual(system, island, lambda) <= termination.tolerance_high) return count;
 
         const MatrixX J = stacked_jacobian(system, island);
         const MatrixX A = J * stacked_inverse_mass(system, island) * J.transpose();

@@ -1,4 +1,6 @@
-// The exact answer every time the guess is not good enough (exact_answer.h).
+// The exact answer every time (exact_answer.h), up to a bound on its work. What is too
+// large for that is swept, and so is what the exact method cannot get to the end of: from the best that it has
+// found and from the guess, whichever leads farther.
 #include "engine/solvers/direct.h"
 
 #include "engine/solvers/by_columns.h"
@@ -10,29 +12,59 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
+// Sweeps after an exact method that did not get to the end, at most.
+constexpr int most_sweeps = 200;
+
 template <int columns>
 class Direct {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                      Columns& lambda) {
         if (island.rows == 1) {
-            SolveCount single = solve_single_row(system, island, termination, lambda);
-            single.exact = single.iterations > 0;
+            SolveCount single = solve_single_row(system, island, lambda);
+            single.exact = true;
             return single;
         }
         SolveCount count;
         rows_.load(system, island, lambda);
-        if (keeps_guess(rows_, termination, count)) return count;
+        guess_ = rows_.rows;
         exact_.take(island);
         exact_.plan();
-        exact_.solve(rows_, termination.tolerance_low, termination.iterations, count);
-        count.exact = true;
+        const double most = most_work_of_a_column * columns - termination.spent;
+        if (usual_factorisations * columns * exact_.factorisation(rows_) <= most) {
+            Effort effort(most, termination.iterations);
+            count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
+        }
+        count.gave_up = !count.exact;
+        count.exhausted = true;
+        if (count.gave_up && !count.contradicts) {
+            sweep_from(Rows(rows_.rows), termination, count);
+            if (rows_.residual() > termination.tolerance_low) sweep_from(guess_, termination, count);
+        }
         rows_.store(system, island, lambda);
         return count;
     }
 
   private:
+    using Rows = std::vector<typename UnitRows<columns>::Row>;
+
+    // Takes what sweeps make of `start` where it is better than what there is.
+    void sweep_from(const Rows& start, const Termination& termination, SolveCount& count) {
+        const Rows before = rows_.rows;
+        const double reached = rows_.residual();
+        rows_.rows = start;
+        rows_.follow();
+        Termination sweeps = termination;
+        sweeps.iterations = std::min(termination.iterations, most_sweeps);
+        work_down(rows_, sweeps, count, sweep<columns>);
+        count.multiply_adds += 2.0 * rows_.look_work();
+        if (rows_.residual() < reached) return;
+        rows_.rows = before;
+        rows_.follow();
+    }
+
     UnitRows<columns> rows_;
+    Rows guess_;
     ExactAnswer exact_;
 };
 

@@ -8,153 +8,269 @@ namespace {
 
 using Row = UnitProblem::Row;
 
-constexpr double unbounded_weight = 1e7;
-constexpr double largest_weight = 1e12;
-// What is kept of the way to the nearest bound.
-constexpr double share_of_the_way = 0.995;
-constexpr int most_steps = 80;
-constexpr int most_without_gain = 40;
+// Smaller is better, until the roundings of the factors show: earlier where they are not symmetric.
+constexpr double delta_symmetric = 1e-8;
+constexpr double delta_general = 1e-7;
+// An error of a distance below this share of the force is none: near the end distances are smaller than it.
+constexpr double rounding = 1e-15;
+// Bounds that are nearer to each other than this share of a typical force of the problem leave nothing to solve
+// for. On the way between two such bounds every step would end after as small a share of it.
+constexpr double thin = 1e-9;
+// Least distance from a bound at the start, as a share of a typical force.
+constexpr double least_distance = 1e-6;
+// A predictor that can go no further than this foresees nothing.
+constexpr double short_predictor = 0.1;
+constexpr double sigma_without_predictor = 0.3;
+// What is gone of the way to the nearest bound, and when that is nearly the whole step.
+constexpr double most_of_the_way = 0.99;
+constexpr double long_step = 0.9;
+constexpr double most_of_a_long_way = 0.9995;
+// Steps below this share, one after the other, after which a problem that is not convex is jammed.
+constexpr double short_step = 0.05;
+constexpr int most_short_steps = 6;
+// Steps after which nothing comes any more, where a gap that falls to this share of itself is a gain.
+constexpr double gain = 0.9;
+constexpr int most_without_gain = 10;
 
 }  // namespace
 
-// Inside the bounds, at a distance that suits the problem, with multipliers of that size.
-void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>& y) {
+// The largest change of a force that a row asks for by itself, now or without any force.
+double InteriorPoint::typical_force(const UnitProblem& problem, const std::vector<double>& y) const {
     double typical = std::numeric_limits<double>::min();
     for (std::size_t j = 0; j < y.size(); ++j) {
-        typical = std::max({typical, std::abs(problem.rows[j].t), std::abs(r_[j])});
+        const Row& row = problem.rows[j];
+        const double here = clamped(row, y[j] + r_[j], bound_scale(row, y)) - y[j];
+        const double from_zero = clamped(row, row.t, 1.0);
+        typical = std::max({typical, std::abs(here), row.leader < 0 ? std::abs(from_zero) : std::abs(row.t)});
     }
+    return typical;
+}
+
+// Inside the bounds, at a distance that suits the problem, with multipliers of that size.
+void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>& y) {
+    const double typical = typical_force(problem, y);
     points_.assign(y.size(), {});
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
-        point.y = y[j];
-        if (!(row.scale > 0.0) || !(row.high > row.low)) continue;
+        const Point* leader = row.leader < 0 ? nullptr : &points_[static_cast<std::size_t>(row.leader)];
+        const double scale = leader ? leader->y : 1.0;
+        const double low = row.low * scale, high = row.high * scale;
+        point.y = std::max(std::min(y[j], high), low);
+        const double width = row.high - row.low;  // for one that follows: at a typical force of its leader
+        if (!(row.scale > 0.0) || !(leader ? width > thin : width > thin * typical)) continue;
+        if (leader && !(leader->w > 0.0) && !(high - low > thin * typical)) continue;
         point.w = 1.0;
-        point.low = std::isfinite(row.low);
-        point.high = std::isfinite(row.high);
-        const double room = 0.5 * (row.high - row.low);
-        const double distance = std::min(typical, 0.5 * room);
-        if (point.low) point.y = std::max(point.y, row.low + distance);
-        if (point.high) point.y = std::min(point.y, row.high - distance);
-        if (point.low) point.z_low = typical;
-        if (point.high) point.z_high = typical;
+        if (leader) point.leader = row.leader;
+        const double distance = std::min(typical, 0.25 * (high - low));
+        const auto begin = [&](Bound& bound, double to_bound) {
+            bound.is = true;
+            bound.s = std::max(to_bound, least_distance * typical);
+            bound.z = typical;
+        };
+        if (std::isfinite(low)) point.y = std::max(point.y, low + distance);
+        if (std::isfinite(high)) point.y = std::min(point.y, high - distance);
+        if (std::isfinite(low)) begin(point.low, point.y - low);
+        if (std::isfinite(high)) begin(point.high, high - point.y);
+    }
+}
+
+// Judges the forces as they are, put within their bounds; then writes what Newton's step needs.
+void InteriorPoint::look(const UnitProblem& problem) {
+    y_.resize(points_.size());
+    for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
+    clamp(problem, y_);
+    follow(problem, y_, x_, r_);
+    best_.look(problem, y_, x_, r_);
+
+    for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
+    follow(problem, y_, x_, r_);
+    for (std::size_t j = 0; j < y_.size(); ++j) {
+        const Row& row = problem.rows[j];
+        Point& point = points_[j];
+        const double scale = bound_scale(row, y_);
+        const auto error = [&](double bound, double distance, double s) {
+            const double p = distance - s;
+            return std::abs(p) <= rounding * std::max(std::abs(bound), std::abs(point.y)) ? 0.0 : p;
+        };
+        if (point.low.is) point.low.error = error(row.low * scale, point.y - row.low * scale, point.low.s);
+        if (point.high.is) point.high.error = error(row.high * scale, row.high * scale - point.y, point.high.s);
     }
 }
 
 // The mean complementarity after `share` of the step.
-double InteriorPoint::gap(const UnitProblem& problem, double share) const {
+double InteriorPoint::mean_gap(double share) const {
+    const auto gap = [share](const Bound& bound) {
+        return bound.is ? (bound.s + share * bound.ds) * (bound.z + share * bound.dz) : 0.0;
+    };
     double sum = 0.0;
     int bounds = 0;
-    for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Point& point = points_[j];
-        const double y = point.y + share * point.dy;
-        // Added up so that the mirrored problem, whose bounds have changed sides, gives the same number.
-        const double low = point.low ? (y - problem.rows[j].low) * (point.z_low + share * point.dz_low) : 0.0;
-        const double high = point.high ? (problem.rows[j].high - y) * (point.z_high + share * point.dz_high) : 0.0;
-        sum += low + high;
-        bounds += point.low + point.high;
+    for (const Point& point : points_) {
+        sum += gap(point.low) + gap(point.high);
+        bounds += point.low.is + point.high.is;
     }
     return bounds > 0 ? sum / bounds : 0.0;
 }
 
-// The share of the step after which the first bound is met, at most 1.
-double InteriorPoint::longest_step(const UnitProblem& problem) const {
+// The share of the step after which the first distance or multiplier is zero, at most 1.
+double InteriorPoint::longest_step() const {
     double share = 1.0;
     const auto limit = [&share](double value, double change) {
         if (change < 0.0) share = std::min(share, -value / change);
     };
-    for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Point& point = points_[j];
-        if (point.low) {
-            limit(point.y - problem.rows[j].low, point.dy);
-            limit(point.z_low, point.dz_low);
-        }
-        if (point.high) {
-            limit(problem.rows[j].high - point.y, -point.dy);
-            limit(point.z_high, point.dz_high);
+    for (const Point& point : points_) {
+        for (const Bound* bound : {&point.low, &point.high}) {
+            if (!bound->is) continue;
+            limit(bound->s, bound->ds);
+            limit(bound->z, bound->dz);
         }
     }
     return share;
 }
 
-void InteriorPoint::factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count) {
-    matrix.set_identity();
+void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem) {
+    matrix_.begin(order);
+    pushed_.resize(problem.rows.size());
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
+        if (problem.bounds_follow) pushed_[j] = *row.unit;
         if (point.w == 0.0) continue;
-        double theta = 0.0;
-        if (point.low) theta += point.z_low / (point.y - row.low);
-        if (point.high) theta += point.z_high / (row.high - point.y);
-        point.w = point.low || point.high ? std::min(1.0 / theta, largest_weight) : unbounded_weight;
-        matrix.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
+        const double delta = problem.bounds_follow ? delta_general : delta_symmetric;
+        // Added up so that the mirrored problem, whose bounds have changed sides, gives the same number.
+        point.w = 1.0 / (delta + (point.low.ratio() + point.high.ratio()));
+        point.c = 0.0;
+        if (point.leader < 0) continue;
+        const auto leader = static_cast<std::size_t>(point.leader);
+        if (problem.rows[leader].a != row.a || problem.rows[leader].b != row.b) continue;
+        point.c = row.low * point.low.ratio() + row.high * point.high.ratio();
+        pushed_[leader].a += (point.w * point.c) * row.unit->a;
+        pushed_[leader].b += (point.w * point.c) * row.unit->b;
     }
-    matrix.factor();
-    ++count.iterations;
-    count.multiply_adds += 108.0 * static_cast<double>(points_.size()) + matrix.factor_work();
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+        const Row& row = problem.rows[j];
+        const Point& point = points_[j];
+        if (point.w == 0.0) continue;
+        if (problem.bounds_follow && row.leader < 0) {
+            matrix_.add_product(row.a, point.w * pushed_[j].a, row.unit->a, row.b, point.w * pushed_[j].b,
+                                row.unit->b);
+        } else {
+            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
+        }
+    }
+    matrix_.factor();
 }
 
-// The step towards a complementarity of `target`; with `second_order` the products of the last step's changes are
-// taken into account.
-void InteriorPoint::aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order,
-                        SolveCount& count) {
-    q_.resize(points_.size());
+// The step towards a complementarity of `target`, with `second_order` times the products of the last step's
+// changes.
+void InteriorPoint::aim(const UnitProblem& problem, double target, double second_order) {
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
-        const double to_low = point.y - row.low, to_high = row.high - point.y;
-        const double low = target - (second_order ? point.dy * point.dz_low : 0.0);
-        const double high = target + (second_order ? point.dy * point.dz_high : 0.0);
-        // Here the multipliers themselves; their change once dy is known.
-        point.dz_low = point.low ? low / to_low : 0.0;
-        point.dz_high = point.high ? high / to_high : 0.0;
-        q_[j] = r_[j] + (point.dz_low - point.dz_high);
-        push(row, point.w * q_[j], d_);
+        const auto aim_at = [&](Bound& bound) {
+            if (!bound.is) return;
+            // Here the multiplier while its row stays; its change once the step is known.
+            bound.dz = (target - second_order * bound.ds * bound.dz - bound.z * bound.error) / bound.s;
+        };
+        aim_at(point.low);
+        aim_at(point.high);
+        point.own = point.w * (r_[j] + (point.low.dz - point.high.dz));
+        if (point.c != 0.0) point.own += point.w * point.c * points_[static_cast<std::size_t>(point.leader)].own;
+        push(row, point.own, d_);
     }
-    matrix.solve(d_);
+    matrix_.solve(d_);
+    find_steps(problem);
+    // What the steps make of the velocities is not quite d, by the roundings of weights that differ by many
+    // decades.
+    missed_.assign(problem.bodies, Vector6::Zero());
+    for (std::size_t j = 0; j < points_.size(); ++j) push(problem.rows[j], points_[j].dy, missed_);
+    for (std::size_t i = 0; i < missed_.size(); ++i) missed_[i] -= d_[i];
+    matrix_.solve(missed_);
+    for (std::size_t i = 0; i < missed_.size(); ++i) d_[i] += missed_[i];
+    find_steps(problem);
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
-        point.dy = point.w * (q_[j] - along(row, d_));
-        if (point.low) point.dz_low -= point.z_low + point.z_low / (point.y - row.low) * point.dy;
-        if (point.high) point.dz_high -= point.z_high - point.z_high / (row.high - point.y) * point.dy;
+        if (point.w == 0.0) continue;
+        const double leader_step = point.leader < 0 ? 0.0 : points_[static_cast<std::size_t>(point.leader)].dy;
+        const auto step = [](Bound& bound, double ds) {
+            if (!bound.is) return;
+            bound.ds = ds + bound.error;
+            bound.dz -= bound.z + bound.ratio() * ds;
+        };
+        step(point.low, point.dy - row.low * leader_step);
+        step(point.high, (point.leader < 0 ? 0.0 : row.high * leader_step) - point.dy);
     }
-    count.multiply_adds += 2.0 * problem.look_work() + matrix.solve_work();
 }
 
-void InteriorPoint::go(const UnitProblem& problem, double share) {
+// The steps of the forces that follow from d.
+void InteriorPoint::find_steps(const UnitProblem& problem) {
     for (std::size_t j = 0; j < points_.size(); ++j) {
         Point& point = points_[j];
-        point.y = clamped(problem.rows[j], point.y + share * point.dy);
-        point.z_low += share * point.dz_low;
-        point.z_high += share * point.dz_high;
+        if (point.w == 0.0) continue;
+        double of_leader = 0.0;
+        if (point.c != 0.0) {
+            const Point& leader = points_[static_cast<std::size_t>(point.leader)];
+            of_leader = point.c * (leader.dy - leader.own);
+        }
+        point.dy = point.own + point.w * (of_leader - along(problem.rows[j], d_));
     }
 }
 
-double InteriorPoint::solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance, int factorisations,
-                            std::vector<double>& y, SolveCount& count) {
+void InteriorPoint::go(double share) {
+    for (Point& point : points_) {
+        point.y += share * point.dy;
+        for (Bound* bound : {&point.low, &point.high}) {
+            bound->s += share * bound->ds;
+            bound->z += share * bound->dz;
+        }
+    }
+}
+
+// Predictor, then corrector with the same factor. Returns the share of the step that was gone.
+double InteriorPoint::step(const Elimination& order, const UnitProblem& problem) {
+    factor(order, problem);
+    aim(problem, 0.0, 0.0);
+    const double foreseen = longest_step();
+    const double here = mean_gap(0.0);
+    double sigma = here > 0.0 ? std::pow(mean_gap(foreseen) / here, 3) : 0.0;
+    const bool blind = foreseen < short_predictor;
+    if (blind) sigma = std::max(sigma, sigma_without_predictor);
+    aim(problem, sigma * here, blind ? 0.0 : foreseen);
+    const double longest = longest_step();
+    const double share =
+        longest < 1.0 ? (longest > long_step ? most_of_a_long_way : most_of_the_way) * longest : 1.0;
+    go(share);
+    return share;
+}
+
+double InteriorPoint::solve(const Elimination& order, const UnitProblem& problem, double tolerance, int steps,
+                            std::vector<double>& y, Effort& effort, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     start(problem, y);
-    int without_gain = 0;
-    for (int k = 0; k < std::min(factorisations, most_steps) && without_gain < most_without_gain; ++k) {
-        y_.resize(points_.size());
-        for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
-        follow(problem, y_, x_, r_);
-        count.multiply_adds += 2.0 * problem.look_work();
-        without_gain = best_.look(problem, y_, x_, r_) ? 0 : without_gain + 1;
-        if (best_.residual() <= tolerance) break;
+    const double most = order.general_work() + problem.assembly_work();
+    double least_gap = std::numeric_limits<double>::infinity();
+    int without_gain = 0, short_steps = 0;
+    for (int k = 0; k <= steps; ++k) {
+        const double before = best_.residual();
+        look(problem);
+        // What natural residual a point far inside of its bounds has says little: the gap shows the way.
+        const double gap = mean_gap(0.0);
+        without_gain = best_.residual() < before || gap < gain * least_gap ? 0 : without_gain + 1;
+        least_gap = std::min(least_gap, gap);
+        const bool jammed = problem.bounds_follow && short_steps >= most_short_steps;
+        if (best_.residual() <= tolerance || without_gain > most_without_gain || jammed) break;
+        if (k == steps || !effort.affords(most)) break;
 
-        // Predictor, then corrector with the same factor.
-        factor(matrix, problem, count);
-        aim(matrix, problem, 0.0, false, count);
-        const double here = gap(problem, 0.0);
-        const double ahead = gap(problem, longest_step(problem));
-        const double sigma = here > 0.0 ? std::pow(ahead / here, 3) : 0.0;
-        aim(matrix, problem, sigma * here, true, count);
-        const double share = longest_step(problem);
-        go(problem, share < 1.0 ? share_of_the_way * share : 1.0);
+        const double share = step(order, problem);
+        short_steps = share < short_step ? short_steps + 1 : 0;
+        const double work = problem.assembly_work() + matrix_.factor_work() + 16.0 * problem.look_work() +
+                            4.0 * matrix_.solve_work();
+        effort.spend_factorisation(work);
+        count.multiply_adds += work;
+        ++count.iterations;
     }
     y = best_.y();
     return best_.residual();

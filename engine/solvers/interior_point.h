@@ -1,15 +1,31 @@
 // The box-constrained problem of 6.2.9 by a primal-dual interior point method (Mehrotra 1992), in the space of the
 // bodies' velocities like active_set.h, which is faster where it settles; this one goes its way through any number
-// of clamped rows in about twenty factorisations.
+// of clamped rows in some twenty factorisations.
 //
-//   (U U^T + Theta) dy = q      Theta = z_low / (y - low) + z_high / (high - y)
-//   (I + U^T W U) d = U^T W q,  dy = W (q - U d),  W = 1 / Theta
+// The distances s of a force from its bounds are unknowns of their own, which meet the bounds only at the end, and
+// a bound that follows another row (Coulomb friction, 5.4) moves with it in every Newton step. With the bounds
+// l = low y_i, h = high y_i of a row j that follows row i (y_i is 1 for any other row):
 //
-// Symbols as in unit_problem.h; z_low, z_high >= 0 multipliers of the bounds. A row without bounds has W = 1e7, a
-// proximal step, so that redundant rows do no harm.
+//   y - s_l = l,  y + s_h = h          both up to an error p that each step takes off
+//   s_l z_l = s_h z_h = target         which goes to zero
+//   U x - t = z_l - z_h
+//
+// and with Theta = delta + z_l/s_l + z_h/s_h, W = 1/Theta, c_j = low z_l/s_l + high z_h/s_h, q the right side that
+// is left when s and z are eliminated:
+//
+//   dy_j = W_j (q_j - u_j . d + c_j dy_i)
+//   (I + sum_j W_j u_j u_j^T + sum_i sum_j W_i W_j c_j u_j u_i^T) d = sum_j dy_j(d = 0) u_j
+//
+// Without rows that follow, the problem is convex and its matrix symmetric, and the method gets to the answer of
+// everything that has one. With them it is neither, and the method may be jammed between rows that wedge each
+// other.
+//
+// Symbols as in unit_problem.h; s distances, z >= 0 multipliers of the bounds [sqrt(kg) m/s], delta a proximal
+// parameter [1] around y as it is in a step, which makes redundant rows harmless; U x - t is -r.
 #pragma once
 
 #include "engine/solvers/body_matrix.h"
+#include "engine/solvers/effort.h"
 #include "engine/solvers/solver.h"
 #include "engine/solvers/unit_problem.h"
 
@@ -20,34 +36,48 @@ namespace pushfactor::engine::solvers {
 class InteriorPoint {
   public:
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
-    // `factorisations` are used up. Returns the residual that was reached [m/s]; y is the best that was seen
-    // among those that give the bodies no more energy than the guess or no force at all, and never worse than it
-    // was.
-    // `matrix` must be connected for the rows of the problem.
-    double solve(BodyMatrix& matrix, const UnitProblem& problem, double tolerance, int factorisations,
-                 std::vector<double>& y, SolveCount& count);
+    // `steps` factorisations or the effort are used up. Returns the residual that was reached [m/s]; y is the best
+    // that was seen among those that give the bodies no more energy than the guess or no force at all, and never
+    // worse than it was.
+    // `order` must connect the bodies of every row.
+    double solve(const Elimination& order, const UnitProblem& problem, double tolerance, int steps,
+                 std::vector<double>& y, Effort& effort, SolveCount& count);
 
   private:
-    // A row on its way. Without a bound the multiplier is zero and stays it.
+    // One bound of a row on its way: its distance, multiplier, and the steps of both.
+    struct Bound {
+        bool is = false;  // whether there is one
+        double s = 1.0, z = 0.0;
+        double error = 0.0;  // p, by which the distance is not s
+        double ds = 0.0, dz = 0.0;
+
+        double ratio() const { return is ? z / s : 0.0; }
+    };
     struct Point {
-        double y = 0.0;
-        double z_low = 0.0, z_high = 0.0;
-        double dy = 0.0, dz_low = 0.0, dz_high = 0.0;  // the step
-        double w = 0.0;                                // W; 0 for a row that cannot move
-        bool low = false, high = false;                // which bounds there are
+        double y = 0.0, dy = 0.0;
+        double w = 0.0;    // W; 0 for a row that stays where it is
+        double c = 0.0;    // c_j
+        int leader = -1;   // whose step its bounds follow
+        double own = 0.0;  // W q, its step while d and its leader's step are zero
+        Bound low, high;
     };
 
+    double typical_force(const UnitProblem& problem, const std::vector<double>& y) const;
     void start(const UnitProblem& problem, const std::vector<double>& y);
-    double gap(const UnitProblem& problem, double share) const;
-    double longest_step(const UnitProblem& problem) const;
-    void factor(BodyMatrix& matrix, const UnitProblem& problem, SolveCount& count);
-    void aim(const BodyMatrix& matrix, const UnitProblem& problem, double target, bool second_order,
-             SolveCount& count);
-    void go(const UnitProblem& problem, double share);
+    void look(const UnitProblem& problem);
+    double mean_gap(double share) const;
+    double longest_step() const;
+    void factor(const Elimination& order, const UnitProblem& problem);
+    void aim(const UnitProblem& problem, double target, double second_order);
+    void find_steps(const UnitProblem& problem);
+    void go(double share);
+    double step(const Elimination& order, const UnitProblem& problem);
 
+    BodyMatrix matrix_;
     std::vector<Point> points_;
-    std::vector<double> y_, r_, q_;
-    BodyVelocities x_, d_;
+    std::vector<Jacobian> pushed_;  // by row that others follow: u_i + sum_j W_j c_j u_j
+    std::vector<double> y_, r_;
+    BodyVelocities x_, d_, missed_;
     BestForces best_;
 };
 

@@ -34,7 +34,7 @@ class ConjugateSweeps {
         const bool checked = termination.tolerance_high > 0.0;
         rows_.load(system, island, lambda);
         SolveCount count;
-        if (checked && !start_from_guess(termination.tolerance_high, count)) return count;
+        if (checked) start_from_guess(count);
 
         forget_directions();
         while (count.iterations < termination.iterations) {
@@ -55,27 +55,18 @@ class ConjugateSweeps {
   private:
     using Values = std::array<double, columns>;
 
-    // False when the guess is good enough to be kept.
-    bool start_from_guess(double tolerance, SolveCount& count) {
-        best_residual_ = std::numeric_limits<double>::infinity();
-        if (look(count) <= tolerance) return false;
-        if (!project()) return true;
-        // What was looked at could not be an answer; what the bounds made of it can.
+    // What lies outside of its bounds could not be an answer, what the bounds make of it can.
+    void start_from_guess(SolveCount& count) {
+        project();
         best_residual_ = std::numeric_limits<double>::infinity();
         look(count);
-        return true;
     }
 
-    // Puts every row within its bounds. True when that moved one.
-    bool project() {
-        bool moved = false;
+    // Puts every row within its bounds.
+    void project() {
         for (auto& row : rows_.rows) {
-            for (int c = 0; c < columns; ++c) {
-                const double y = rows_.clamped(row, c, row.y[rows_.at(c)]);
-                if (rows_.set(row, c, y) != 0.0) moved = true;
-            }
+            for (int c = 0; c < columns; ++c) rows_.set(row, c, rows_.clamped(row, c, row.y[rows_.at(c)]));
         }
-        return moved;
     }
 
     void forget_directions() {

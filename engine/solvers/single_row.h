@@ -10,8 +10,7 @@
 namespace pushfactor::engine::solvers {
 
 // lambda = clamp(b / A_jj). Counted as the one sweep that it would take.
-inline SolveCount solve_single_row(const SystemEquation& system, const Island& island,
-                                   const Termination& termination, Columns& lambda) {
+inline SolveCount solve_single_row(const SystemEquation& system, const Island& island, Columns& lambda) {
     const Eigen::Index j = island.runs.front().begin;
     const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
     const double diagonal = system.diagonal[j];
@@ -23,14 +22,7 @@ inline SolveCount solve_single_row(const SystemEquation& system, const Island& i
     };
     const double first = answer(0);
     const double second = island.columns == 2 ? answer(1) : first;
-    SolveCount count;
-    if (termination.tolerance_high > 0.0) {
-        count.multiply_adds = 12.0 * island.columns;
-        const double change = std::max(std::abs(lambda(j, 0) - first), std::abs(lambda(j, last) - second));
-        if (system.dt * diagonal * change <= termination.tolerance_high) return count;
-    }
-    count.iterations = 1;
-    count.multiply_adds += 24.0 * island.columns;
+    SolveCount count{.iterations = 1, .multiply_adds = 24.0 * island.columns};
     lambda(j, 0) = first;
     lambda(j, last) = second;
     return count;

@@ -24,11 +24,15 @@ SolveCount Solver::solve(const SystemEquation& system, const Termination& termin
     }
     SolveCount all{.exact = !islands.all().empty()};
     for (const Island& island : islands.all()) {
+        const bool checked = termination.tolerance_high > 0.0;
+        if (checked && natural_residual(system, island, lambda) <= termination.tolerance_high) continue;
         const SolveCount count = solve(system, island, termination, lambda);
         all.iterations = std::max(all.iterations, count.iterations);
         all.multiply_adds += count.multiply_adds;
         all.exact = all.exact && count.exact;
-        all.residual = std::max(all.residual, count.residual);
+        all.exact_work += count.exact_work;
+        all.gave_up = all.gave_up || count.gave_up;
+        all.contradicts = all.contradicts || count.contradicts;
     }
     return all;
 }

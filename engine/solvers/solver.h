@@ -4,30 +4,38 @@
 #include "engine/islands.h"
 #include "engine/system_equation.h"
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
 
 namespace pushfactor::engine::solvers {
 
-// When to stop (6.2.3). The guess is checked first: while its natural-map residual is at most `tolerance_high`
-// nothing is solved; otherwise the solver works until the residual is at most `tolerance_low` or the iterations
-// are used up. Tolerances of zero give the paper's fixed number of iterations.
+// When to stop (6.2.3). While the natural-map residual of the guess is at most `tolerance_high` nothing needs to be
+// solved, which whoever calls a solver finds out; a solver works until the residual is at most `tolerance_low` or
+// the iterations are used up. Tolerances of zero give the paper's fixed number of iterations.
 //
 // Two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would circle
 // at the tolerance for ever instead of coming to rest.
+//
+// What exact methods may take is counted in multiply-adds and over all solves of a step (budget.h).
 struct Termination {
     int iterations = 25;          // 1 or more
     double tolerance_high = 0.0;  // m/s
-    double tolerance_low = 0.0;   // m/s, at most tolerance_high
+    double tolerance_low = 0.0;   // m/s, at most tolerance_high, but after an exact answer (warm_start.h)
+    double credit = std::numeric_limits<double>::infinity();  // that they may spend where they have to pay off
+    double spent = 0.0;                                       // that they have spent on these bodies in this step
 };
 
 // What a solve took.
 struct SolveCount {
-    int iterations = 0;          // of the solver's own kind; 0 when the guess was kept
+    int iterations = 0;          // of the solver's own kind
     double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
-    bool exact = false;          // whether it was solved by a method that goes to rounding
-    double residual = 0.0;       // m/s, what such a method has left; where rows contradict each other it is large
+    bool exact = false;          // whether it was solved to the tolerance by a method that goes to rounding
+    double exact_work = 0.0;     // multiply-adds, the share of such methods
+    bool gave_up = false;        // whether such a method was tried and did not get there
+    bool exhausted = false;      // whether more iterations would be of no use
+    bool contradicts = false;    // whether it found rows that no forces can satisfy together
 };
 
 class Solver {
@@ -40,7 +48,8 @@ class Solver {
     virtual SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                              Columns& lambda) = 0;
 
-    // Solves `system` island by island. Counts the most iterations of an island and the work of all of them.
+    // Solves `system` island by island, but for those whose guess will do. Counts the most iterations of an island
+    // and the work of all of them.
     SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda);
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace pushfactor::engine::solvers {
 
@@ -22,7 +21,7 @@ std::uint64_t hash_of(const Island& island, const Structure::Pairs& pairs) {
 }
 
 std::size_t size_of(const Structure& structure) {
-    return structure.all_pairs.size() + structure.matrix.block_count();
+    return structure.all_pairs.size() + structure.order.block_count();
 }
 
 }  // namespace
@@ -69,11 +68,9 @@ Structure& Structures::make(const Island& island, std::uint64_t hash) {
 
 void Structures::plan(Structure& structure) {
     if (structure.planned) return;
-    std::vector<int> bodies(static_cast<std::size_t>(structure.movable));
-    std::iota(bodies.begin(), bodies.end(), 0);
-    structure.matrix.connect(static_cast<std::size_t>(structure.body_count), structure.movable_pairs, bodies);
+    structure.order.find(structure.movable, structure.movable_pairs);
     structure.planned = true;
-    size_ += structure.matrix.block_count();
+    size_ += structure.order.block_count();
     forget_some();
 }
 

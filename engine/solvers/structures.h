@@ -4,7 +4,7 @@
 #pragma once
 
 #include "engine/islands.h"
-#include "engine/solvers/body_matrix.h"
+#include "engine/solvers/elimination.h"
 
 #include <cstdint>
 #include <list>
@@ -20,7 +20,7 @@ struct Structure {
     using Pairs = std::vector<std::pair<int, int>>;
     Pairs all_pairs;      // of bodies that rows connect, static ones included; ascending, each once
     Pairs movable_pairs;  // of those the ones of two movable bodies
-    BodyMatrix matrix;    // connected once plan() has been called
+    Elimination order;    // found once plan() has been called
     bool planned = false;
 };
 

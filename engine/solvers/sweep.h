@@ -36,14 +36,6 @@ template <int columns>
     return Lanes<columns>::largest(largest);
 }
 
-// Whether the guess is good enough to be kept (6.2.3).
-template <int columns>
-bool keeps_guess(UnitRows<columns>& rows, const Termination& termination, SolveCount& count) {
-    if (termination.tolerance_high <= 0.0) return false;
-    count.multiply_adds += rows.look_work();
-    return rows.residual() <= termination.tolerance_high;
-}
-
 // Repeats `pass`, which reads and writes every row once and returns the largest change of a row's velocity [m/s],
 // until the residual is at most the lower tolerance or the iterations are used up; all of them when tolerances are
 // zero. Returns whether the residual got there.
@@ -68,7 +60,6 @@ SolveCount iterate(UnitRows<columns>& rows, const SystemEquation& system, const 
                    const Termination& termination, Columns& lambda, Pass pass) {
     SolveCount count;
     rows.load(system, island, lambda);
-    if (keeps_guess(rows, termination, count)) return count;
     work_down(rows, termination, count, pass);
     rows.store(system, island, lambda);
     return count;

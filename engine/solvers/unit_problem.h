@@ -1,5 +1,5 @@
-// One column of the system in unit rows (unit_rows.h), as the exact methods take it: bounds are plain numbers. An
-// inner matter of the solvers.
+// One column of the system in unit rows (unit_rows.h), as the exact methods take it. An inner matter of the
+// solvers.
 //
 // Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
 // what the rows still miss.
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pushfactor::engine::solvers {
@@ -17,20 +18,39 @@ struct UnitProblem {
     struct Row {
         int a = 0, b = 0;                // bodies
         const Jacobian* unit = nullptr;  // u_j
-        double t = 0.0, low = 0.0, high = 0.0;
-        double scale = 0.0;  // m/s of a row for one unit of y; 0 for a row that cannot move anything
+        double t = 0.0;
+        double low = 0.0, high = 0.0;  // bounds of y, or factors of the leader's y
+        int leader = -1;               // a row before this one that its bounds follow
+        double scale = 0.0;            // m/s of a row for one unit of y; 0 for a row that cannot move anything
     };
     std::vector<Row> rows;
     std::size_t bodies = 0;
+    bool bounds_follow = false;  // whether some row has a leader
 
-    // Multiply-adds of a pass over the rows that only reads.
+    // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
+    // matrix that is to be factorised.
     double look_work() const { return 12.0 * static_cast<double>(rows.size()); }
+    double pass_work() const { return 2.0 * look_work(); }
+    double assembly_work() const { return (bounds_follow ? 180.0 : 108.0) * static_cast<double>(rows.size()); }
 };
 
 using BodyVelocities = std::vector<Vector6>;
 
-inline double clamped(const UnitProblem::Row& row, double y) {
-    return std::max(std::min(y, row.high), row.low);
+// What a row's bounds are to be multiplied with while the forces are `y`.
+inline double bound_scale(const UnitProblem::Row& row, const std::vector<double>& y) {
+    return row.leader < 0 ? 1.0 : y[static_cast<std::size_t>(row.leader)];
+}
+
+// `value` between the bounds of a row, multiplied with `scale`.
+inline double clamped(const UnitProblem::Row& row, double value, double scale) {
+    return std::max(std::min(value, row.high * scale), row.low * scale);
+}
+
+// Puts all forces within their bounds, those of leaders first.
+inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        y[j] = clamped(problem.rows[j], y[j], bound_scale(problem.rows[j], y));
+    }
 }
 
 // u_j . v
@@ -54,12 +74,14 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
 }
 
-// Natural residual [m/s] of a y with this r.
+// Natural residual [m/s] of a y with this r; not finite where one of them is not.
 inline double residual(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r) {
     double largest = 0.0;
     for (std::size_t j = 0; j < y.size(); ++j) {
         const UnitProblem::Row& row = problem.rows[j];
-        largest = std::max(largest, row.scale * std::abs(clamped(row, y[j] + r[j]) - y[j]));
+        const double change = clamped(row, y[j] + r[j], bound_scale(row, y)) - y[j];
+        if (std::isnan(change)) return change;
+        largest = std::max(largest, row.scale * std::abs(change));
     }
     return largest;
 }
@@ -86,6 +108,7 @@ class BestForces {
                const std::vector<double>& r) {
         y_ = y;
         residual_ = solvers::residual(problem, y, r);
+        if (!std::isfinite(residual_)) residual_ = std::numeric_limits<double>::infinity();
         allowed_ = std::max(0.0, objective(problem, y, x));
     }
 

@@ -203,11 +203,14 @@ class UnitRows {
     // Of adding all rows to a matrix that is to be factorised.
     double factor_rows_work() const { return 108.0 * static_cast<double>(rows.size()); }
 
-    // The largest speed that a row is asked for [m/s].
+    // The largest speed that a row asks for while there are no forces [m/s].
     double fastest() const {
         double largest = 0.0;
         for (const Row& row : rows) {
-            for (const double t : row.t) largest = std::max(largest, row.scale * std::abs(t));
+            if (row.of_row >= 0) continue;
+            for (const double t : row.t) {
+                largest = std::max(largest, row.scale * std::abs(std::max(std::min(t, row.high), row.low)));
+            }
         }
         return largest;
     }

@@ -34,10 +34,10 @@ TEST_CASE("islands that are connected alike share their structure, others have t
     CHECK(first->all_pairs.size() == 5);
     CHECK(first->movable_pairs.size() == 4);
     structures.plan(*first);
-    const double work = first->matrix.factor_work();
+    const double work = first->order.symmetric_work();
     CHECK(&structures.of(six.island) != first);
     CHECK(&structures.of(same.island) == first);
-    CHECK(structures.of(same.island).matrix.factor_work() == work);
+    CHECK(structures.of(same.island).order.symmetric_work() == work);
 
     // The order of rows is none of the structure.
     String reversed(5);
@@ -59,7 +59,7 @@ TEST_CASE("the oldest plans are forgotten when there are very many, and made aga
         Structure& own = structures.of(string.island);
         structures.plan(own);
         REQUIRE(own.planned);
-        REQUIRE(own.matrix.block_count() == static_cast<std::size_t>(2 * count - 1));
+        REQUIRE(own.order.block_count() == static_cast<std::size_t>(2 * count - 1));
     }
     CHECK_FALSE(structures.of(String(3).island).planned);  // 240,000 connections and blocks since then
     CHECK(structures.of(String(399).island).planned);

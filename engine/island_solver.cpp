@@ -1,0 +1,196 @@
+#include "engine/island_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Calls `visit` with each row of the island and each of its columns.
+template <typename Visit>
+void each_force(const Island& island, const Visit& visit) {
+    for (const RowRun& run : island.runs) {
+        for (Eigen::Index j = run.begin; j < run.end; ++j) {
+            for (Eigen::Index column = 0; column < island.columns; ++column) visit(j, column);
+        }
+    }
+}
+
+// An island of one column has the same forces in both.
+void copy_to_last(const Island& island, Columns& lambda) {
+    if (island.columns == lambda.cols()) return;
+    each_force(island,
+               [&](Eigen::Index j, Eigen::Index column) { lambda(j, lambda.cols() - 1) = lambda(j, column); });
+}
+
+// Puts the forces within their bounds, those of rows that others follow first. Returns whether one was not.
+bool clamp(const SystemEquation& system, const Island& island, Columns& lambda) {
+    bool changed = false;
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) {
+        const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, column);
+        const double within = std::max(std::min(lambda(j, column), high), low);
+        if (within == lambda(j, column)) return;
+        lambda(j, column) = within;
+        changed = true;
+    });
+    if (changed) copy_to_last(island, lambda);
+    return changed;
+}
+
+double larger(const std::array<double, 2>& residuals) {
+    return std::max(residuals[0], residuals[1]);
+}
+
+}  // namespace
+
+void IslandSolver::begin(std::size_t bodies) {
+    warm_start_.begin(bodies);
+    budget_.begin(bodies);
+    outcomes_.assign(bodies, {});
+}
+
+solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::Termination& usual,
+                                        const SystemEquation& system, const Island& island, Budget::Take take,
+                                        Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
+    const bool fixed_number = usual.tolerance_high <= 0.0;
+    const auto termination =
+        budget_.limits(island, warm_start_.termination(island, usual), fixed_number ? Budget::Take::rest : take);
+    Outcome outcome;
+    solvers::SolveCount count;
+    if (fixed_number) {
+        count = solver.solve(system, island, termination, lambda);
+        find_forces(system, island, lambda, forces);
+    } else {
+        outcome.residuals = measure(system, island, lambda, forces);
+        if (larger(outcome.residuals) > termination.tolerance_high) {
+            count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
+            outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
+        }
+    }
+    note(island, outcome, count);
+    if (!fixed_number) count.multiply_adds += 12.0 * island.rows * island.columns;
+    return count;
+}
+
+solvers::SolveCount IslandSolver::go_on(solvers::Solver& solver, const solvers::Termination& usual,
+                                        const SystemEquation& system, const Island& island, Columns& lambda,
+                                        ConstraintForces& forces) {
+    const auto termination = budget_.limits(island, usual, Budget::Take::rest);
+    Outcome outcome = outcome_of(island);
+    const solvers::SolveCount count =
+        find_better(solver, termination, system, island, nullptr, lambda, forces, outcome);
+    outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
+    note(island, outcome, count);
+    return count;
+}
+
+// From forces that have outcome.residuals. What lies outside of its bounds could not be an answer.
+solvers::SolveCount IslandSolver::find_better(solvers::Solver& solver, const solvers::Termination& termination,
+                                              const SystemEquation& system, const Island& island,
+                                              Columns* first_guess, Columns& lambda, ConstraintForces& forces,
+                                              Outcome& outcome) {
+    if (clamp(system, island, lambda)) outcome.residuals = measure(system, island, lambda, forces);
+    save(island, lambda);
+    solvers::SolveCount count = solver.solve(system, island, termination, lambda);
+    count.iterations = std::max(1, count.iterations);
+    Residuals found = measure(system, island, lambda, forces);
+    if (larger(found) > termination.tolerance_low) {
+        outcome.refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, found);
+    }
+    outcome.residuals = found;
+    outcome.contradicts = count.contradicts;
+    outcome.exhausted = count.exhausted;
+    count.exact = count.exact && !outcome.refused;
+    return count;
+}
+
+void IslandSolver::note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count) {
+    warm_start_.solved(island, count);
+    budget_.spent(island, count);
+    for (const int body : island.bodies) outcomes_[static_cast<std::size_t>(body)] = outcome;
+}
+
+void IslandSolver::find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
+                               ConstraintForces& forces) {
+    constraint_forces(system, island, lambda, 0, forces.moving);
+    if (island.columns == 2) constraint_forces(system, island, lambda, 1, forces.lasting);
+}
+
+IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, const Island& island,
+                                              const Columns& lambda, ConstraintForces& forces) {
+    find_forces(system, island, lambda, forces);
+    Residuals residuals{};
+    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, velocities_);
+    if (island.columns == 2) {
+        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, velocities_);
+    }
+    return residuals;
+}
+
+// Then every row misses what it asks for, w = -b; bounds contain zero or are as near to it as they can be.
+IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system, const Island& island) const {
+    Residuals residuals{};
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) {
+        const double diagonal = system.diagonal[j];
+        if (diagonal <= 0.0) return;
+        const Bounds& bounds = system.rows[static_cast<std::size_t>(j)].bounds;
+        const double wanted = bounds.of_row < 0 ? system.b(j, column) / diagonal : 0.0;
+        const double moved = std::min(std::max(wanted, bounds.c_min), bounds.c_max);
+        double& largest = residuals[static_cast<std::size_t>(column)];
+        largest = std::max(largest, system.dt * diagonal * std::abs(moved));
+    });
+    return residuals;
+}
+
+void IslandSolver::save(const Island& island, const Columns& lambda) {
+    saved_.clear();
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) { saved_.push_back(lambda(j, column)); });
+}
+
+// Of each column the best of what was found, what was there before, what the step began with, and nothing. Returns
+// whether that was another one than what was found for some column.
+bool IslandSolver::guard(const SystemEquation& system, const Island& island, const Residuals& guessed,
+                         Columns* first_guess, Columns& lambda, ConstraintForces& forces, Residuals& found) {
+    const Residuals nothing = of_no_forces(system, island);
+    if (first_guess) clamp(system, island, *first_guess);
+    const Residuals first = first_guess ? measure(system, island, *first_guess, forces) : guessed;
+    bool refused = false;
+    for (Eigen::Index column = 0; column < island.columns; ++column) {
+        const auto c = static_cast<std::size_t>(column);
+        const double best = std::min({guessed[c], first[c], nothing[c]});
+        if (found[c] <= best) continue;
+        refused = true;
+        found[c] = best;
+        std::size_t number = 0;
+        each_force(island, [&](Eigen::Index j, Eigen::Index of) {
+            const double saved = saved_[number++];
+            if (of != column) return;
+            lambda(j, column) = best == guessed[c] ? saved : best == nothing[c] ? 0.0 : (*first_guess)(j, column);
+        });
+    }
+    if (refused) copy_to_last(island, lambda);
+    if (refused || first_guess) find_forces(system, island, lambda, forces);
+    return refused;
+}
+
+void IslandSolver::take_memory(std::vector<Memory>& memory) const {
+    memory.clear();
+    for (std::size_t i = 0; i < warm_start_.memory().size(); ++i) {
+        memory.push_back({warm_start_.memory()[i], budget_.debts()[i]});
+    }
+}
+
+void IslandSolver::set_memory(std::span<const Memory> memory) {
+    std::vector<WarmStart::Memory> forces;
+    std::vector<Budget::Debt> debts;
+    for (const Memory& own : memory) {
+        forces.push_back(own.forces);
+        debts.push_back(own.debt);
+    }
+    warm_start_.set_memory(forces);
+    budget_.set_debts(debts);
+}
+
+}  // namespace pushfactor::engine

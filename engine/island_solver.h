@@ -1,0 +1,100 @@
+// The solve of one island in a step: whether its last forces will do (warm_start.h), what finding better ones may
+// cost (budget.h), and the guard around the solver. Whatever a solver does, what comes out is at most as bad as the
+// best of what the rows had before and of no forces at all, column by column, by the natural-map residual; a
+// residual that is not a number is worse than any.
+//
+// With tolerances of zero (the paper's fixed number of iterations) the answer is taken as it is.
+#pragma once
+
+#include "engine/budget.h"
+#include "engine/islands.h"
+#include "engine/solvers/solver.h"
+#include "engine/warm_start.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+// f_c = J^T lambda of both columns [N and N m, one per body]: what moves the bodies, and what sets their momenta.
+// The second one only for bodies whose island has two columns.
+struct ConstraintForces {
+    std::vector<Vector6> moving, lasting;
+};
+
+class IslandSolver {
+  public:
+    // What a step leaves to the next, of one body.
+    struct Memory {
+        WarmStart::Memory forces;
+        Budget::Debt debt;
+    };
+
+    // What became of an island in its last solve of the step.
+    using Residuals = std::array<double, 2>;  // m/s, of both columns; 0 of a second one that there is not
+    struct Outcome {
+        bool solved = true;        // whether that is within the tolerance; true where there is none
+        bool refused = false;      // whether the guard took other forces than those of the solver
+        bool contradicts = false;  // whether the solver found rows that no forces can satisfy together
+        bool exhausted = false;    // whether more iterations would be of no use
+        Residuals residuals{};     // of the forces as they are
+    };
+
+    // Before the first solve of a step.
+    void begin(std::size_t bodies);
+
+    // Between solves that are problems of their own, whose work does not count together.
+    void begin_another() { budget_.begin_another(); }
+
+    // Solves `island` from the forces in `lambda`, which receives the answer; writes f_c of its bodies. A solve
+    // beyond the first one of a step, because of more rows, passes as `first_guess` what that one began with, and
+    // may find it put within its bounds. When no more rows may come, it takes all iterations that are left.
+    solvers::SolveCount solve(solvers::Solver& solver, const solvers::Termination& usual,
+                              const SystemEquation& system, const Island& island, Budget::Take take,
+                              Columns* first_guess, Columns& lambda, ConstraintForces& forces);
+
+    // The same for an island that was solved in this step and has the same rows still.
+    solvers::SolveCount go_on(solvers::Solver& solver, const solvers::Termination& usual,
+                              const SystemEquation& system, const Island& island, Columns& lambda,
+                              ConstraintForces& forces);
+
+    // Whether the last solve of `island` in this step has left it unsolved, and iterations that may help.
+    bool can_go_on(const Island& island, const solvers::Termination& usual) const {
+        const Outcome& outcome = outcome_of(island);
+        return !outcome.solved && !outcome.exhausted && budget_.iterations_left(island, usual) > 0;
+    }
+
+    const Outcome& outcome_of(const Island& island) const {
+        return outcomes_[static_cast<std::size_t>(island.bodies.front())];
+    }
+    const WarmStart& warm_start() const { return warm_start_; }
+
+    // After the last solve of a step and what warm_start() has to say about its forces.
+    void end() { warm_start_.end(); }
+
+    void take_memory(std::vector<Memory>& memory) const;  // by body; empty before the first step
+    void set_memory(std::span<const Memory> memory);
+
+  private:
+    static void find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
+                            ConstraintForces& forces);
+    Residuals measure(const SystemEquation& system, const Island& island, const Columns& lambda,
+                      ConstraintForces& forces);
+    Residuals of_no_forces(const SystemEquation& system, const Island& island) const;
+    void save(const Island& island, const Columns& lambda);
+    solvers::SolveCount find_better(solvers::Solver& solver, const solvers::Termination& termination,
+                                    const SystemEquation& system, const Island& island, Columns* first_guess,
+                                    Columns& lambda, ConstraintForces& forces, Outcome& outcome);
+    bool guard(const SystemEquation& system, const Island& island, const Residuals& guessed, Columns* first_guess,
+               Columns& lambda, ConstraintForces& forces, Residuals& found);
+    void note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count);
+
+    WarmStart warm_start_;
+    Budget budget_;
+    std::vector<Outcome> outcomes_;    // by body, of its island
+    std::vector<double> saved_;        // lambda of the island at hand before it was solved
+    std::vector<Vector6> velocities_;  // of the island's bodies, while it is measured
+};
+
+}  // namespace pushfactor::engine

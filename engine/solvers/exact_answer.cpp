@@ -1,0 +1,108 @@
+#include "engine/solvers/exact_answer.h"
+
+#include <limits>
+
+namespace pushfactor::engine::solvers {
+
+double asked_speed(const UnitProblem& problem) {
+    double fastest = 0.0;
+    for (const UnitProblem::Row& row : problem.rows) {
+        const double alone = row.leader < 0 ? clamped(row, row.t, 1.0) : 0.0;
+        fastest = std::max(fastest, row.scale * std::abs(alone));
+    }
+    return fastest;
+}
+
+namespace {
+
+// Changes of the active set at first, and after the interior point method. From near the answer a few are enough;
+// more of them find no end more often than one.
+constexpr int first_changes = 6;
+constexpr int later_changes = 10;
+// Steps of the interior point method.
+constexpr int most_steps = 60;
+// It stays a little inside the bounds and takes long to get to rounding. But at this share of the largest speed
+// that a row asks for it knows which rows are clamped, and from there the active set gets to the end; if not, a
+// longer way shows more.
+constexpr double near_share = 1e-8;
+// Rows whose residual no force can lower: their axes, weighted with it, sum up to this share of it or less.
+constexpr double cancelled = 1e-4;
+
+// What the residual of a row can be told to with forces of this size [m/s]; forces that are larger than what is
+// asked for explains are no excuse.
+double rounding_of(const UnitProblem& problem, const std::vector<double>& y) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < y.size(); ++j) largest = std::max(largest, problem.rows[j].scale * std::abs(y[j]));
+    return std::min(2.0 * std::numeric_limits<double>::epsilon() * largest, near_share * asked_speed(problem));
+}
+
+}  // namespace
+
+// Farkas: where p, the change of force that each row still asks for, moves no body, no forces between the bounds
+// lower the residual. Writes p.
+bool ExactAnswer::contradicts() {
+    follow(problem_, y_, x_, r_);
+    p_.resize(y_.size());
+    x_.assign(problem_.bodies, Vector6::Zero());
+    double asked = 0.0;
+    for (std::size_t j = 0; j < y_.size(); ++j) {
+        const UnitProblem::Row& row = problem_.rows[j];
+        p_[j] = clamped(row, y_[j] + r_[j], bound_scale(row, y_)) - y_[j];
+        asked += p_[j] * p_[j];
+        push(row, p_[j], x_);
+    }
+    double moved = 0.0;
+    for (int i = 0; i < structure_->movable; ++i) moved += x_[static_cast<std::size_t>(i)].squaredNorm();
+    return moved <= cancelled * cancelled * asked;
+}
+
+// What the forces have of p they have for nothing, and the methods let it grow. It is taken off, and p is taken
+// from the right side: what is left of the problem has an answer. Once more, because p is known better then.
+void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, SolveCount& count) {
+    const std::vector<double> before = y_;
+    const auto energy = [&] {
+        follow(problem_, y_, x_, r_);
+        return objective(problem_, y_, x_);
+    };
+    const double allowed = std::max(0.0, energy());
+    std::vector<double> taken(y_.size(), 0.0);
+    const auto give_back = [&] {
+        for (std::size_t j = 0; j < taken.size(); ++j) problem_.rows[j].t += taken[j];
+    };
+    for (int round = 0; round < 2 && contradicts(); ++round) {
+        double along_p = 0.0, asked = 0.0;
+        for (std::size_t j = 0; j < y_.size(); ++j) {
+            along_p += p_[j] * y_[j];
+            asked += p_[j] * p_[j];
+        }
+        for (std::size_t j = 0; j < y_.size(); ++j) {
+            y_[j] -= along_p / asked * p_[j];
+            problem_.rows[j].t -= p_[j];
+        }
+        taken = p_;
+        clamp(problem_, y_);
+        active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
+        give_back();
+    }
+    if (energy() > allowed) y_ = before;
+}
+
+bool ExactAnswer::settle(double tolerance, Effort& effort, SolveCount& count) {
+    const Elimination& order = structure_->order;
+    const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
+    double reached = active_set_.solve(order, problem_, tolerance, first_changes, y_, effort, count);
+    const double near = near_share * asked_speed(problem_);
+    for (const double aim : {std::max(tolerance, near), tolerance}) {
+        if (reached <= enough()) return true;
+        interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
+        reached = active_set_.solve(order, problem_, tolerance, later_changes, y_, effort, count);
+    }
+    if (reached <= enough()) return true;
+    if (contradicts()) {
+        count.contradicts = true;
+        solve_without_contradiction(tolerance, effort, count);
+    }
+    return false;
+}
+
+}  // namespace pushfactor::engine::solvers
