@@ -26,7 +26,7 @@ constexpr int most_steps = 60;
 // longer way shows more.
 constexpr double near_share = 1e-8;
 // Rows whose residual no force can lower: their axes, weighted with it, sum up to this share of it or less.
-constexpr double cancelled = 1e-4;
+constexpr double cancelled = 1e-6;
 
 // What the residual of a row can be told to with forces of this size [m/s]; forces that are larger than what is
 // asked for explains are no excuse.
@@ -39,19 +39,20 @@ double rounding_of(const UnitProblem& problem, const std::vector<double>& y) {
 }  // namespace
 
 // Farkas: where p, the change of force that each row still asks for, moves no body, no forces between the bounds
-// lower the residual. Writes p.
+// lower the residual. Writes p. Bounds that follow another row might give way, so p has to do without theirs.
 bool ExactAnswer::contradicts() {
     follow(problem_, y_, x_, r_);
     p_.resize(y_.size());
     x_.assign(problem_.bodies, Vector6::Zero());
-    double asked = 0.0;
+    double asked = 0.0, by_followers = 0.0;
     for (std::size_t j = 0; j < y_.size(); ++j) {
         const UnitProblem::Row& row = problem_.rows[j];
         p_[j] = clamped(row, y_[j] + r_[j], bound_scale(row, y_)) - y_[j];
         asked += p_[j] * p_[j];
+        if (row.leader >= 0) by_followers += p_[j] * p_[j];
         push(row, p_[j], x_);
     }
-    double moved = 0.0;
+    double moved = by_followers;
     for (int i = 0; i < structure_->movable; ++i) moved += x_[static_cast<std::size_t>(i)].squaredNorm();
     return moved <= cancelled * cancelled * asked;
 }
