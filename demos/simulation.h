@@ -31,8 +31,8 @@ struct Sample {
     bool too_few_substeps = false;  // it asked for more than there may be
     std::optional<double> cpu_us;   // of the engine steps alone, when there is a clock
 
-    // Between whom, looked for only where somebody will ask: an unsolved step whose residual is the largest so far,
-    // and the first step whose rows contradict each other.
+    // Between whom, looked for only where they are asked for: an unsolved step whose residual is the largest so
+    // far, and the first step whose rows contradict each other.
     std::optional<BodyPair> worst_unsolved, contradicting;
 };
 

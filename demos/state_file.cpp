@@ -74,7 +74,7 @@ class BodyIndex {
     std::map<std::string, int, std::less<>> indices_;
 };
 
-// What stands in `json` for whatever bodies it is about.
+// What `json` says, of the bodies that it is about.
 IslandSolver::Memory read_memory(const JsonReader& json) {
     IslandSolver::Memory memory;
     if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();

@@ -153,56 +153,30 @@ void BodyMatrix::factor_general() {
 }
 
 void BodyMatrix::solve(std::vector<Vector6>& x) const {
-    if (symmetric_) {
-        solve_symmetric(x);
-    } else {
-        solve_general(x);
-    }
-}
-
-void BodyMatrix::solve_symmetric(std::vector<Vector6>& x) const {
     const auto& nodes = order_->nodes();
-    const auto body_of = [&nodes](int node) {
-        return static_cast<std::size_t>(nodes[static_cast<std::size_t>(node)].body);
+    const auto below = [&](const Elimination::Node& node, std::size_t i) -> Vector6& {
+        return x[static_cast<std::size_t>(nodes[static_cast<std::size_t>(node.below[i])].body)];
     };
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         const Elimination::Node& node = nodes[k];
         Vector6& own = x[static_cast<std::size_t>(node.body)];
         own = (blocks_[k] * own).eval();
         for (std::size_t i = 0; i < node.below.size(); ++i) {
-            x[body_of(node.below[i])].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
+            below(node, i).noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
         }
     }
     for (std::size_t k = nodes.size(); k-- > 0;) {
         const Elimination::Node& node = nodes[k];
         Vector6& own = x[static_cast<std::size_t>(node.body)];
         for (std::size_t i = 0; i < node.below.size(); ++i) {
-            own.noalias() -=
-                blocks_[static_cast<std::size_t>(node.blocks[i])].transpose() * x[body_of(node.below[i])];
+            const auto index = static_cast<std::size_t>(node.blocks[i]);
+            if (symmetric_) {
+                own.noalias() -= blocks_[index].transpose() * below(node, i);
+            } else {
+                own.noalias() -= above_[index] * below(node, i);
+            }
         }
-        own = (blocks_[k].transpose() * own).eval();
-    }
-}
-
-void BodyMatrix::solve_general(std::vector<Vector6>& x) const {
-    const auto& nodes = order_->nodes();
-    const auto body_of = [&nodes](int node) {
-        return static_cast<std::size_t>(nodes[static_cast<std::size_t>(node)].body);
-    };
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Elimination::Node& node = nodes[k];
-        Vector6& own = x[static_cast<std::size_t>(node.body)];
-        own = (blocks_[k] * own).eval();
-        for (std::size_t i = 0; i < node.below.size(); ++i) {
-            x[body_of(node.below[i])].noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
-        }
-    }
-    for (std::size_t k = nodes.size(); k-- > 0;) {
-        const Elimination::Node& node = nodes[k];
-        Vector6& own = x[static_cast<std::size_t>(node.body)];
-        for (std::size_t i = 0; i < node.below.size(); ++i) {
-            own.noalias() -= above_[static_cast<std::size_t>(node.blocks[i])] * x[body_of(node.below[i])];
-        }
+        if (symmetric_) own = (blocks_[k].transpose() * own).eval();
     }
 }
 

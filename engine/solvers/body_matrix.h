@@ -49,8 +49,6 @@ class BodyMatrix {
     const Between& between(int a, int b);
     void factor_symmetric();
     void factor_general();
-    void solve_symmetric(std::vector<Vector6>& x) const;
-    void solve_general(std::vector<Vector6>& x) const;
 
     const Elimination* order_ = nullptr;
     bool symmetric_ = true;

@@ -12,7 +12,7 @@
 namespace pushfactor::engine::solvers {
 
 // When to stop (6.2.3). While the natural-map residual of the guess is at most `tolerance_high` nothing needs to be
-// solved, which whoever calls a solver finds out; a solver works until the residual is at most `tolerance_low` or
+// solved, which the caller of a solver finds out; a solver works until the residual is at most `tolerance_low` or
 // the iterations are used up. Tolerances of zero give the paper's fixed number of iterations.
 //
 // Two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would circle

@@ -1,4 +1,4 @@
-// Scenes that nobody tuned anything to, with random parameters, under the exact preset: what mechanics says stands
+// Families of scenes with random parameters, under the exact preset: what mechanics says stands
 // does stand, every step is solved, and the work of a step is bounded.
 #include "demos/scene.h"
 #include "demos/settings.h"
