@@ -66,10 +66,6 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
         return objective(problem_, y_, x_);
     };
     const double allowed = std::max(0.0, energy());
-    std::vector<double> taken(y_.size(), 0.0);
-    const auto give_back = [&] {
-        for (std::size_t j = 0; j < taken.size(); ++j) problem_.rows[j].t += taken[j];
-    };
     for (int round = 0; round < 2 && contradicts(); ++round) {
         double along_p = 0.0, asked = 0.0;
         for (std::size_t j = 0; j < y_.size(); ++j) {
@@ -80,10 +76,9 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
             y_[j] -= along_p / asked * p_[j];
             problem_.rows[j].t -= p_[j];
         }
-        taken = p_;
         clamp(problem_, y_);
         active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
-        give_back();
+        for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
 }
