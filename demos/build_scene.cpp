@@ -111,6 +111,8 @@ void add_distances(Scene& scene, const SceneDescription& description, const Sett
 
 std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const Vector3& gravity) {
     switch (model) {
+        case FrictionModel::cone:
+            return std::make_unique<engine::ConeFriction>();
         case FrictionModel::coulomb:
             return std::make_unique<engine::CoulombFriction>();
         case FrictionModel::paper:

@@ -22,6 +22,7 @@ Settings paper() {
     settings.slop = 0.0;
     settings.margin = 0.0;
     settings.row_order = engine::RowOrder::reverse;
+    settings.friction_model = FrictionModel::paper;
     settings.four_points = false;
     settings.rotation = Rotation::paper;
     return settings;
@@ -44,6 +45,7 @@ Settings exact() {
     settings.tolerance_low = 1e-10;
     settings.contacts.beta = 1.0;
     settings.slop = 0.0;
+    settings.friction_model = FrictionModel::coulomb;
     return settings;
 }
 

@@ -12,7 +12,7 @@
 
 namespace pushfactor::demos {
 
-enum class FrictionModel { paper, coulomb };
+enum class FrictionModel { paper, coulomb, cone };
 enum class RestitutionModel { sum, larger };
 enum class StartKick { off, on, where_it_fits };
 enum class Rotation { paper, exponential, splitting };
@@ -38,7 +38,7 @@ struct Settings {
     engine::RowOrder row_order = engine::RowOrder::bottom_up;
     bool four_points = true;  // a face manifold keeps at most four
 
-    FrictionModel friction_model = FrictionModel::paper;
+    FrictionModel friction_model = FrictionModel::cone;
     std::optional<double> friction;  // mu of all bodies; each scene has its own otherwise
 
     RestitutionModel restitution_model = RestitutionModel::larger;

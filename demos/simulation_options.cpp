@@ -33,8 +33,8 @@ constexpr Names<RowOrder, 4> order_names{{{"bottom-up", RowOrder::bottom_up},
                                           {"creation", RowOrder::creation},
                                           {"normals-first", RowOrder::normals_first}}};
 constexpr Names<bool, 2> switch_names{{{"on", true}, {"off", false}}};
-constexpr Names<FrictionModel, 2> friction_names{
-    {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}}};
+constexpr Names<FrictionModel, 3> friction_names{
+    {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}, {"cone", FrictionModel::cone}}};
 constexpr Names<RestitutionModel, 2> restitution_names{
     {{"sum", RestitutionModel::sum}, {"larger", RestitutionModel::larger}}};
 constexpr Names<StartKick, 3> kick_names{
@@ -196,8 +196,9 @@ const std::array options{
     SimulationOption{"friction", "MU", "friction coefficient of all bodies; 0: no friction rows [the scene's own]",
                      "a number from 0 to 100", set_friction,
                      [](const Settings& s) { return s.friction ? to_text(*s.friction) : std::string(); }},
-    SimulationOption{"friction-model", "NAME", "bound of friction: paper (weight) or coulomb (normal force)",
-                     "one of paper, coulomb",
+    SimulationOption{"friction-model", "NAME",
+                     "bound of friction: paper (weight), coulomb (normal force, square) or cone",
+                     "one of paper, coulomb, cone",
                      [](Settings& s, std::string_view t) { return take_name(s.friction_model, friction_names, t); },
                      [](const Settings& s) { return name_of(s.friction_model, friction_names); }},
     SimulationOption{"restitution", "E", "coefficient of restitution of all bodies [the scene's own]",

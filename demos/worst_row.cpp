@@ -20,8 +20,9 @@ class Search {
                 Vector6& own = accelerations_[static_cast<std::size_t>(body)];
                 own = accelerate(system_.inverse_mass[static_cast<std::size_t>(body)], own);
             }
+            engine::RowResiduals residuals(system_, lambda_, column);
             for (const engine::RowRun& run : island.runs) {
-                for (int j = run.begin; j < run.end; ++j) look_at(j, column);
+                for (int j = run.begin; j < run.end; ++j) look_at(j, column, residuals);
             }
         }
     }
@@ -29,12 +30,12 @@ class Search {
     const std::optional<BodyPair>& found() const { return found_; }
 
   private:
-    void look_at(int j, Eigen::Index column) {
+    void look_at(int j, Eigen::Index column, engine::RowResiduals& residuals) {
         const engine::ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
         const double w = row.jacobian.a.dot(accelerations_[static_cast<std::size_t>(row.body_a)]) +
                          row.jacobian.b.dot(accelerations_[static_cast<std::size_t>(row.body_b)]) -
                          system_.b(j, column);
-        const double miss = row_residual(system_, lambda_, column, j, w);
+        const double miss = residuals.next(j, w);
         if (miss <= largest_) return;
         largest_ = miss;
         found_ = BodyPair{row.body_a, row.body_b};

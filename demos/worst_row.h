@@ -12,8 +12,8 @@ struct BodyPair {
     int a = 0, b = 0;
 };
 
-// The bodies of the row with the largest engine::row_residual() in the last step of the world, among the islands
-// that it left unsolved; none without those, or when no row of them misses anything.
+// The bodies of the row with the largest residual (engine::RowResiduals) in the last step of the world, among the
+// islands that it left unsolved; none without those, or when no row of them misses anything.
 std::optional<BodyPair> worst_unsolved(const engine::World& world);
 
 // The same among the islands whose rows contradict each other.

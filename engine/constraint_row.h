@@ -25,12 +25,18 @@ struct Jacobian {
     Vector6 b = Vector6::Zero();
 };
 
+// Whether a row is bounded alone or together with the row next to it, which acts on the same two bodies and has the
+// same bounds: the length of both lambdas is at most c_max (the round cone of Coulomb friction).
+enum class Disc { none, first, second };
+
 // What lambda is clamped to. With `of_row` below zero the numbers are forces in newton; otherwise they are
 // factors [1] of the lambda of row `of_row` in the same column (Coulomb friction: -mu and mu of the normal row).
 struct Bounds {
     double c_min = -std::numeric_limits<double>::infinity();
     double c_max = std::numeric_limits<double>::infinity();
-    int of_row = -1;  // index into the rows of the step; must come before this row
+    int of_row = -1;         // index into the rows of the step; must come before this row
+    Disc disc = Disc::none;  // with one: c_min = -c_max
+    bool in_momenta = true;  // false: lambda of the last of two columns is zero
 };
 
 // The answer for one row in both columns [N]: the first moves positions, the last sets momenta.

@@ -7,8 +7,17 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Sliding that would move a point by less than this share of the size in one step has no direction.
+// Sliding has no direction while it is slower than this share of sqrt(size * acceleration by the external forces),
+// the speed that they give a body over its own size: a resting body must not turn its tangents with roundings.
 constexpr double sliding_share = 1e-4;
+
+double least_sliding(const BodyPair& pair, double size) {
+    double acceleration = 0.0;
+    for (const Body* body : {&pair.body_a, &pair.body_b}) {
+        acceleration = std::max(acceleration, body->inverse_mass * body->force.norm());
+    }
+    return sliding_share * std::sqrt(size * acceleration);
+}
 
 BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) {
     if (touch.meeting) return {touch.body_a, touch.body_b, touch.meeting->a, touch.meeting->b};
@@ -53,25 +62,26 @@ Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pai
 
 // What the contact points of one touch have in common as far as friction is concerned.
 struct ContactStage::TouchFriction {
-    FrictionBound bound;
-    Vector3 belt;           // m/s
-    RelativeMotion motion;  // at the start of the step
-    double least_sliding;   // m/s
-    Vector3 resting;        // the tangent of points that slide less
+    FrictionBound bound, apart;  // of points that touch, and of those that are still apart
+    Vector3 belt;                // m/s
+    RelativeMotion motion;       // at the start of the step
+    double least_sliding;        // m/s
+    Vector3 resting;             // the tangent of points that slide less
 };
 
-ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
-                                                      double dt) const {
+ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair) const {
     const Vector3 belt = belt_of(touch, pair);
     const Vector3& normal = touch.normal;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    return {.bound = friction_->bound({.bodies = pair,
-                                       .normal = normal,
-                                       .friction = touch.friction,
-                                       .points = static_cast<int>(touch.points.size())}),
+    const FrictionBound bound = friction_->bound({.bodies = pair,
+                                                  .normal = normal,
+                                                  .friction = touch.friction,
+                                                  .points = static_cast<int>(touch.points.size())});
+    return {.bound = bound,
+            .apart = {.limit = touch.friction, .of_normal_force = true, .round = bound.round},
             .belt = belt,
             .motion = RelativeMotion(pair, motions_[a], motions_[b], belt),
-            .least_sliding = sliding_share * touch.size / dt,
+            .least_sliding = least_sliding(pair, touch.size),
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
@@ -84,7 +94,9 @@ void ContactStage::append_normal(Contact& contact, const BodyPair& pair, const P
     ConstraintRow& row =
         append_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, rows);
     if (restitution_ && touch.restitution > 0.0) {
-        row.push = restitution_(row.push, impact_of(row, pair, touch, dt));
+        const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, dt));
+        row.push = rebound.push;
+        row.bounds.in_momenta = rebound.in_momenta;
     }
     row.label.point = contact.point;
     row.guess = forces_[contact.force].normal;
@@ -95,13 +107,16 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
     const Vector3& normal = contact.touch->normal;
     const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
-    const Bounds bounds = shared.bound.at(contact.normal_row);
+    const bool apart = point.gap > seat * choices_.slop * contact.touch->size;
+    const FrictionBound& bound = apart ? shared.apart : shared.bound;
     contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal),
                                          shared.least_sliding, shared.resting);
     contact.friction_row = static_cast<int>(rows.size());
     own_rows_ += 2;
-    for (const Vector3& tangent : contact.tangents) {
-        ConstraintRow& row = append_friction_row(at, tangent, bounds, tangent.dot(shared.belt), rows);
+    for (const Disc which : {Disc::first, Disc::second}) {
+        const Vector3& tangent = contact.tangents[which == Disc::first ? 0 : 1];
+        ConstraintRow& row =
+            append_friction_row(at, tangent, bound.at(contact.normal_row, which), tangent.dot(shared.belt), rows);
         const ContactForce& force = forces_[contact.force];
         row.label.point = contact.point;
         row.label.gap = point.gap;
@@ -155,7 +170,7 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
             const collision::Touch& touch = *contacts[i].touch;
             const BodyPair pair = bodies_of(touch, bodies);
             std::optional<TouchFriction> shared;
-            if (tangents) shared = friction_of(touch, pair, dt);
+            if (tangents) shared = friction_of(touch, pair);
             for (; i < contacts.size() && contacts[i].touch == &touch; ++i) {
                 Contact& contact = contacts[i];
                 const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);

@@ -16,6 +16,10 @@ FrictionBound CoulombFriction::bound(const FrictionSite& site) const {
     return {.limit = site.friction, .of_normal_force = true};
 }
 
+FrictionBound ConeFriction::bound(const FrictionSite& site) const {
+    return {.limit = site.friction, .of_normal_force = true, .round = true};
+}
+
 RelativeMotion::RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt)
     : origin_(bodies.body_a.is_static() ? bodies.body_b.position : bodies.body_a.position) {
     const Vector3 velocity_a = a.velocity + a.angular_velocity.cross(origin_ - bodies.body_a.position);

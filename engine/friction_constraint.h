@@ -8,7 +8,9 @@
 //
 // Deviations: the text has g . n without the absolute value, which is negative when a lies below b and would
 // make c_max < c_min. Its bound is exact for one body on a static one and wrong in stacks, as the text says
-// itself; Coulomb's law (mu times the normal force of the same point) stands beside it.
+// itself; next to it there is Coulomb's law, mu times the normal force of the same point: for each tangent alone,
+// which makes a square of the cone, or for the length of both forces. A point that is still apart carries nothing
+// unless it meets, which no weight knows: it has Coulomb's bound whatever the rule.
 #pragma once
 
 #include "engine/constraint_row.h"
@@ -32,10 +34,14 @@ struct FrictionSite {
 struct FrictionBound {
     double limit = 0.0;
     bool of_normal_force = false;
+    bool round = false;  // of the length of both forces, not of each
 
-    // At a point whose contact row has this index in the rows of the step.
-    Bounds at(int normal_row) const {
-        return {.c_min = -limit, .c_max = limit, .of_row = of_normal_force ? normal_row : -1};
+    // At a point whose contact row has this index in the rows of the step, for the first or second tangent.
+    Bounds at(int normal_row, Disc which) const {
+        return {.c_min = -limit,
+                .c_max = limit,
+                .of_row = of_normal_force ? normal_row : -1,
+                .disc = round ? which : Disc::none};
     }
 };
 
@@ -56,8 +62,15 @@ class WeightFriction : public FrictionRule {
     Vector3 gravity_;
 };
 
-// Coulomb's bound: mu lambda of the point's own contact row, in the same column.
+// Coulomb's bound for each tangent: mu lambda of the point's own contact row, in the same column. Along the
+// diagonal of the tangents friction is up to sqrt(2) times as large as it should be.
 class CoulombFriction : public FrictionRule {
+  public:
+    FrictionBound bound(const FrictionSite& site) const override;
+};
+
+// Coulomb's law: the same bound for the length of both forces, a disc.
+class ConeFriction : public FrictionRule {
   public:
     FrictionBound bound(const FrictionSite& site) const override;
 };

@@ -29,11 +29,7 @@ void copy_to_last(const Island& island, Columns& lambda) {
 bool clamp(const SystemEquation& system, const Island& island, Columns& lambda) {
     bool changed = false;
     each_force(island, [&](Eigen::Index j, Eigen::Index column) {
-        const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, column);
-        const double within = std::max(std::min(lambda(j, column), high), low);
-        if (within == lambda(j, column)) return;
-        lambda(j, column) = within;
-        changed = true;
+        changed = clamp_force(system.rows, j, column, lambda) || changed;
     });
     if (changed) copy_to_last(island, lambda);
     return changed;
@@ -136,10 +132,16 @@ IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system,
         const double diagonal = system.diagonal[j];
         if (diagonal <= 0.0) return;
         const Bounds& bounds = system.rows[static_cast<std::size_t>(j)].bounds;
-        const double wanted = bounds.of_row < 0 ? system.b(j, column) / diagonal : 0.0;
-        const double moved = std::min(std::max(wanted, bounds.c_min), bounds.c_max);
+        if (column > 0 && !bounds.in_momenta) return;
+        const auto wanted = [&](Eigen::Index row) {
+            return bounds.of_row < 0 ? system.b(row, column) / diagonal : 0.0;
+        };
+        double moved = std::abs(std::min(std::max(wanted(j), bounds.c_min), bounds.c_max));
+        if (bounds.disc == Disc::second) {
+            moved = std::min(std::hypot(wanted(j - 1), wanted(j)), bounds.c_max);
+        }
         double& largest = residuals[static_cast<std::size_t>(column)];
-        largest = std::max(largest, system.dt * diagonal * std::abs(moved));
+        largest = std::max(largest, system.dt * diagonal * moved);
     });
     return residuals;
 }

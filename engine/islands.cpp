@@ -13,10 +13,10 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// 2 when the rows from `begin` up to `end` aim at different speeds in the two columns.
+// 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
-        if (system.b(j, 0) != system.b(j, 1)) return 2;
+        if (system.b(j, 0) != system.b(j, 1) || !system.rows[at(j)].bounds.in_momenta) return 2;
     }
     return 1;
 }
@@ -60,10 +60,11 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
         accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
     }
     double largest = 0.0;
+    RowResiduals residuals(system, lambda, column);
     each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
         const double w =
             row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) - system.b(j, column);
-        const double miss = row_residual(system, lambda, column, j, w);
+        const double miss = residuals.next(j, w);
         if (!(miss <= largest)) largest = miss;
     });
     return largest;

@@ -7,40 +7,35 @@ namespace pushfactor::engine {
 
 namespace {
 
-// m/s, faster than anything: what a row of the last column that holds nothing aims at.
-constexpr double any_speed = 1e6;
-
 // Of the push and of what a bounce wants in the first and in the last column.
-PushFactor larger(const PushFactor& push, double first, double last) {
+Rebound larger(const PushFactor& push, double first, double last) {
     first = std::max(first, push.correcting + push.lasting);
     last = std::max(last, push.lasting);
-    return {.correcting = first - last, .lasting = last};
+    return {.push = {.correcting = first - last, .lasting = last}};
 }
 
 }  // namespace
 
-PushFactor restitution_sum(const PushFactor& push, const Impact& impact) {
+Rebound restitution_sum(const PushFactor& push, const Impact& impact) {
     const double rebound = std::max(0.0, -impact.restitution * impact.speed);
-    if (impact.gap <= 0.0) return {.correcting = push.correcting, .lasting = push.lasting + rebound};
+    if (impact.gap <= 0.0) return {.push = {.correcting = push.correcting, .lasting = push.lasting + rebound}};
     const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
-    return meets && rebound > 0.0 ? PushFactor{.correcting = 0.0, .lasting = rebound} : push;
+    return {.push = meets && rebound > 0.0 ? PushFactor{.correcting = 0.0, .lasting = rebound} : push};
 }
 
-PushFactor restitution_larger(const PushFactor& push, const Impact& impact) {
+Rebound restitution_larger(const PushFactor& push, const Impact& impact) {
     const double a = impact.acceleration;
     const double dt = impact.dt;
     const double least = impact.weight * dt;
-    if (impact.speed > least) {
-        return {.correcting = push.correcting + push.lasting + any_speed, .lasting = -any_speed};
-    }
+    if (impact.speed > least) return {.push = push, .in_momenta = false};
     const double gap = std::max(0.0, impact.gap);
     const double before = impact.speed + 0.5 * a * dt;  // at the start of the step
     const double squared = before * before - 2.0 * a * gap;
     const double at_contact = std::sqrt(std::max(0.0, squared));  // downwards
-    if (squared < 0.0 || at_contact - before <= 0.0) return push;
+    if (squared < 0.0 || at_contact - before <= 0.0) return {.push = push};
     const double tau = 2.0 * gap / (at_contact - before);
     const double rebound = impact.restitution * at_contact;
-    if (tau >= dt || rebound <= least) return push;
+    if (tau >= dt || rebound <= least) return {.push = push};
 
     const double up_here = rebound * rebound + 2.0 * a * gap;  // squared, on the way up
     if (impact.turns && up_here > least * least) {

@@ -27,12 +27,16 @@ struct Impact {
     bool turns = false;
 };
 
-// The push factor of the contact row once the collision is added to it.
-using RestitutionRule = PushFactor (*)(const PushFactor& push, const Impact& impact);
+// What the contact row aims at once the collision is added to it.
+struct Rebound {
+    PushFactor push;
+    bool in_momenta = true;  // false: the row has no force in the column that sets momenta (Bounds::in_momenta)
+};
+using RestitutionRule = Rebound (*)(const PushFactor& push, const Impact& impact);
 
 // As 8.2 has it: v_r is added to both columns of a point that touches. One that is still apart and would meet
 // within the step has nothing to correct and aims at v_r alone.
-PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
+Rebound restitution_sum(const PushFactor& push, const Impact& impact);
 
 // Each column aims at the larger of its push and the rebound, if the point meets within the step. A rebound slower
 // than what the weight makes in one step is none, so that resting bodies rest.
@@ -48,6 +52,6 @@ PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
 //
 // Bodies that separate before the step do not resist in the last column: when another collision throws one of them
 // back, the two bounce in the next step. In one and the same step the rule of 8.2 would make energy of it.
-PushFactor restitution_larger(const PushFactor& push, const Impact& impact);
+Rebound restitution_larger(const PushFactor& push, const Impact& impact);
 
 }  // namespace pushfactor::engine

@@ -97,6 +97,33 @@ inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& syste
     b.write(to_unit, system.unit_axes[j].b);
 }
 
+// Row j is the second of a disc, and both are weighed: gives them the same step, the largest eigenvalue of
+// [a c; c b], so that a sweep of both at once does not go too far.
+void share_step(std::size_t j, SystemEquation& system) {
+    const auto second = static_cast<Eigen::Index>(j), first = second - 1;
+    Jacobian &u = system.unit_axes[j - 1], &v = system.unit_axes[j];
+    const double a = system.diagonal[first], b = system.diagonal[second];
+    const double c = system.scale[first] * system.scale[second] * (u.a.dot(v.a) + u.b.dot(v.b));
+    const double step = 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c);
+    const double scale = std::sqrt(step);
+    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
+    for (const Eigen::Index row : {first, second}) {
+        Jacobian& axis = system.unit_axes[static_cast<std::size_t>(row)];
+        axis.a *= system.scale[row] * to_unit;
+        axis.b *= system.scale[row] * to_unit;
+    }
+    for (const Eigen::Index row : {first, second}) {
+        system.diagonal[row] = step;
+        system.scale[row] = scale;
+        system.inverse_scale[row] = to_unit;
+    }
+}
+
+void weigh_next(std::size_t j, SystemEquation& system) {
+    weigh(system.rows[j], j, system);
+    if (system.rows[j].bounds.disc == Disc::second) share_step(j, system);
+}
+
 // Keeps the axes that are there.
 void size_axes(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
@@ -108,8 +135,9 @@ void size_axes(SystemEquation& system) {
 }
 
 bool corrects(std::span<const ConstraintRow> rows) {
-    return std::any_of(rows.begin(), rows.end(),
-                       [](const ConstraintRow& row) { return row.push.correcting != 0.0; });
+    return std::any_of(rows.begin(), rows.end(), [](const ConstraintRow& row) {
+        return row.push.correcting != 0.0 || !row.bounds.in_momenta;
+    });
 }
 
 }  // namespace
@@ -120,7 +148,7 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 
 void weigh_rows(SystemEquation& system) {
     size_axes(system);
-    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(system.rows[j], j, system);
+    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh_next(j, system);
 }
 
 namespace {
@@ -141,7 +169,7 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
     const std::vector<Vector6>& free = system.free_acceleration;
     for (std::size_t j = first; j < rows.size(); ++j) {
         const ConstraintRow& row = rows[j];
-        weigh(row, j, system);
+        weigh_next(j, system);
         const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
                                      row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
         const auto index = static_cast<Eigen::Index>(j);
@@ -186,11 +214,12 @@ double natural_residual(const SystemEquation& system, const Columns& lambda) {
         for (std::size_t i = 0; i < forces.size(); ++i) {
             forces[i] = accelerate(system.inverse_mass[i], forces[i]);
         }
+        RowResiduals residuals(system, lambda, column);
         for (Eigen::Index j = 0; j < system.row_count(); ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
                              row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
-            largest = std::max(largest, row_residual(system, lambda, column, j, w));
+            largest = std::max(largest, residuals.next(j, w));
         }
     }
     return largest;

@@ -7,8 +7,12 @@
 // v push factors (6.1.4, m/s), lambda [N], b [m/s^2], A [1/kg].
 //
 // Deviations: with the bounds of 5.1 it is not an equation but a box-constrained problem: A lambda - b is zero
-// between the bounds, >= 0 at c_min and <= 0 at c_max. b has two columns when some row has a correcting push
+// between the bounds, >= 0 at c_min and <= 0 at c_max; for the two rows of a disc that is bounded by their length
+// it is zero inside, and points against lambda on the circle. b has two columns when some row has a correcting push
 // (8.1): column 0 with the whole push, the last column with the lasting part alone; otherwise it has one.
+//
+// Both rows of a disc have the same step, the largest eigenvalue of their 2 x 2 block of A: with a step for each,
+// A_11 and A_22, the disc would be an ellipse and sliding friction would not point against the sliding.
 #pragma once
 
 #include "engine/body.h"
@@ -37,11 +41,11 @@ struct SystemEquation {
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    VectorX diagonal;                        // A_jj, 1/kg; 0 for a row that cannot move anything
-    VectorX scale;                           // s_j, its root
-    VectorX inverse_scale;                   // 1 / s_j, 0 for such a row
-    std::vector<Jacobian> unit_axes;         // J M^(-1/2) / s, of unit length; angular parts in body axes
-    Columns b;                               // m/s^2, rows x columns
+    VectorX diagonal;                 // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
+    VectorX scale;                    // s_j, its root
+    VectorX inverse_scale;            // 1 / s_j, 0 for such a row
+    std::vector<Jacobian> unit_axes;  // J M^(-1/2) / s, of unit length (of a disc: at most), in body axes
+    Columns b;                        // m/s^2, rows x columns
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }
@@ -87,30 +91,86 @@ inline Eigen::Index add_forces_of_pair(const SystemEquation& system, const Colum
     return j;
 }
 
-// The bounds [N] of row `row` while column `column` of `lambda` is as it is.
+// The bounds [N] of row `row` while column `column` of `lambda` is as it is; of a row of a disc, those that it has
+// while the other row is zero.
 struct Interval {
     double low = 0.0;
     double high = 0.0;
 };
 inline Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column) {
+    if (column > 0 && !row.bounds.in_momenta) return {};
     if (row.bounds.of_row < 0) return {row.bounds.c_min, row.bounds.c_max};
     const double other = lambda(row.bounds.of_row, column);
     return {row.bounds.c_min * other, row.bounds.c_max * other};
 }
 
-// The velocity that row `j` still gets wrong [m/s], dt A_jj |lambda_j - clamp(lambda_j - w / A_jj)|, where `w` is
-// its part of A lambda - b [m/s^2]; infinite where something is not a number.
-inline double row_residual(const SystemEquation& system, const Columns& lambda, Eigen::Index column, Eigen::Index j,
-                           double w) {
-    const double diagonal = system.diagonal[j];
-    if (diagonal <= 0.0) return 0.0;
-    const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, column);
-    const double moved = std::min(std::max(lambda(j, column) - w / diagonal, low), high);
-    const double miss = system.dt * diagonal * std::abs(lambda(j, column) - moved);
-    return std::isnan(miss) ? std::numeric_limits<double>::infinity() : miss;
+// What a vector of this squared length has to be multiplied with to lie in the disc.
+inline double share_in_disc(double squared_length, double radius) {
+    return squared_length > radius * radius ? radius / std::sqrt(squared_length) : 1.0;
 }
 
-// Natural-map residual [m/s]: the largest row_residual(), over all columns.
+// Puts the force of row `j` within its bounds, and those of both rows of a disc when it is the second of them.
+// Returns whether one was not.
+inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eigen::Index column, Columns& lambda) {
+    const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
+    if (row.bounds.disc == Disc::first) return false;
+    const auto [low, high] = bounds_of(row, lambda, column);
+    double& force = lambda(j, column);
+    if (row.bounds.disc == Disc::none) {
+        const double before = force;
+        force = std::max(std::min(force, high), low);
+        return force != before;
+    }
+    double& other = lambda(j - 1, column);
+    const double share = share_in_disc(force * force + other * other, high);
+    if (share == 1.0) return false;
+    force *= share;
+    other *= share;
+    return true;
+}
+
+// The velocity that rows still get wrong in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))|
+// with w = A lambda - b [m/s^2]; infinite where something is not a number. Rows are asked for in the order of the
+// step.
+class RowResiduals {
+  public:
+    RowResiduals(const SystemEquation& system, const Columns& lambda, Eigen::Index column)
+        : system_(system), lambda_(lambda), column_(column) {}
+
+    // Of row `j`; of both rows of a disc when it is the second of them, and zero when it is the first.
+    double next(Eigen::Index j, double w) {
+        const ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
+        const double diagonal = system_.diagonal[j];
+        if (diagonal <= 0.0) return 0.0;
+        const double force = lambda_(j, column_);
+        const double wanted = force - w / diagonal;
+        if (row.bounds.disc == Disc::first) {
+            wanted_by_first_ = wanted;
+            return 0.0;
+        }
+        const auto [low, high] = bounds_of(row, lambda_, column_);
+        if (row.bounds.disc == Disc::none) {
+            return in_metres_per_second(diagonal, force - std::min(std::max(wanted, low), high));
+        }
+        const double share = share_in_disc(wanted_by_first_ * wanted_by_first_ + wanted * wanted, high);
+        const double by_first = lambda_(j - 1, column_) - share * wanted_by_first_;
+        const double by_second = force - share * wanted;
+        return in_metres_per_second(diagonal, std::sqrt(by_first * by_first + by_second * by_second));
+    }
+
+  private:
+    double in_metres_per_second(double diagonal, double force) const {
+        const double miss = system_.dt * diagonal * std::abs(force);
+        return std::isnan(miss) ? std::numeric_limits<double>::infinity() : miss;
+    }
+
+    const SystemEquation& system_;
+    const Columns& lambda_;
+    Eigen::Index column_;
+    double wanted_by_first_ = 0.0;  // N
+};
+
+// Natural-map residual [m/s]: the largest of RowResiduals, over all columns.
 double natural_residual(const SystemEquation& system, const Columns& lambda);
 
 }  // namespace pushfactor::engine

@@ -14,6 +14,10 @@
 // (redundant contacts) and vanishes with y' - y, so that a few steps with the same matrix reach rounding. All is
 // written in differences, so that large rho costs no digits. While nothing slides the matrix is symmetric.
 //
+// Both rows of a disc are free while a Jacobi step would leave them inside. On the circle the natural map is taken
+// to first order (Alart & Curnier 1991): a force along the direction in which it slides, which follows the leader,
+// and a damper across it.
+//
 // Symbols as in unit_problem.h; d velocities [sqrt(kg) m/s], rho [1] proximal parameter.
 #pragma once
 
@@ -47,12 +51,25 @@ class ActiveSet {
         free,          // solved for
         follows_low,   // its leader, which is free, times the factor of its lower bound
         follows_high,  // of its upper one
+        slides,        // on the circle of its disc
+    };
+
+    // A disc whose forces are on its circle; 1 and 2 are its rows.
+    struct Slide {
+        std::size_t second = 0;       // its second row
+        bool follows = false;         // whether its radius follows a leader that is free
+        double d_1 = 0.0, d_2 = 0.0;  // the direction of the force
+        double k = 0.0;               // of the damper
+        Jacobian along{}, across{};   // d_1 u_1 + d_2 u_2, and d_1 u_2 - d_2 u_1
     };
 
     void find_states(const UnitProblem& problem, const std::vector<double>& y);
+    void find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, bool may_follow);
     double factor_of(const UnitProblem::Row& row, State state) const;
     bool change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                 SolveCount& count);
+    void start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y);
+    void end_slide(const UnitProblem& problem, const Slide& slide, std::vector<double>& y);
     void factor(const Elimination& order, const UnitProblem& problem, Effort& effort, SolveCount& count);
 
     BodyMatrix matrix_;
@@ -61,6 +78,7 @@ class ActiveSet {
     BestForces best_;
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // now, and in the factor
+    std::vector<Slide> slides_;             // now, in the order of their rows
 };
 
 }  // namespace pushfactor::engine::solvers

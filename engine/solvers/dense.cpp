@@ -4,7 +4,8 @@
 // with zeros outside of the blocks: so A here is one block, J M^-1 J^T of the rows and bodies of one island.
 //
 // Deviations: the guess may be a cached answer (6.2.3) instead of zero; a row with A_jj = 0 keeps lambda 0 where
-// the text divides by it; a bound may follow another row's lambda. 7.2 reads A[i,j] as column i, row j, 7.1.1
+// the text divides by it; a bound may follow another row's lambda; the two rows of a disc move together, by their
+// common step (system_equation.h). 7.2 reads A[i,j] as column i, row j, 7.1.1
 // as row, column: the same number, since A is symmetric.
 #include "engine/solvers/dense.h"
 
@@ -53,8 +54,10 @@ MatrixX stacked_inverse_mass(const SystemEquation& system, const Island& island)
 
 void sweep(const SystemEquation& system, const std::vector<int>& rows, const MatrixX& A, Columns& lambda,
            Eigen::Index column) {
+    double wanted_by_first = 0.0;  // N, of a disc whose second row is to come
     for (Eigen::Index i = 0; i < A.rows(); ++i) {
         const int row = rows[static_cast<std::size_t>(i)];
+        const Disc disc = system.rows[static_cast<std::size_t>(row)].bounds.disc;
         if (A(i, i) <= 0.0) {
             lambda(row, column) = 0.0;
             continue;
@@ -63,9 +66,19 @@ void sweep(const SystemEquation& system, const std::vector<int>& rows, const Mat
         for (Eigen::Index k = 0; k < A.cols(); ++k) {
             if (k != i) value -= A(i, k) * lambda(rows[static_cast<std::size_t>(k)], column);
         }
-        value /= A(i, i);
-        const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(row)], lambda, column);
-        lambda(row, column) = std::max(std::min(value, high), low);
+        if (disc == Disc::none) {
+            lambda(row, column) = value / A(i, i);
+        } else {
+            const double step = system.diagonal[row];
+            value = lambda(row, column) + (value - A(i, i) * lambda(row, column)) / step;
+            if (disc == Disc::first) {
+                wanted_by_first = value;
+                continue;
+            }
+            lambda(row - 1, column) = wanted_by_first;
+            lambda(row, column) = value;
+        }
+        clamp_force(system.rows, row, column, lambda);
     }
 }
 

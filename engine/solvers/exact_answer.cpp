@@ -47,10 +47,15 @@ bool ExactAnswer::contradicts() {
     double asked = 0.0, by_followers = 0.0;
     for (std::size_t j = 0; j < y_.size(); ++j) {
         const UnitProblem::Row& row = problem_.rows[j];
-        p_[j] = clamped(row, y_[j] + r_[j], bound_scale(row, y_)) - y_[j];
-        asked += p_[j] * p_[j];
-        if (row.leader >= 0) by_followers += p_[j] * p_[j];
+        if (row.disc == Disc::first) continue;
+        const Change change = natural_change(problem_, y_, r_, j);
+        asked += change.squared();
+        if (row.leader >= 0) by_followers += change.squared();
+        p_[j] = change.of_row;
         push(row, p_[j], x_);
+        if (row.disc == Disc::none) continue;
+        p_[j - 1] = change.of_first;
+        push(problem_.rows[j - 1], p_[j - 1], x_);
     }
     double moved = by_followers;
     for (int i = 0; i < structure_->movable; ++i) moved += x_[static_cast<std::size_t>(i)].squaredNorm();

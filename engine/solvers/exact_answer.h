@@ -62,6 +62,7 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
     const std::size_t c = rows.at(column);
     problem_.bodies = rows.velocity.size();
     problem_.bounds_follow = rows.bounds_follow();
+    problem_.has_discs = rows.has_discs();
     problem_.rows.resize(rows.rows.size());
     y_.resize(rows.rows.size());
     for (std::size_t j = 0; j < rows.rows.size(); ++j) {
@@ -70,9 +71,10 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
                             .b = row.b,
                             .unit = row.unit,
                             .t = row.t[c],
-                            .low = row.low,
-                            .high = row.high,
+                            .low = row.low[c],
+                            .high = row.high[c],
                             .leader = row.of_row,
+                            .disc = row.disc,
                             .scale = row.scale};
         y_[j] = row.y[c];
     }

@@ -36,8 +36,10 @@ class SimultaneousRows {
         for (std::size_t j = 0; j < next_.size(); ++j) {
             const auto& row = rows_.rows[j];
             for (int c = 0; c < columns; ++c) {
-                const double y = row.y[rows_.at(c)] + jacobi_weight * rows_.error(row, c);
-                next_[j][rows_.at(c)] = rows_.clamped(row, c, y);
+                double& y = next_[j][rows_.at(c)];
+                y = row.y[rows_.at(c)] + jacobi_weight * rows_.error(row, c);
+                if (row.disc == Disc::none) y = rows_.clamped(row, c, y);
+                if (row.disc == Disc::second) rows_.put_in_disc(row, c, next_[j - 1][rows_.at(c)], y);
             }
         }
         double largest = 0.0;

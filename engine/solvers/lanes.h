@@ -5,6 +5,7 @@
 #include "engine/constraint_row.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace pushfactor::engine::solvers {
@@ -65,6 +66,13 @@ Value larger(Value a, Value b) {
 template <typename Value>
 Value magnitude(Value a) {
     return larger(a, -a);
+}
+
+inline double root(double a) {
+    return std::sqrt(a);
+}
+inline Two root(Two a) {
+    return Two{std::sqrt(a[0]), std::sqrt(a[1])};
 }
 
 // The numbers of the two bodies of a row, three pairs each, where they are in memory.

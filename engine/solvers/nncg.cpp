@@ -65,7 +65,7 @@ class ConjugateSweeps {
     // Puts every row within its bounds.
     void project() {
         for (auto& row : rows_.rows) {
-            for (int c = 0; c < columns; ++c) rows_.set(row, c, rows_.clamped(row, c, row.y[rows_.at(c)]));
+            for (int c = 0; c < columns; ++c) rows_.move(row, c, row.y[rows_.at(c)]);
         }
     }
 

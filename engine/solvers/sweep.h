@@ -11,25 +11,36 @@ namespace pushfactor::engine::solvers {
 // [m/s].
 //
 // The rows of a block take their errors from the same velocities, and take off by u_i . u_k what the rows before
-// them have changed since: the same as one row after the other.
+// them have changed since: the same as one row after the other. The two rows of a disc want their forces before
+// either has moved, and then move together.
 template <int columns>
 [[gnu::flatten]] double sweep(UnitRows<columns>& system) {
     using Value = typename UnitRows<columns>::Value;
     using Block = typename UnitRows<columns>::Block;
     system.couple();
     Value largest{};
-    system.for_each_block([&](const Block& block, auto count) {
+    system.for_each_block([&](const Block& block, auto count, auto disc) {
         auto* row = system.rows_of(block);
         Velocity x[columns];
         unrolled<columns>([&](auto c) { x[c] = system.at_bodies(block, c); });
         Value wanted[count], changes[count];
         unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
-        unrolled<count>([&](auto i) {
-            unrolled<i>([&](auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; });
-            const Value moved = system.clamped(row[i], wanted[i]);
+        const auto move = [&](auto i, Value moved) {
             changes[i] = moved - Lanes<columns>::of(row[i].y);
             Lanes<columns>::write(moved, row[i].y);
             largest = larger(largest, row[i].scale * magnitude(changes[i]));
+        };
+        const auto take_off = [&](auto i, auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; };
+        unrolled<count>([&](auto i) {
+            if constexpr (disc >= 0 && i == disc + 1) {
+                unrolled<disc>([&](auto k) { take_off(i, k); });
+                system.put_in_disc(row[i], wanted[disc], wanted[i]);
+                move(disc, wanted[disc]);
+                move(i, wanted[i]);
+            } else {
+                unrolled<i>([&](auto k) { take_off(i, k); });
+                if constexpr (disc < 0 || i != disc) move(i, system.clamped(row[i], wanted[i]));
+            }
         });
         system.template push<count>(block, changes);
     });

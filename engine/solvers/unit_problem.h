@@ -5,7 +5,7 @@
 // what the rows still miss.
 #pragma once
 
-#include "engine/constraint_row.h"
+#include "engine/system_equation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,13 @@ struct UnitProblem {
         double t = 0.0;
         double low = 0.0, high = 0.0;  // bounds of y, or factors of the leader's y
         int leader = -1;               // a row before this one that its bounds follow
-        double scale = 0.0;            // m/s of a row for one unit of y; 0 for a row that cannot move anything
+        Disc disc = Disc::none;
+        double scale = 0.0;  // m/s of a row for one unit of y; 0 for a row that cannot move anything
     };
     std::vector<Row> rows;
     std::size_t bodies = 0;
     bool bounds_follow = false;  // whether some row has a leader
+    bool has_discs = false;
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
     // matrix that is to be factorised.
@@ -41,16 +43,27 @@ inline double bound_scale(const UnitProblem::Row& row, const std::vector<double>
     return row.leader < 0 ? 1.0 : y[static_cast<std::size_t>(row.leader)];
 }
 
-// `value` between the bounds of a row, multiplied with `scale`.
+// `value` between the bounds of a row without a disc, multiplied with `scale`.
 inline double clamped(const UnitProblem::Row& row, double value, double scale) {
     return std::max(std::min(value, row.high * scale), row.low * scale);
 }
 
+// Puts the force `value[j]` within the bounds that it has while the others are `y`; both forces of a disc when `j`
+// is its second row, nothing when it is the first.
+inline void clamp(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
+                  std::vector<double>& value) {
+    const UnitProblem::Row& row = problem.rows[j];
+    const double scale = bound_scale(row, y);
+    if (row.disc == Disc::none) value[j] = clamped(row, value[j], scale);
+    if (row.disc != Disc::second) return;
+    const double share = share_in_disc(value[j - 1] * value[j - 1] + value[j] * value[j], row.high * scale);
+    value[j - 1] *= share;
+    value[j] *= share;
+}
+
 // Puts all forces within their bounds, those of leaders first.
 inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
-    for (std::size_t j = 0; j < y.size(); ++j) {
-        y[j] = clamped(problem.rows[j], y[j], bound_scale(problem.rows[j], y));
-    }
+    for (std::size_t j = 0; j < y.size(); ++j) clamp(problem, y, j, y);
 }
 
 // u_j . v
@@ -74,14 +87,30 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
 }
 
+// What the natural map changes of a force: of row `j`, or of both rows of a disc when `j` is its second.
+struct Change {
+    double of_first = 0.0, of_row = 0.0;
+
+    double squared() const { return of_first * of_first + of_row * of_row; }
+};
+inline Change natural_change(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r,
+                             std::size_t j) {
+    const UnitProblem::Row& row = problem.rows[j];
+    const double scale = bound_scale(row, y);
+    if (row.disc == Disc::none) return {0.0, clamped(row, y[j] + r[j], scale) - y[j]};
+    if (row.disc == Disc::first) return {};
+    const double first = y[j - 1] + r[j - 1], second = y[j] + r[j];
+    const double share = share_in_disc(first * first + second * second, row.high * scale);
+    return {share * first - y[j - 1], share * second - y[j]};
+}
+
 // Natural residual [m/s] of a y with this r; not finite where one of them is not.
 inline double residual(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r) {
     double largest = 0.0;
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const UnitProblem::Row& row = problem.rows[j];
-        const double change = clamped(row, y[j] + r[j], bound_scale(row, y)) - y[j];
+        const double change = std::sqrt(natural_change(problem, y, r, j).squared());
         if (std::isnan(change)) return change;
-        largest = std::max(largest, row.scale * std::abs(change));
+        largest = std::max(largest, problem.rows[j].scale * change);
     }
     return largest;
 }

@@ -13,6 +13,9 @@
 //
 // Rows that stand together and act on the same two bodies, up to three, are a block: the contact row of a point and
 // its friction are one. A block takes the velocities of its bodies once, for all its rows and columns.
+//
+// Two rows of a disc have one s, so that their y are bounded by a disc too, and u of length 1 or less. They move
+// together: y <- P_disc(y + t - U x), with both errors from the same x (system_equation.h).
 #pragma once
 
 #include "engine/islands.h"
@@ -37,8 +40,9 @@ class UnitRows {
         const Jacobian* unit = nullptr;  // u_j, of the system that was loaded
         int a = 0, b = 0;                // bodies
         std::array<double, columns> y{}, t{};
-        double low = 0.0, high = 0.0;  // bounds of y, or factors of the other row's y
+        std::array<double, columns> low{}, high{};  // bounds of y, or factors of the other row's y
         int of_row = -1;
+        Disc disc = Disc::none;
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
@@ -46,6 +50,7 @@ class UnitRows {
     struct Block {
         int begin = 0, count = 0;  // of rows
         int a = 0, b = 0;          // bodies
+        int disc = -1;             // the first row of a disc, by its place in the block; of one disc at most
         // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; for whoever has called couple().
         std::array<double, 3> couplings{};
     };
@@ -91,19 +96,54 @@ class UnitRows {
         return Lanes<columns>::of(row.t) - Lanes<columns>::sum(sums);
     }
 
-    // `y` between the row's bounds as they are now.
+    // `y` between the bounds of a row without a disc as they are now.
     double clamped(const Row& row, int c, double y) const {
-        const double other = row.of_row < 0 ? 1.0 : rows[static_cast<std::size_t>(row.of_row)].y[at(c)];
-        return std::max(std::min(y, row.high * other), row.low * other);
+        const double other = leader(row, c);
+        return std::max(std::min(y, row.high[at(c)] * other), row.low[at(c)] * other);
     }
     Value clamped(const Row& row, Value y) const {
-        Value low = Lanes<columns>::all(row.low), high = Lanes<columns>::all(row.high);
+        Value low = Lanes<columns>::of(row.low), high = Lanes<columns>::of(row.high);
         if (row.of_row >= 0) {
             const Value other = Lanes<columns>::of(rows[static_cast<std::size_t>(row.of_row)].y);
             low *= other;
             high *= other;
         }
         return larger(smaller(y, high), low);
+    }
+
+    // The forces of both rows of a disc put into it as it is now, which `row` is the second of.
+    void put_in_disc(const Row& row, int c, double& first, double& second) const {
+        const double share = share_in_disc(first * first + second * second, row.high[at(c)] * leader(row, c));
+        first *= share;
+        second *= share;
+    }
+    void put_in_disc(const Row& row, Value& first, Value& second) const {
+        const Value square = first * first + second * second;
+        std::array<double, columns> share;
+        for (int c = 0; c < columns; ++c) {
+            share[at(c)] = share_in_disc(Lanes<columns>::in(square, c), row.high[at(c)] * leader(row, c));
+        }
+        first *= Lanes<columns>::of(share);
+        second *= Lanes<columns>::of(share);
+    }
+
+    // Moves a row to the force `y`, as near as its bounds let it, and its bodies along; rows one after the other in
+    // their order. The two of a disc move together, when it is the turn of the second. Returns the largest change
+    // of a row's velocity [m/s].
+    double move(Row& row, int c, double y) {
+        switch (row.disc) {
+            case Disc::none:
+                return row.scale * std::abs(set(row, c, clamped(row, c, y)));
+            case Disc::first:
+                wanted_by_first_[at(c)] = y;
+                return 0.0;
+            case Disc::second:
+                break;
+        }
+        double first = wanted_by_first_[at(c)];
+        put_in_disc(row, c, first, y);
+        const double change = set(*(&row - 1), c, first);
+        return row.scale * std::max(std::abs(change), std::abs(set(row, c, y)));
     }
 
     // Gives a row the force y, and its bodies the velocities that follow. Returns the change of y.
@@ -121,19 +161,28 @@ class UnitRows {
                 reinterpret_cast<Two*>(x_of(block.b).data() + 6 * c)};
     }
 
-    // Calls `visit` with each block and the number of its rows as a constant.
+    // Calls `visit` with each block, and with the number of its rows and the place of its disc as constants.
     template <typename Visit>
     void for_each_block(const Visit& visit) {
         for (Block& block : blocks) {
+            const auto with_disc = [&](auto count) {
+                if (block.disc < 0) visit(block, count, std::integral_constant<int, -1>());
+                if constexpr (count > 1) {
+                    if (block.disc == 0) visit(block, count, std::integral_constant<int, 0>());
+                }
+                if constexpr (count > 2) {
+                    if (block.disc == 1) visit(block, count, std::integral_constant<int, 1>());
+                }
+            };
             switch (block.count) {
                 case 1:
-                    visit(block, std::integral_constant<std::size_t, 1>());
+                    with_disc(std::integral_constant<int, 1>());
                     break;
                 case 2:
-                    visit(block, std::integral_constant<std::size_t, 2>());
+                    with_disc(std::integral_constant<int, 2>());
                     break;
                 default:
-                    visit(block, std::integral_constant<std::size_t, 3>());
+                    with_disc(std::integral_constant<int, 3>());
             }
         }
     }
@@ -154,7 +203,7 @@ class UnitRows {
     // The bodies' velocities anew from all forces, which removes what roundings have left behind.
     [[gnu::flatten]] void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
-        for_each_block([&](const Block& block, auto count) {
+        for_each_block([&](const Block& block, auto count, auto) {
             Value y[count];
             unrolled<count>([&](auto i) { y[i] = Lanes<columns>::of(rows_of(block)[i].y); });
             push<count>(block, y);
@@ -165,7 +214,7 @@ class UnitRows {
     void couple() {
         if (coupled_) return;
         coupled_ = true;
-        for_each_block([&](Block& block, auto count) {
+        for_each_block([&](Block& block, auto count, auto) {
             const Row* row = rows_of(block);
             unrolled<count>([&](auto i) {
                 unrolled<i>([&](auto k) {
@@ -179,14 +228,19 @@ class UnitRows {
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
     [[gnu::flatten]] double residual() {
         Value largest{};
-        for_each_block([&](const Block& block, auto count) {
+        for_each_block([&](const Block& block, auto count, auto disc) {
             Velocity x[columns];
             unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
+            Value moved[count];
             unrolled<count>([&](auto i) {
                 const Row& row = rows_of(block)[i];
-                const Value y = Lanes<columns>::of(row.y);
-                const Value moved = clamped(row, y + error(row, x));
-                largest = larger(largest, row.scale * magnitude(moved - y));
+                moved[i] = Lanes<columns>::of(row.y) + error(row, x);
+                if constexpr (disc >= 0 && i == disc + 1) {
+                    largest = larger(largest, missed_in_disc(row, moved[disc], moved[i]));
+                } else if constexpr (disc < 0 || i != disc) {
+                    moved[i] = clamped(row, moved[i]);
+                    largest = larger(largest, row.scale * magnitude(moved[i] - Lanes<columns>::of(row.y)));
+                }
             });
         });
         return Lanes<columns>::largest(largest);
@@ -208,8 +262,9 @@ class UnitRows {
         double largest = 0.0;
         for (const Row& row : rows) {
             if (row.of_row >= 0) continue;
-            for (const double t : row.t) {
-                largest = std::max(largest, row.scale * std::abs(std::max(std::min(t, row.high), row.low)));
+            for (int c = 0; c < columns; ++c) {
+                const double alone = std::max(std::min(row.t[at(c)], row.high[at(c)]), row.low[at(c)]);
+                largest = std::max(largest, row.scale * std::abs(alone));
             }
         }
         return largest;
@@ -218,6 +273,9 @@ class UnitRows {
     // Whether some bound is a multiple of another row's force.
     bool bounds_follow() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });
+    }
+    bool has_discs() const {
+        return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.disc != Disc::none; });
     }
 
     std::vector<Row> rows;
@@ -233,22 +291,24 @@ class UnitRows {
         row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
         row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
+        row.disc = source.bounds.disc;
         if (row.of_row >= 0) {
             row.of_row =
                 row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
         }
         if (!(row.scale > 0.0)) {
             row.y = row.t = {};
-            row.low = row.high = 0.0;
+            row.low = row.high = {};
             return;
         }
         assert(row.a != row.b);
         const double to_y = system.dt * row.scale;
         const double to_t = system.dt * system.inverse_scale[j];
         const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
-        row.low = source.bounds.c_min * bound_scale;
-        row.high = source.bounds.c_max * bound_scale;
         for (int c = 0; c < columns; ++c) {
+            const bool bounded_by_zero = c > 0 && !source.bounds.in_momenta;
+            row.low[at(c)] = bounded_by_zero ? 0.0 : source.bounds.c_min * bound_scale;
+            row.high[at(c)] = bounded_by_zero ? 0.0 : source.bounds.c_max * bound_scale;
             row.t[at(c)] = system.b(j, c) * to_t;
             row.y[at(c)] = guess(j, c) * to_y;
         }
@@ -258,22 +318,40 @@ class UnitRows {
         for (int c = 0; c < columns; ++c) {
             lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
             // The bounds once more: scaling back may pass them by a rounding.
-            const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, c);
-            lambda(j, c) = std::max(std::min(lambda(j, c), high), low);
+            clamp_force(system.rows, j, c, lambda);
         }
-        if (columns < lambda.cols()) lambda(j, lambda.cols() - 1) = lambda(j, 0);
+        if (columns == lambda.cols()) return;
+        const Eigen::Index last = lambda.cols() - 1;
+        lambda(j, last) = lambda(j, 0);
+        if (row.disc == Disc::second) lambda(j - 1, last) = lambda(j - 1, 0);
     }
 
     void add_to_block(int j) {
         const Row& row = rows[static_cast<std::size_t>(j)];
         if (!blocks.empty()) {
             Block& last = blocks.back();
-            if (last.a == row.a && last.b == row.b && last.count < rows_of_a_block) {
+            const int wanted = row.disc == Disc::first ? 2 : 1;
+            if (last.a == row.a && last.b == row.b && last.count + wanted <= rows_of_a_block) {
+                if (row.disc == Disc::first) last.disc = last.count;
                 ++last.count;
                 return;
             }
         }
-        blocks.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b});
+        blocks.push_back(
+            {.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = row.disc == Disc::first ? 0 : -1});
+    }
+
+    // What a row's bounds are factors of.
+    double leader(const Row& row, int c) const {
+        return row.of_row < 0 ? 1.0 : rows[static_cast<std::size_t>(row.of_row)].y[at(c)];
+    }
+
+    // The residual of both rows of a disc that want these forces; `row` is the second.
+    Value missed_in_disc(const Row& row, Value first, Value second) const {
+        put_in_disc(row, first, second);
+        first -= Lanes<columns>::of((&row - 1)->y);
+        second -= Lanes<columns>::of(row.y);
+        return row.scale * root(Value(first * first + second * second));
     }
 
     // The other row's s; 1 where it is 0, because its y is 0 then.
@@ -282,7 +360,8 @@ class UnitRows {
         return scale > 0.0 ? scale : 1.0;
     }
 
-    bool coupled_ = false;  // whether the blocks have their couplings
+    bool coupled_ = false;                           // whether the blocks have their couplings
+    std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is to come; see move()
 };
 
 }  // namespace pushfactor::engine::solvers

@@ -98,7 +98,7 @@ TEST_CASE("the paper's friction bound is mu m |g n| over the points, whichever w
     const WeightFriction rule(Vector3(0, -10, 0));
     const auto bound = [&](const Body& a, const Body& b, const Vector3& n) {
         const BodyPair pair{0, 1, a, b};
-        return rule.bound({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0);
+        return rule.bound({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0, Disc::first);
     };
     CHECK(bound(ground, one, Vector3::UnitY()).c_max == Approx(2.5));
     CHECK(bound(ground, one, -Vector3::UnitY()).c_max == Approx(2.5));
@@ -108,16 +108,21 @@ TEST_CASE("the paper's friction bound is mu m |g n| over the points, whichever w
     CHECK(bound(ground, one, Vector3::UnitY()).of_row < 0);
 }
 
-TEST_CASE("Coulomb's bound names the contact row of the point") {
+TEST_CASE("Coulomb's bound names the contact row of the point, alone or together with the other tangent") {
     const Body ground = static_body(Vector3::Zero());
     const Body box = box_body(2.0, Vector3::Ones(), Vector3::Zero());
     const BodyPair pair{0, 1, ground, box};
     const Vector3 up = Vector3::UnitY();
-    const Bounds bounds =
-        CoulombFriction().bound({.bodies = pair, .normal = up, .friction = 0.3, .points = 4}).at(17);
-    CHECK(bounds.c_min == -0.3);
-    CHECK(bounds.c_max == 0.3);
-    CHECK(bounds.of_row == 17);
+    const FrictionSite site{.bodies = pair, .normal = up, .friction = 0.3, .points = 4};
+    for (const Disc which : {Disc::first, Disc::second}) {
+        for (const FrictionBound& bound : {CoulombFriction().bound(site), ConeFriction().bound(site)}) {
+            CHECK(bound.at(17, which).c_min == -0.3);
+            CHECK(bound.at(17, which).c_max == 0.3);
+            CHECK(bound.at(17, which).of_row == 17);
+        }
+        CHECK(CoulombFriction().bound(site).at(17, which).disc == Disc::none);
+        CHECK(ConeFriction().bound(site).at(17, which).disc == which);
+    }
 }
 
 TEST_CASE("the first tangent lies along the sliding direction, or fixed in body a without one") {

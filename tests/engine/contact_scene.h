@@ -92,7 +92,7 @@ struct ContactScene {
             return false;
         };
         using engine::collision::Collider;
-        if (any(&Collider::friction)) stage->set_friction(std::make_unique<engine::WeightFriction>(gravity));
+        if (any(&Collider::friction)) stage->set_friction(std::make_unique<engine::ConeFriction>());
         if (any(&Collider::restitution)) stage->set_restitution(engine::restitution_larger);
         stage->set_sweep(std::make_unique<engine::collision::Sweep>());
         stage->set_cache(std::make_unique<engine::ContactCache>());

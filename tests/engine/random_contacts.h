@@ -10,13 +10,14 @@
 
 namespace pushfactor::tests {
 
-enum class RandomFriction { box, coulomb };
+enum class RandomFriction { box, coulomb, cone };
 
 // 2 to 100 bodies with masses from 10^-decades to 10^decades kg, body 0 static. Each leans on one of the six before
 // it and touches some of those that are near, at one to four points of a plane (four are redundant), with normal
 // and two tangents; a tenth of the pairs are joined by a bar instead. The tangents are bounded by forces that suit
-// the weight or, in a third of the pairs, are thinner than rounding; or all are Coulomb friction. The rows ask for
-// less than some motion of the bodies gives them, so that no two of them contradict each other.
+// the weight or, in a third of the pairs, are thinner than rounding; or all are Coulomb friction, each tangent
+// alone or both on a disc. The rows ask for less than some motion of the bodies gives them, so that no two of them
+// contradict each other.
 inline Frozen random_contacts(std::uint64_t seed, RandomFriction friction, double decades) {
     using namespace engine;
     Random random(seed);
@@ -80,14 +81,17 @@ inline Frozen random_contacts(std::uint64_t seed, RandomFriction friction, doubl
                 row.bounds.c_min = 0.0;
                 row.push.lasting = speed(row) - random.in(0, 1) * random.in(0, 0.5);
                 const int normal_row = static_cast<int>(rows.size()) - 1;
-                for (const Vector3& tangent : {first, second}) {
+                for (const bool is_first : {true, false}) {
+                    const Vector3& tangent = is_first ? first : second;
                     ConstraintRow& slides = add(a, b, point, tangent);
                     const double weight = 10.0 * lighter(a, b);
                     const double bound = thin ? 1e-19 : random.in(0, 0.5) * weight;
                     slides.bounds = {.c_min = -bound, .c_max = bound};
-                    if (friction == RandomFriction::coulomb) {
-                        const double mu = thin ? 0.7 : 0.3;
-                        slides.bounds = {.c_min = -mu, .c_max = mu, .of_row = normal_row};
+                    if (friction == RandomFriction::box) continue;
+                    const double mu = thin ? 0.7 : 0.3;
+                    slides.bounds = {.c_min = -mu, .c_max = mu, .of_row = normal_row};
+                    if (friction == RandomFriction::cone) {
+                        slides.bounds.disc = is_first ? Disc::first : Disc::second;
                     }
                 }
             }

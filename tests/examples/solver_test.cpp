@@ -25,8 +25,8 @@ class OverRelaxed {
             double largest = 0.0;
             for (auto& row : rows.rows) {
                 for (int c = 0; c < columns; ++c) {
-                    const double y = rows.clamped(row, c, row.y[rows.at(c)] + weight * rows.error(row, c));
-                    largest = std::max(largest, row.scale * std::abs(rows.set(row, c, y)));
+                    const double y = row.y[rows.at(c)] + weight * rows.error(row, c);
+                    largest = std::max(largest, rows.move(row, c, y));
                 }
             }
             return largest;

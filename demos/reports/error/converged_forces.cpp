@@ -54,13 +54,24 @@ engine::MatrixX dense_matrix(const SystemEquation& system) {
     return A;
 }
 
+// The bounds of row `j` while all other forces are as they are: in a disc, the chord through it.
+engine::Interval range_of(const SystemEquation& system, const Columns& lambda, Eigen::Index j,
+                          Eigen::Index column) {
+    const engine::ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+    const engine::Interval bounds = bounds_of(row, lambda, column);
+    if (row.bounds.disc == engine::Disc::none) return bounds;
+    const double other = lambda(row.bounds.disc == engine::Disc::first ? j + 1 : j - 1, column);
+    const double half = std::sqrt(std::max(0.0, bounds.high * bounds.high - other * other));
+    return {-half, half};
+}
+
 // Adds a share of `change` to the free rows of a column, up to the first that reaches a bound; at most `most` of
 // it. Returns the share, infinity when nothing was there to reach and nothing was done.
 double move(const SystemEquation& system, const std::vector<Eigen::Index>& free, const engine::VectorX& change,
             double most, Columns& lambda, Eigen::Index column) {
     const auto way = [&](std::size_t k) {
         const double speed = change[static_cast<Eigen::Index>(k)];
-        const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(free[k])], lambda, column);
+        const auto [low, high] = range_of(system, lambda, free[k], column);
         const double bound = speed > 0.0 ? high : low;
         return std::pair{bound, speed == 0.0 ? unbounded : (bound - lambda(free[k], column)) / speed};
     };
@@ -73,6 +84,7 @@ double move(const SystemEquation& system, const std::vector<Eigen::Index>& free,
         // What gets there is there, without a rounding in between.
         value = reached <= share ? bound : value + share * change[static_cast<Eigen::Index>(k)];
     }
+    for (const Eigen::Index j : free) clamp_force(system.rows, j, column, lambda);
     return share;
 }
 
@@ -84,7 +96,7 @@ void finish_free_rows(const SystemEquation& system, const engine::MatrixX& A, Co
     for (Eigen::Index turn = 0; turn < 2 * lambda.rows(); ++turn) {
         std::vector<Eigen::Index> free;
         for (Eigen::Index j = 0; j < lambda.rows(); ++j) {
-            const auto [low, high] = bounds_of(system.rows[static_cast<std::size_t>(j)], lambda, column);
+            const auto [low, high] = range_of(system, lambda, j, column);
             if (lambda(j, column) > low && lambda(j, column) < high && system.diagonal[j] > 0.0) free.push_back(j);
         }
         if (free.empty()) return;

@@ -57,7 +57,22 @@ int read_index(const JsonReader& json, std::size_t count) {
     return static_cast<int>(number);
 }
 
-ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::size_t index) {
+// Of the row before, which may be the first of a disc.
+engine::Disc read_disc(const JsonReader& json, const ConstraintRow& row, const ConstraintRow* before) {
+    const bool begun = before && before->bounds.disc == engine::Disc::first;
+    const std::string disc = json.has("disc") ? json.at("disc").string() : "";
+    if (disc == "first" && !begun) return engine::Disc::first;
+    if (begun && disc != "second") json.refuse("a row with \"disc\": \"second\" after one with \"first\"");
+    if (!begun && !disc.empty()) json.at("disc").refuse("\"first\", and \"second\" in the row after it");
+    if (!begun) return engine::Disc::none;
+    const bool same = row.body_a == before->body_a && row.body_b == before->body_b &&
+                      row.bounds.of_row == before->bounds.of_row && row.bounds.c_max == before->bounds.c_max;
+    if (!same) json.refuse("the bodies and the bounds of the first row of the disc");
+    return engine::Disc::second;
+}
+
+ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::span<const ConstraintRow> before) {
+    const std::size_t index = before.size();
     ConstraintRow row;
     row.body_a = read_index(json.at("body_a"), bodies);
     row.body_b = read_index(json.at("body_b"), bodies);
@@ -65,6 +80,8 @@ ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::size_t i
     row.bounds.c_min = read_bound(json.at("c_min_n"), -unbounded);
     row.bounds.c_max = read_bound(json.at("c_max_n"), unbounded);
     if (json.has("of_row")) row.bounds.of_row = read_index(json.at("of_row"), index);
+    row.bounds.disc = read_disc(json, row, before.empty() ? nullptr : &before.back());
+    if (json.has("in_momenta")) row.bounds.in_momenta = json.at("in_momenta").boolean();
     return row;
 }
 
@@ -107,7 +124,7 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     guess_.resizeLike(system_.b);
     for (Eigen::Index j = 0; j < count; ++j) {
         const JsonReader& row = rows[static_cast<std::size_t>(j)];
-        rows_.push_back(read_row(row, bodies.size(), static_cast<std::size_t>(j)));
+        rows_.push_back(read_row(row, bodies.size(), rows_));
         const std::vector<double> b = row.at("b_m_per_s2").numbers(columns, one_a_column);
         const std::vector<double> guess = row.at("guess_n").numbers(columns, one_a_column);
         for (std::size_t c = 0; c < columns; ++c) {
@@ -115,6 +132,9 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
             guess_(j, static_cast<Eigen::Index>(c)) = guess[c];
         }
         rows_.back().guess = {guess.front(), guess.back()};
+    }
+    if (!rows_.empty() && rows_.back().bounds.disc == engine::Disc::first) {
+        rows.back().refuse("a row with \"disc\": \"second\" after it");
     }
     system_.rows = rows_;
     weigh_rows(system_);
@@ -148,6 +168,10 @@ std::string FrozenProblem::text() const {
                    {"c_min_n", bound_json(row.bounds.c_min)},
                    {"c_max_n", bound_json(row.bounds.c_max)}};
         if (row.bounds.of_row >= 0) entry["of_row"] = row.bounds.of_row;
+        if (row.bounds.disc != engine::Disc::none) {
+            entry["disc"] = row.bounds.disc == engine::Disc::first ? "first" : "second";
+        }
+        if (!row.bounds.in_momenta) entry["in_momenta"] = false;
         entry["b_m_per_s2"] = numbers_of(system_.b.row(j));
         entry["guess_n"] = numbers_of(guess_.row(j));
         json["rows"].push_back(entry);

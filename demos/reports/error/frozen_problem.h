@@ -19,6 +19,8 @@
 //         "j_a": [6 numbers], "j_b": [6 numbers],         linear part [1], angular part [m], world frame
 //         "c_min_n": 0, "c_max_n": null,                  null: no bound; forces, or with of_row factors
 //         "of_row": 3,                 only where the bounds are factors of that row's lambda
+//         "disc": "first",             then "second": c_max bounds the length of both rows' lambda
+//         "in_momenta": false,         only where lambda of the last column is zero
 //         "b_m_per_s2": [one number a column],            right side of A lambda = b, A = J M^-1 J^T
 //         "guess_n": [one number a column]                where a warm solver starts
 //       }, ...

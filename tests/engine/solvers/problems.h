@@ -78,6 +78,9 @@ inline std::unique_ptr<engine::FrictionRule> weight_friction() {
 inline std::unique_ptr<engine::FrictionRule> coulomb_friction() {
     return std::make_unique<engine::CoulombFriction>();
 }
+inline std::unique_ptr<engine::FrictionRule> cone_friction() {
+    return std::make_unique<engine::ConeFriction>();
+}
 
 // Cubes of 1 m and 1 kg on a plane and on each other, overlapping by a centimetre, each turned by `turn` against
 // the one below: faces that meet in four points when aligned and in eight at 45 degrees. They move
@@ -144,6 +147,9 @@ inline std::vector<Problem> solvable_problems() {
     problems.back().name = "gutter, Coulomb";
     problems.push_back(tower_problem("box, singular", 1, 0.0, weight_friction(), single_frame));
     problems.push_back(tower_problem("box, Coulomb", 1, 0.0, coulomb_friction(), single_frame));
+    problems.push_back(gutter_problem(cone_friction()));
+    problems.back().name = "gutter, cone";
+    problems.push_back(tower_problem("box, cone", 1, 0.0, cone_friction(), single_frame));
     problems.push_back(tower_problem("two boxes in two columns", 2, 0.0, weight_friction(), single_frame));
     return problems;
 }

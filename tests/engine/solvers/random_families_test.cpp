@@ -54,11 +54,14 @@ TEST_CASE("every random problem with fixed bounds is solved to 1e-10 m/s within 
     WARN(family_size() << " problems: at most " << most << " factorisations, residual at most " << worst << " m/s");
 }
 
-TEST_CASE("of random problems with Coulomb friction four in five are solved, and the others are reported") {
+TEST_CASE(
+    "of problems with Coulomb friction four in five are solved on the square, a third on the cone, and the "
+    "others are reported") {
+    const RandomFriction friction = GENERATE(RandomFriction::coulomb, RandomFriction::cone);
+    const bool cone = friction == RandomFriction::cone;
     int solved = 0;
     for (int seed = 1; seed <= family_size(); ++seed) {
-        const Frozen frozen =
-            tests::random_contacts(static_cast<std::uint64_t>(seed), RandomFriction::coulomb, 1.5);
+        const Frozen frozen = tests::random_contacts(static_cast<std::uint64_t>(seed), friction, 1.5);
         const Answer answer = solve("direct", frozen, to_1e10);
         INFO("seed " << seed << ", " << frozen.rows.size() << " rows");
         if (answer.residual <= 1e-8) {
@@ -70,6 +73,6 @@ TEST_CASE("of random problems with Coulomb friction four in five are solved, and
         CHECK(answer.residual <= natural_residual(frozen.system, frozen.zero()));
         CHECK(answer.residual <= solve("pgs", frozen, {.iterations = 200}).residual);
     }
-    CHECK(solved >= 0.8 * family_size());
-    WARN(solved << " of " << family_size() << " solved to 1e-8 m/s");
+    CHECK(solved >= (cone ? 0.3 : 0.8) * family_size());
+    WARN((cone ? "cone: " : "square: ") << solved << " of " << family_size() << " solved to 1e-8 m/s");
 }

@@ -47,7 +47,8 @@ Columns guesses(const World& world) {
 
 TEST_CASE("after 25 iterations sweep and dense A agree to 1e-12 relative, row for row") {
     for (const char* preset : {"paper", "default"}) {
-        for (const auto model : {demos::FrictionModel::paper, demos::FrictionModel::coulomb}) {
+        for (const auto model :
+             {demos::FrictionModel::paper, demos::FrictionModel::coulomb, demos::FrictionModel::cone}) {
             demos::Settings settings = demos::preset_settings(preset);
             settings.friction_model = model;
             auto simulation = tests::simulate("intersecting-stack", settings);
