@@ -144,6 +144,9 @@ class StabilityReport {
         for (const Trial& trial : trials) {
             ++count_.trials;
             for (const Verdict& verdict : trial.verdicts()) add_line(trial, verdict, plate);
+            if (trial.holds()) continue;
+            count_.unexpected.push_back(
+                fmt::format("{} ({}): {}", trial.one().name, trial.expected().preset, trial.outcome()));
         }
         const std::string picture = gallery_.hang(chapter.name, trials);
         if (!picture.empty()) plate.pictures.push_back(picture);
@@ -158,9 +161,6 @@ class StabilityReport {
         std::transform(line.begin(), line.end(), std::back_inserter(fields), quoted);
         lines_ += fmt::format("{}\n", fmt::join(fields, ","));
         if (!verdict.met) ++count_.missed_bars;
-        if (!verdict.holds) {
-            count_.unexpected.push_back(fmt::format("{} ({}): {}", line[0], line[1], line[2]));
-        }
         plate.table.push_back(std::move(line));
     }
 

@@ -1,8 +1,11 @@
 // Bars, and scenes with little or nothing in them.
 #include "demos/reports/stability/chapters.h"
 #include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/thin_scenes.h"
 
 #include <fmt/format.h>
+
+#include <numbers>
 
 namespace pushfactor::demos::reports::stability {
 
@@ -58,6 +61,43 @@ Chapter redundant_bars() {
                                         {.measure = "residual_m_per_s_median", .bar = 0.1, .at_least = true}},
                              .expected = with_paper("rest", {"paper", "rest"}),
                              .quick = true});
+    return chapter;
+}
+
+Chapter ball_joints() {
+    Chapter chapter{"ball-joints",
+                    "Bars of length 0: a rod hung by its end has the period of the elliptic integral, a chain of "
+                    "five rods holds",
+                    {}};
+    add_at_both_steps(chapter, [](double step) {
+        constexpr double angle = 1.0;  // rad
+        const double period = rod_pendulum_period(angle);
+        const double rate = 2.0 * std::numbers::pi / period;  // rad/s
+        return Case{.name = "rod-pendulum",
+                    .own = rod_pendulum(angle),
+                    .options = {{"seconds", "20"}},
+                    .wanted = "moving",
+                    .checks = {{.measure = "swing_period_s",
+                                .bar = 0.25 * rate * rate * step * step,
+                                .target = period,
+                                .scale = period},
+                               {.measure = "max_length_error_m", .bar = 0.01}},
+                    .expected = of_both("moving"),
+                    .quick = true};
+    });
+    add_at_both_steps(chapter, [](double step) {
+        constexpr double angle = 0.7;  // rad
+        return Case{.name = "ball-joint-chain",
+                    .own = ball_joint_chain(angle),
+                    .options = {{"seconds", "10"}},
+                    .wanted = "moving",
+                    .checks = {{.measure = "max_length_error_m", .bar = 0.3 * step},
+                               {.measure = "energy_change_at_end_j",
+                                .bar = 3.0 * step,
+                                .scale = ball_joint_chain_swing(angle)}},
+                    .expected = of_both("moving"),
+                    .quick = true};
+    });
     return chapter;
 }
 

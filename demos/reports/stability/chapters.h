@@ -12,15 +12,28 @@ Chapter steps();
 Chapter sizes_and_places();
 Chapter overlaps();
 
+// Cards, planks and rods that stand.
+Chapter thin();
+
 // What is fast, turns or bounces.
 Chapter impacts();
 Chapter passing();
 Chapter turning();
 Chapter bounces();
+
+// What slides, rolls or holds by friction, and what must not notice it.
 Chapter slopes();
+Chapter directions();
+Chapter slab();
+Chapter rolls();
+Chapter hovering();
+
+// Floors of flush boxes.
+Chapter seams();
 
 // Bars, and scenes with little or nothing in them.
 Chapter chains();
+Chapter ball_joints();
 Chapter redundant_bars();
 Chapter little();
 
@@ -33,6 +46,20 @@ inline std::vector<Expected> with_paper(const std::string& outcome, const Expect
     std::vector<Expected> all = of_both(outcome);
     all.push_back(paper);
     return all;
+}
+
+// The same case at 60 Hz and with 16 engine steps in each step. `make` gives it for an engine step of that length
+// [s]; in the quick report it is only at 60 Hz.
+template <typename Make>
+void add_at_both_steps(Chapter& chapter, const Make& make) {
+    constexpr double step = 1.0 / 60.0;
+    constexpr int substeps = 16;
+    chapter.cases.push_back(make(step));
+    Case divided = make(step / substeps);
+    divided.name += "-16-substeps";
+    divided.options.emplace_back("substeps", std::to_string(substeps));
+    divided.quick = false;
+    chapter.cases.push_back(divided);
 }
 
 }  // namespace pushfactor::demos::reports::stability

@@ -23,12 +23,22 @@ constexpr int columns = 3;
 constexpr int samples = 4;
 constexpr float letters = 11.0f;  // pixels
 
+// Of a box its corners: a ball around a floor or a card would be mostly empty.
+void add_balls(const BodyDescription& body, std::vector<pictures::Ball>& balls) {
+    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) {
+        balls.push_back({body.position, sphere->radius});
+    } else if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vector3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            balls.push_back({body.position + body.orientation * (0.5 * signs.cwiseProduct(box->size)), 0.0});
+        }
+    }
+}
+
 // What a scene begins with: what moves, what it hangs on, and the walls that are not infinite.
 std::vector<pictures::Ball> balls_of(const SceneDescription& start) {
     std::vector<pictures::Ball> balls;
-    for (const BodyDescription& body : start.bodies) {
-        if (bounding_radius(body) > 0.0) balls.push_back({body.position, bounding_radius(body)});
-    }
+    for (const BodyDescription& body : start.bodies) add_balls(body, balls);
     for (const DistanceDescription& distance : start.distances) {
         if (distance.a.body == "world") balls.push_back({distance.a.point, 0.0});
     }

@@ -1,6 +1,7 @@
 #include "demos/reports/stability/measures.h"
 
 #include "demos/numbers.h"
+#include "demos/reports/stability/sliding_measures.h"
 
 #include <algorithm>
 #include <array>
@@ -13,31 +14,11 @@ namespace pushfactor::demos::reports::stability {
 
 namespace {
 
-using engine::Quaternion;
 using engine::Vector3;
 
-// The movable body that the scene names last, at one moment.
-struct State {
-    double time = 0.0;  // s
-    Vector3 x, v, w;
-    Quaternion orientation;
-};
-
+// Of the movable body that the scene names last.
 std::vector<State> states(const Evidence& evidence) {
-    const Columns& all = evidence.outputs.at("trajectory");
-    const auto movable = std::count_if(evidence.scene->bodies.begin(), evidence.scene->bodies.end(),
-                                       [](const BodyDescription& body) { return body.mass.has_value(); });
-    std::vector<State> found;
-    const auto stride = static_cast<std::size_t>(movable);
-    for (std::size_t i = stride - 1; i < all.at("time_s").size(); i += stride) {
-        const auto at = [&](const char* column) { return all.at(column)[i]; };
-        found.push_back({.time = at("time_s"),
-                         .x = {at("x_m"), at("y_m"), at("z_m")},
-                         .v = {at("vx_m_per_s"), at("vy_m_per_s"), at("vz_m_per_s")},
-                         .w = {at("wx_rad_per_s"), at("wy_rad_per_s"), at("wz_rad_per_s")},
-                         .orientation = Quaternion(at("qw"), at("qx"), at("qy"), at("qz"))});
-    }
-    return found;
+    return tracks(evidence).back().states;
 }
 
 double step_of(const std::vector<State>& states) {
@@ -73,20 +54,6 @@ double largest_of(const std::vector<State>& states, const Value& value) {
 // How far below height 0 its centre comes.
 std::optional<double> depth(const Evidence& evidence) {
     return largest_of(states(evidence), [](const State& state) { return -state.x.y(); });
-}
-
-std::optional<double> deflection(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
-    return largest_of(all, [&](const State& state) { return (state.v - all.front().v).norm(); });
-}
-
-// Over the last second.
-std::optional<double> acceleration(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
-    const auto second = static_cast<std::size_t>(std::lround(1.0 / step_of(all)));
-    if (all.size() <= second) return std::nullopt;
-    const State& before = all[all.size() - 1 - second];
-    return (all.back().v - before.v).norm() / (all.back().time - before.time);
 }
 
 // Between the tops of the first five flights after a bounce, from the parabolas through the positions.
@@ -154,23 +121,54 @@ std::optional<double> energy_change_at_end(const Evidence& evidence) {
     return std::abs(number("energy_final_j") - number("energy_initial_j"));
 }
 
+using Values = std::vector<double>;
+
+// A number of the whole run.
+template <std::optional<double> (*one)(const Evidence&)>
+Values of_run(const Evidence& evidence) {
+    const std::optional<double> value = one(evidence);
+    return value ? Values{*value} : Values{};
+}
+
+// A number of each movable body; nothing where one of them does not have it.
+template <auto one>
+Values of_each(const Evidence& evidence) {
+    Values values;
+    for (const Track& track : tracks(evidence)) {
+        const std::optional<double> value = one(track);
+        if (!value) return {};
+        values.push_back(*value);
+    }
+    return values;
+}
+
 struct Measure {
     std::string_view name;
     std::string_view output;
-    std::optional<double> (*take)(const Evidence& evidence);
+    Values (*take)(const Evidence& evidence);
 };
 
 constexpr std::array measures{
-    Measure{"depth_m", "trajectory", depth},
-    Measure{"deflection_m_per_s", "trajectory", deflection},
-    Measure{"acceleration_m_per_s2", "trajectory", acceleration},
-    Measure{"spread_of_5_apexes_m", "trajectory", apex_spread},
-    Measure{"relative_energy_change", "trajectory", energy_change},
-    Measure{"relative_spin_change", "trajectory", spin_change},
-    Measure{"relative_angular_momentum_change", "trajectory", angular_momentum_change},
-    Measure{"penetration_at_end_m", "csv", penetration_at_end},
-    Measure{"largest_force_n", "rows", largest_force},
-    Measure{"energy_change_at_end_j", "", energy_change_at_end},
+    Measure{"depth_m", "trajectory", of_run<depth>},
+    Measure{"deflection_m_per_s", "trajectory", of_each<deflection>},
+    Measure{"acceleration_m_per_s2", "trajectory", of_each<acceleration>},
+    Measure{"slide_m", "trajectory", of_each<slide>},
+    Measure{"farthest_m", "trajectory", of_each<farthest>},
+    Measure{"sideways_m", "trajectory", of_each<sideways>},
+    Measure{"last_speed_m_per_s", "trajectory", of_each<last_speed>},
+    Measure{"spin_rad_per_s", "trajectory", of_each<largest_spin>},
+    Measure{"vertical_spin_rad_per_s", "trajectory", of_each<vertical_spin>},
+    Measure{"turned_rad", "trajectory", of_each<turned_angle>},
+    Measure{"swing_period_s", "trajectory", of_each<swing_period>},
+    Measure{"twin_distance_m", "trajectory", twin_distances},
+    Measure{"twin_velocity_m_per_s", "trajectory", twin_velocities},
+    Measure{"spread_of_5_apexes_m", "trajectory", of_run<apex_spread>},
+    Measure{"relative_energy_change", "trajectory", of_run<energy_change>},
+    Measure{"relative_spin_change", "trajectory", of_run<spin_change>},
+    Measure{"relative_angular_momentum_change", "trajectory", of_run<angular_momentum_change>},
+    Measure{"penetration_at_end_m", "csv", of_run<penetration_at_end>},
+    Measure{"largest_force_n", "rows", of_run<largest_force>},
+    Measure{"energy_change_at_end_j", "", of_run<energy_change_at_end>},
 };
 
 const Measure* find(const std::string& name) {
@@ -204,10 +202,10 @@ std::string output_for(const std::string& measure) {
     return found ? std::string(found->output) : std::string();
 }
 
-std::optional<double> take(const std::string& measure, const Evidence& evidence) {
+std::vector<double> take(const std::string& measure, const Evidence& evidence) {
     if (const Measure* const found = find(measure)) return found->take(evidence);
     const Json& value = evidence.summary.at(measure);
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+    return value.is_number() ? Values{value.get<double>()} : Values{};
 }
 
 }  // namespace pushfactor::demos::reports::stability

@@ -9,7 +9,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +29,7 @@ struct Evidence {
 // The option that writes what `measure` is taken from beside the summary; empty for none.
 std::string output_for(const std::string& measure);
 
-// Nothing where the run does not have it.
-std::optional<double> take(const std::string& measure, const Evidence& evidence);
+// One number, or one for each body that is judged by itself; none where the run does not have it.
+std::vector<double> take(const std::string& measure, const Evidence& evidence);
 
 }  // namespace pushfactor::demos::reports::stability

@@ -1,10 +1,8 @@
-// What is fast, turns, bounces or slides.
+// What is fast, turns or bounces.
 #include "demos/reports/stability/chapters.h"
 #include "demos/reports/stability/scenes.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace pushfactor::demos::reports::stability {
 
@@ -97,25 +95,6 @@ Chapter bounces() {
                              .checks = {{.measure = "spread_of_5_apexes_m", .bar = 1e-9}},
                              .expected = with_paper("moving", {"paper", "fly"}),
                              .quick = true});
-    return chapter;
-}
-
-Chapter slopes() {
-    constexpr double friction = 0.5;
-    Chapter chapter{"slopes", "A cube on a slope with Coulomb friction 0.5: g (sin - mu cos), or it holds", {}};
-    for (const double angle : {0.3, 0.45, 0.5, 0.6}) {
-        const double sliding = 10.0 * (std::sin(angle) - friction * std::cos(angle));
-        const bool slides = sliding > 0.0;
-        const std::string outcome = slides ? "moving" : "rest";
-        chapter.cases.push_back(
-            {.name = fmt::format("slope-{}-rad", angle),
-             .own = slope(angle),
-             .options = {{"friction-model", "coulomb"}, {"seconds", "3"}},
-             .wanted = outcome,
-             .checks = {{.measure = "acceleration_m_per_s2", .bar = 1e-6, .target = slides ? sliding : 0.0}},
-             .expected = {{"default", outcome}, {"exact", outcome}},
-             .quick = angle == 0.6});
-    }
     return chapter;
 }
 

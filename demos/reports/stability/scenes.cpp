@@ -1,5 +1,6 @@
 #include "demos/reports/stability/scenes.h"
 
+#include "demos/reports/stability/pieces.h"
 #include "demos/scenes/view.h"
 
 #include <cmath>
@@ -9,32 +10,6 @@ namespace pushfactor::demos::reports::stability {
 namespace {
 
 using engine::Vector3;
-
-constexpr double gravity = 10.0;  // m/s^2
-
-BodyDescription ground() {
-    return {.name = "ground", .shape = PlaneShape{}};
-}
-
-BodyDescription ball(double radius, const Vector3& position, const Vector3& velocity = Vector3::Zero()) {
-    return {.name = "ball", .shape = SphereShape{radius}, .mass = 1.0, .position = position, .velocity = velocity};
-}
-
-BodyDescription box(const std::string& name, const Vector3& size, const Vector3& position) {
-    return {.name = name, .shape = BoxShape{size}, .mass = 1.0, .position = position};
-}
-
-BodyDescription wall(const std::string& name, const Vector3& size, const Vector3& position) {
-    return {.name = name, .shape = BoxShape{size}, .position = position};
-}
-
-SceneDescription touching(const std::string& name, std::vector<BodyDescription> bodies) {
-    SceneDescription scene;
-    scene.name = name;
-    scene.bodies = std::move(bodies);
-    scene.contacts = true;
-    return scene;
-}
 
 SceneDescription weightless(const std::string& name, BodyDescription body, const Vector3& turning) {
     SceneDescription scene;
@@ -117,12 +92,6 @@ SceneDescription hanging(const std::vector<double>& lengths, double depth) {
         scene.distances.push_back(
             {.a = {"world", Vector3::Zero()}, .b = {"ball", Vector3::Zero()}, .length = length});
     }
-    return scene;
-}
-
-SceneDescription slope(double angle) {
-    SceneDescription scene = touching("slope", {ground(), box("cube", Vector3::Ones(), {0, 0.5, 0})});
-    scene.gravity = gravity * Vector3(std::sin(angle), -std::cos(angle), 0);
     return scene;
 }
 

@@ -45,9 +45,6 @@ SceneDescription overlapping(double overlap);
 // A ball of 2 kg that hangs at `depth` [m] on bars of these lengths [m], all between the same two points.
 SceneDescription hanging(const std::vector<double>& lengths, double depth);
 
-// A cube of 1 m on an inclined plane, friction 0.5: the ground is level, gravity is inclined by `angle` [rad].
-SceneDescription slope(double angle);
-
 // Two static boxes in each other, and nothing that moves but a ball far from them.
 SceneDescription overlapping_walls();
 

@@ -26,6 +26,16 @@ bool better_or_equal(double value, double bar, bool at_least) {
     return at_least ? value >= bar : value <= bar;
 }
 
+// What is farthest from what the check asks for.
+std::optional<double> worst(const Check& check, const std::vector<double>& values) {
+    std::optional<double> found;
+    for (const double value : values) {
+        const double judged = std::abs(value - check.target) / check.scale;
+        if (!found || !better_or_equal(judged, *found, check.at_least)) found = judged;
+    }
+    return found;
+}
+
 SceneDescription description_of(const Case& one) {
     if (one.wanted == "refused") return {};
     return one.own ? *one.own : run_of(one.scene, one.options).description;
@@ -84,10 +94,9 @@ void Trial::read_outcome(const Ending& ending) {
     }
 }
 
-Verdict Trial::judge(const Check& check, std::size_t index, std::optional<double> value) const {
-    Verdict verdict{.check = &check, .value = value, .met = false, .holds = false};
-    if (value) {
-        verdict.value = std::abs(*value - check.target) / check.scale;
+Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<double>& values) const {
+    Verdict verdict{.check = &check, .value = worst(check, values), .met = false, .holds = false};
+    if (verdict.value) {
         verdict.met = better_or_equal(*verdict.value, check.bar, check.at_least);
         verdict.holds = verdict.met;
         if (index < expected_.reached.size() && expected_.reached[index]) {

@@ -13,10 +13,10 @@
 namespace pushfactor::demos::reports::stability {
 
 struct Verdict {
-    const Check* check = nullptr;  // none where the outcome is all that is asked
-    std::optional<double> value{};
-    bool met = true;    // the bar
-    bool holds = true;  // as expected, or better
+    const Check* check = nullptr;   // none where the outcome is all that is asked
+    std::optional<double> value{};  // of several bodies the worst
+    bool met = true;                // the bar
+    bool holds = true;              // as expected, or better
 };
 
 class Trial {
@@ -50,7 +50,7 @@ class Trial {
     std::vector<std::string> outputs() const;
     void read_outcome(const Ending& ending);
     void judge_checks();
-    Verdict judge(const Check& check, std::size_t index, std::optional<double> value) const;
+    Verdict judge(const Check& check, std::size_t index, const std::vector<double>& values) const;
 
     const Case& one_;
     const Expected& expected_;

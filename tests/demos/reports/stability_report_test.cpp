@@ -1,13 +1,11 @@
 // The stability report as a whole: one command, a table that holds, thumbnails, commands that show the same; and
 // how a case is judged.
-#include "demos/reports/stability/measures.h"
-#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/friction_scenes.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"
 
-#include <cmath>
 #include <set>
 #include <thread>
 
@@ -43,27 +41,6 @@ Judged judged(const Case& one, const Expected& expected) {
     while (!trial.has_ended()) std::this_thread::yield();
     trial.judge();
     return {trial.outcome(), trial.verdicts().front().met, trial.holds()};
-}
-
-// A trajectory of one body that starts at 1 m and rises at 10 m/s, under gravity 10 m/s^2, at steps of 0.1 s.
-Evidence thrown(const pushfactor::demos::SceneDescription& scene) {
-    Evidence evidence{.scene = &scene};
-    Columns& columns = evidence.outputs["trajectory"];
-    for (const char* const name : {"x_m", "z_m", "qx", "qy", "qz", "vx_m_per_s", "vz_m_per_s", "wx_rad_per_s",
-                                   "wy_rad_per_s", "wz_rad_per_s"}) {
-        columns[name].assign(30, 0.0);
-    }
-    columns["qw"].assign(30, 1.0);
-    double y = 1.0;
-    double v = 10.0;
-    for (int i = 0; i < 30; ++i) {
-        columns["time_s"].push_back(0.1 * i);
-        columns["y_m"].push_back(y);
-        columns["vy_m_per_s"].push_back(v);
-        v -= 1.0;
-        y += 0.1 * v;
-    }
-    return evidence;
 }
 
 }  // namespace
@@ -144,22 +121,28 @@ TEST_CASE("a bar that is missed holds up to what is known to be reached, on eith
     CHECK(judged(one, {"default", "creep", {0.4}}).holds);
 }
 
+TEST_CASE("of several bodies the worst is judged, on either side of the target") {
+    Case one = short_case();
+    one.scene.clear();
+    one.own = cubes_in_16_directions(3.0, 0.3, false);
+    one.wanted = "moving";
+    one.own->bodies[3].velocity *= 0.5;  // and of all others the last speed is about 2.9 m/s
+    one.checks = {{.measure = "last_speed_m_per_s", .bar = 1.0, .target = 2.9}};
+    CHECK(!judged(one, {"default", "moving"}).holds);
+    one.checks.front().bar = 1.6;
+    CHECK(judged(one, {"default", "moving"}).holds);
+    one.checks.front() = {.measure = "last_speed_m_per_s", .bar = 2.0, .at_least = true};
+    CHECK(!judged(one, {"default", "moving"}).holds);
+    one.checks.front().bar = 1.0;
+    CHECK(judged(one, {"default", "moving"}).holds);
+}
+
 TEST_CASE("a refusal counts only when it names the field") {
     Case one{.name = "refused", .scene = "stack", .options = {{"dt", "0"}}, .wanted = "refused", .field = "--dt"};
     CHECK(judged(one, {"default", "refused"}).holds);
     one.field = "--beta";
     CHECK(judged(one, {"default", "refused"}).outcome == "refused without its name");
     CHECK(!judged(one, {"default", "refused"}).holds);
-}
-
-TEST_CASE("measures of a thrown ball follow its parabola") {
-    const auto scene = bouncing_ball();
-    const Evidence evidence = thrown(scene);
-    CHECK(*take("relative_energy_change", evidence) < 1e-12);
-    CHECK(*take("acceleration_m_per_s2", evidence) == Approx(10.0));
-    CHECK(*take("deflection_m_per_s", evidence) == Approx(29.0));
-    CHECK(*take("depth_m", evidence) == Approx(29 * 30 / 2 * 0.1 - 30.0).margin(1e-9));
-    CHECK(!take("spread_of_5_apexes_m", evidence));  // it does not bounce
 }
 
 TEST_CASE("the stability report refuses what it does not know in one line") {
