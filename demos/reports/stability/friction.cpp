@@ -149,7 +149,7 @@ Chapter slopes() {
             return Case{
                 .name = fmt::format("balls-on-slope-{}-rad", angle),
                 .own = balls_on_slope(angle, slips ? 0.0 : 2.0),
-                .options = {{"seconds", "2"}},
+                .options = {{"seconds", "1"}},
                 .wanted = "moving",
                 .checks = {{.measure = "acceleration_m_per_s2", .bar = 1e-6, .target = slips ? sliding : rolling}},
                 .expected = of_both("moving"),
