@@ -70,6 +70,28 @@ int world_body(Scene& scene, std::optional<int>& known) {
     return *known;
 }
 
+// Without a length it is what it is at the start, and a ball joint where the points are meant to be one: a number
+// with six digits misses by a millionth of the lever.
+double length_of(const DistanceDescription& described, const engine::Distance& distance,
+                 std::span<const Body> bodies) {
+    if (described.length) return *described.length;
+    const auto [from, to] = span_of(distance, bodies);
+    double levers = 0.0;
+    for (const auto& [body, point] :
+         {std::pair{distance.body_a, distance.point_a}, {distance.body_b, distance.point_b}}) {
+        if (!bodies[static_cast<std::size_t>(body)].is_static()) levers += point.norm();
+    }
+    const double length = (to - from).norm();
+    return length <= 1e-6 * levers + 1e-15 * (from.norm() + to.norm()) ? 0.0 : length;
+}
+
+// Such a length 0 has no direction to pull or push along, and no direction in which a force could have a limit.
+void require_joint_without_bounds(const DistanceDescription& described) {
+    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
+    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
+                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
+}
+
 void add_distances(Scene& scene, const SceneDescription& description, const Settings& settings) {
     if (description.distances.empty()) return;
     std::optional<int> world;
@@ -89,13 +111,13 @@ void add_distances(Scene& scene, const SceneDescription& description, const Sett
             throw engine::InvalidInput("distance between " + described.a.body + " and", described.b.body,
                                        "a movable body, as the other one is static");
         }
-        const auto [from, to] = span_of(distance, scene.world.bodies);
-        distance.length = described.length.value_or((to - from).norm());
+        distance.length = length_of(described, distance, scene.world.bodies);
         if (!std::isfinite(distance.length)) {
             throw engine::InvalidInput(
                 "length of the distance between " + described.a.body + " and " + described.b.body, "beyond 1e308",
                 "finite");
         }
+        if (is_ball_joint(distance)) require_joint_without_bounds(described);
         distance.acts = described.acts;
         if (described.max_force) distance.max_force = *described.max_force;
         distances.push_back(distance);

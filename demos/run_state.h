@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/contact_cache.h"
+#include "engine/distance_constraint.h"
 #include "engine/island_solver.h"
 
 #include <vector>
@@ -12,7 +13,7 @@ struct RunState {
     double time = 0.0;                                       // s, of the world; forces may depend on it
     std::vector<engine::IslandSolver::Memory> warm_start{};  // one per body; none when nothing has been solved yet
     double substeps = 1.0;                                   // asked for in the last step; fades from step to step
-    std::vector<engine::Lambda> distance_forces{};           // N, one a distance
+    std::vector<engine::DistanceForce> distance_forces{};    // N, one a distance
     engine::ContactCache contact_forces{};                   // colliders are the bodies in their order
 };
 

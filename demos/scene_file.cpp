@@ -152,6 +152,9 @@ DistanceDescription read_distance(const JsonReader& json, const Names& names) {
         if (found == act_names.end()) json.at("acts").refuse("one of both, pulls, pushes");
         distance.acts = found->second;
     }
+    if (distance.length == 0.0 && (distance.acts != engine::Distance::Acts::both || distance.max_force)) {
+        json.at("length_m").refuse("above 0, or it is a ball joint, which acts both ways and without max_force_n");
+    }
     return distance;
 }
 

@@ -11,6 +11,7 @@ namespace pushfactor::demos {
 namespace {
 
 using engine::ContactCache;
+using engine::DistanceForce;
 using engine::IslandSolver;
 using engine::Lambda;
 using engine::Vector3;
@@ -35,10 +36,26 @@ Lambda read_lambda(const JsonReader& json) {
     return {columns[0], columns[1]};
 }
 
-std::vector<Lambda> read_distance_forces(const JsonReader& json, const SceneDescription& scene) {
-    std::vector<Lambda> forces;
-    for (const JsonReader& entry : json.elements()) forces.push_back(read_lambda(entry));
-    if (forces.size() != scene.distances.size()) {
+// Two numbers of a bar; three times two of a ball joint, of which files from the time when it was one row with a
+// direction of rounding hold two.
+DistanceForce read_distance_force(const JsonReader& json, const DistanceDescription& distance) {
+    const bool joint = distance.length == 0.0;
+    if (!json.json().is_array() || json.json().empty() || !json.json().front().is_array()) {
+        const Lambda along_bar = read_lambda(json);
+        return joint ? DistanceForce{} : DistanceForce{along_bar};
+    }
+    const std::vector<JsonReader> axes = json.elements();
+    if (axes.size() != 3) json.refuse("two numbers, or three times two of a ball joint");
+    return {read_lambda(axes[0]), read_lambda(axes[1]), read_lambda(axes[2])};
+}
+
+std::vector<DistanceForce> read_distance_forces(const JsonReader& json, const SceneDescription& scene) {
+    const std::vector<JsonReader> entries = json.elements();
+    std::vector<DistanceForce> forces;
+    for (std::size_t i = 0; i < entries.size() && i < scene.distances.size(); ++i) {
+        forces.push_back(read_distance_force(entries[i], scene.distances[i]));
+    }
+    if (entries.size() != scene.distances.size()) {
         json.refuse(fmt::format("an array of {} forces, one a distance constraint", scene.distances.size()));
     }
     return forces;
@@ -126,6 +143,11 @@ Json to_json(const Lambda& lambda) {
     return Json::array({lambda.first, lambda.last});
 }
 
+Json to_json(const DistanceForce& force, bool joint) {
+    if (!joint) return to_json(force[0]);
+    return Json::array({to_json(force[0]), to_json(force[1]), to_json(force[2])});
+}
+
 Json to_json(const ContactCache::Point& point) {
     return {{"feature", point.feature},
             {"position_m", to_json(point.position)},
@@ -190,7 +212,10 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 Json state_json(const RunState& state, const SceneDescription& scene) {
     Json json{{"time_s", state.time}, {"substeps", state.substeps}};
     if (Json warm_start = warm_start_json(state, scene); !warm_start.empty()) json["warm_start"] = warm_start;
-    for (const Lambda& force : state.distance_forces) json["distance_forces_n"].push_back(to_json(force));
+    for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
+        const bool joint = scene.distances[i].length == 0.0;
+        json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
+    }
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));
     }

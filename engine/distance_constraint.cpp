@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace pushfactor::engine {
 
@@ -28,6 +29,11 @@ Bounds distance_bounds(const Distance& distance) {
     return {.c_min = pulls ? -distance.max_force : 0.0, .c_max = pushes ? distance.max_force : 0.0};
 }
 
+BodyPair pair_of(const Distance& distance, std::span<const Body> bodies) {
+    return {distance.body_a, distance.body_b, bodies[static_cast<std::size_t>(distance.body_a)],
+            bodies[static_cast<std::size_t>(distance.body_b)]};
+}
+
 }  // namespace
 
 Span span_of(const Distance& distance, std::span<const Body> bodies) {
@@ -36,35 +42,69 @@ Span span_of(const Distance& distance, std::span<const Body> bodies) {
     return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
 }
 
-void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    for (std::size_t i = 0; i < distances_.size(); ++i) {
-        const Distance& distance = distances_[i];
-        const auto [p_a, p_b] = span_of(distance, bodies);
-        const Vector3 p_ab = p_b - p_a;
-        const double length = p_ab.norm();
-        const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
-        const double error = length - distance.length;
-
-        const BodyPair pair{distance.body_a, distance.body_b, bodies[static_cast<std::size_t>(distance.body_a)],
-                            bodies[static_cast<std::size_t>(distance.body_b)]};
-        ConstraintRow& row = rows.emplace_back();
-        PairPoint(pair, p_a, p_b).place(row, n);
-        row.push = distance_push(distance, error, correction_, dt);
-        row.bounds = distance_bounds(distance);
-        row.label = {.kind = RowKind::distance,
-                     .point = static_cast<int>(i),
-                     .gap = is_loose(distance, error) ? 0.0 : error};
-        if (cached_) row.guess = forces_[i];
+DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached)
+    : distances_(std::move(distances)), correction_(correction), cached_(cached), forces_(distances_.size()) {
+    for ([[maybe_unused]] const Distance& distance : distances_) {
+        assert(!is_ball_joint(distance) ||
+               (distance.acts == Distance::Acts::both && std::isinf(distance.max_force)));
     }
 }
 
-void DistanceConstraints::set_forces(std::vector<Lambda> forces) {
+void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    for (std::size_t i = 0; i < distances_.size(); ++i) {
+        if (is_ball_joint(distances_[i])) {
+            append_joint(i, bodies, dt, rows);
+        } else {
+            append_bar(i, bodies, dt, rows);
+        }
+    }
+}
+
+void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt,
+                                     std::vector<ConstraintRow>& rows) {
+    const Distance& distance = distances_[index];
+    const auto [p_a, p_b] = span_of(distance, bodies);
+    const Vector3 p_ab = p_b - p_a;
+    const double length = p_ab.norm();
+    const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
+    const double error = length - distance.length;
+
+    ConstraintRow& row = rows.emplace_back();
+    PairPoint(pair_of(distance, bodies), p_a, p_b).place(row, n);
+    row.push = distance_push(distance, error, correction_, dt);
+    row.bounds = distance_bounds(distance);
+    row.label = {.kind = RowKind::distance,
+                 .point = static_cast<int>(index),
+                 .gap = is_loose(distance, error) ? 0.0 : error};
+    if (cached_) row.guess = forces_[index][0];
+}
+
+void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt,
+                                       std::vector<ConstraintRow>& rows) {
+    const Distance& distance = distances_[index];
+    const auto [p_a, p_b] = span_of(distance, bodies);
+    const Vector3 p_ab = p_b - p_a;
+    const PairPoint points(pair_of(distance, bodies), p_a, p_b);
+    for (int axis = 0; axis < 3; ++axis) {
+        ConstraintRow& row = rows.emplace_back();
+        points.place(row, Vector3::Unit(axis));
+        row.push = correct(correction_, -p_ab[axis], dt);
+        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = p_ab.norm()};
+        if (cached_) row.guess = forces_[index][static_cast<std::size_t>(axis)];
+    }
+}
+
+void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {
     assert(forces.size() == distances_.size());
     forces_ = std::move(forces);
 }
 
 void DistanceConstraints::remember(std::span<const Lambda> answers) {
-    std::copy(answers.begin(), answers.end(), forces_.begin());
+    for (std::size_t i = 0; i < distances_.size(); ++i) {
+        const std::size_t rows = is_ball_joint(distances_[i]) ? 3 : 1;
+        std::copy_n(answers.begin(), rows, forces_[i].begin());
+        answers = answers.subspan(rows);
+    }
 }
 
 }  // namespace pushfactor::engine

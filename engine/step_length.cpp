@@ -17,15 +17,28 @@ const Body& at(std::span<const Body> bodies, int index) {
     return bodies[static_cast<std::size_t>(index)];
 }
 
-// What one end of a bar adds to omega^2 / T, 1/(kg m).
+// What one end of a bar or a ball joint adds to omega^2 / T, 1/(kg m).
 double end_softness(const Body& body, const Vector3& point, double length) {
     const double r = point.norm();
     const double inverse_moment = body.inverse_inertia.maxCoeff();
-    return (body.inverse_mass + r * r * inverse_moment) / length + r * inverse_moment;
+    const double of_bar = length > 0.0 ? (body.inverse_mass + r * r * inverse_moment) / length : 0.0;
+    return of_bar + r * inverse_moment;
 }
 
-// How fast the direction of a bar turns [rad/s].
+// What pulls the ends of a bar together, or acts in a ball joint [N]; 0 where a bar is pressed.
+double tension(const Distance& distance, const DistanceForce& force) {
+    if (!is_ball_joint(distance)) return std::max(0.0, -force[0].last);
+    return Vector3(force[0].last, force[1].last, force[2].last).norm();
+}
+
+// How fast the direction of a bar turns, or the bodies about a ball joint beside their centres [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
+    if (is_ball_joint(distance)) {
+        double largest = 0.0;
+        if (!distance.point_a.isZero(0.0)) largest = angular_velocity(at(bodies, distance.body_a)).norm();
+        if (distance.point_b.isZero(0.0)) return largest;
+        return std::max(largest, angular_velocity(at(bodies, distance.body_b)).norm());
+    }
     const auto [from, to] = span_of(distance, bodies);
     const Vector3 p_ab = to - from;
     const double length = p_ab.norm();
@@ -35,8 +48,8 @@ double turning(const Distance& distance, std::span<const Body> bodies) {
     return p_ab.cross(v_ab).norm() / (length * length);
 }
 
-bool holds(const Distance& distance, const Lambda& force) {
-    return distance.acts == Distance::Acts::both || force.last != 0.0;
+bool holds(const Distance& distance, const DistanceForce& force) {
+    return distance.acts == Distance::Acts::both || force[0].last != 0.0;
 }
 
 }  // namespace
@@ -45,11 +58,9 @@ double tension_rate(const DistanceConstraints& distances, std::span<const Body> 
     double largest = 0.0;  // omega^2
     for (std::size_t i = 0; i < distances.distances().size(); ++i) {
         const Distance& distance = distances.distances()[i];
-        const double tension = -distances.forces()[i].last;
-        if (tension <= 0.0 || distance.length == 0.0) continue;
         const double softness = end_softness(at(bodies, distance.body_a), distance.point_a, distance.length) +
                                 end_softness(at(bodies, distance.body_b), distance.point_b, distance.length);
-        largest = std::max(largest, tension * softness);
+        largest = std::max(largest, tension(distance, distances.forces()[i]) * softness);
     }
     return std::sqrt(largest) / swing_a_step;
 }
@@ -58,7 +69,7 @@ double turning_rate(const DistanceConstraints& distances, std::span<const Body> 
     double largest = 0.0;
     for (std::size_t i = 0; i < distances.distances().size(); ++i) {
         const Distance& distance = distances.distances()[i];
-        if (distance.length > 0.0 && holds(distance, distances.forces()[i])) {
+        if (holds(distance, distances.forces()[i])) {
             largest = std::max(largest, turning(distance, bodies));
         }
     }

@@ -7,7 +7,10 @@
 //   tension   Under T a bar swings back sideways with omega^2 = T sum over both ends of (1/m + r^2/I)/l + r/I. The
 //             constraint is linearised (5.2.1), so that this stiffness is explicit and needs omega dt < 2, as
 //             every oscillator under semi-implicit Euler; 2 omega dt <= 1 keeps its energy too.
-//   turning   A bar that turns by an angle a in a step leaves its circle by l a^2 / 2: a <= 0.1.
+//             A ball joint that carries T swings its bodies with omega^2 = T sum of r/I.
+//   turning   A bar that turns by an angle a in a step leaves its circle by l a^2 / 2: a <= 0.1. So does a body
+//   that
+//             turns about a ball joint, by r a^2 / 2.
 //   spin      The same for a slender body, whose ends move fast: |omega| dt <= 0.1.
 //   size      A small body falls through itself in a step of rest: g dt^2 <= 0.02 L.
 #pragma once
@@ -19,7 +22,7 @@
 
 namespace pushfactor::engine {
 
-// All in 1/s. Bars of length 0 have no direction to turn, and loose ropes and struts are no bars.
+// All in 1/s. Loose ropes and struts are no bars.
 double tension_rate(const DistanceConstraints& distances, std::span<const Body> bodies);
 double turning_rate(const DistanceConstraints& distances, std::span<const Body> bodies);
 double spin_rate(std::span<const Body> bodies);

@@ -29,9 +29,9 @@ void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& 
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
-// Slender against its own length and against what hangs on it.
+// Slender against its own length and against what hangs on it; a ball joint is a ball.
 double bar_radius(const engine::Distance& distance, const Scene& scene) {
-    double radius = std::min(0.015 * distance.length, 0.04);
+    double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     for (const int end : {distance.body_a, distance.body_b}) {
         const auto i = static_cast<std::size_t>(end);
         if (i < scene.bodies.size() && scene.bodies[i].mass) {

@@ -59,35 +59,44 @@ void add_contact_push(const Scene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Calls `add` with each distance row of the last step, the place of each movable end, and the unit vector along
-// which a positive number pushes that end.
-template <typename Add>
-void each_end(const Scene& scene, const Add& add) {
+// Calls `add` with the place of each movable end of a distance and the vector on it of which `number_of` gives, row
+// for row, the part that pushes the ends apart.
+template <typename NumberOf, typename Add>
+void each_end(const Scene& scene, const NumberOf& number_of, const Add& add) {
     const engine::World& world = scene.world;
-    const auto distances = scene.distances->distances();
-    std::size_t next = 0;
-    for (std::size_t row = 0; row < world.rows().size(); ++row) {
-        if (world.rows()[row].label.kind != engine::RowKind::distance) continue;
-        const engine::Distance& distance = distances[next++];
+    std::size_t row = 0;
+    for (const engine::Distance& distance : scene.distances->distances()) {
+        while (world.rows()[row].label.kind != engine::RowKind::distance) ++row;
         const auto [from, to] = span_of(distance, world.bodies);
-        const Vector3 axis = (to - from).normalized();
-        if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(row, from, -axis);
-        if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(row, to, axis);
+        Vector3 on_b;
+        if (is_ball_joint(distance)) {
+            for (double& part : on_b) part = number_of(row++);
+        } else {
+            on_b = number_of(row++) * (to - from).normalized();
+        }
+        if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(from, Vector3(-on_b));
+        if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(to, on_b);
     }
 }
 
 void add_distance_forces(const Scene& scene, std::vector<Quantity>& found) {
-    each_end(scene, [&](std::size_t row, const Vector3& place, const Vector3& axis) {
-        found.push_back({.place = place, .value = answer_of(scene.world, row).lasting_force * axis, .kind = 1});
-    });
+    each_end(
+        scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
+        [&](const Vector3& place, const Vector3& force) {
+            found.push_back({.place = place, .value = force, .kind = 1});
+        });
 }
 
 void add_distance_push(const Scene& scene, std::vector<Quantity>& found) {
-    each_end(scene, [&](std::size_t row, const Vector3& place, const Vector3& axis) {
-        const engine::PushFactor& push = scene.world.rows()[row].push;
-        found.push_back({.place = place, .value = push.correcting * axis, .kind = 0});
-        found.push_back({.place = place, .value = push.lasting * axis, .kind = 1});
-    });
+    const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
+        each_end(
+            scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
+            [&](const Vector3& place, const Vector3& push) {
+                found.push_back({.place = place, .value = push, .kind = kind});
+            });
+    };
+    add(&engine::PushFactor::correcting, 0);
+    add(&engine::PushFactor::lasting, 1);
 }
 
 void add_velocities(const Scene& scene, std::vector<Quantity>& found) {

@@ -128,7 +128,7 @@ TEST_CASE(
         SceneDescription forgetful = resumed(spelled_out(choices), whole.scene(), whole.checkpoint());
         RunState state = *forgetful.state;
         state.contact_forces = {};
-        for (engine::Lambda& force : state.distance_forces) force = {};
+        for (engine::DistanceForce& force : state.distance_forces) force = {};
         forgetful.state = std::make_shared<RunState>(state);
         Simulation other(build_scene(forgetful, choices.settings), choices.settings);
         advance(whole, 2);

@@ -77,7 +77,7 @@ TEST_CASE("a bar that turns asks for a tenth of a radian in a step, whatever mov
     CHECK(turning_rate(bar(0.0), both) == 0.0);
 }
 
-TEST_CASE("a rope that carries nothing and a bar without a length ask for nothing") {
+TEST_CASE("a rope that carries nothing and a ball joint at both centres ask for nothing") {
     std::vector<Body> bodies = ball_at({1, 0, 0});
     bodies[1].linear_momentum = {0, 100, 0};
     CHECK(turning_rate(bar(0.0, Distance::Acts::pulls), bodies) == 0.0);
@@ -87,7 +87,7 @@ TEST_CASE("a rope that carries nothing and a bar without a length ask for nothin
     bodies[1].linear_momentum = {0, 100, 0};
     CHECK(turning_rate(bar(-1.0), bodies) == 0.0);
     DistanceConstraints none({{.body_a = 0, .body_b = 1, .length = 0.0}}, {}, true);
-    none.set_forces({{-1.0, -1.0}});
+    none.set_forces({DistanceForce{Lambda{-1.0, -1.0}}});
     CHECK(turning_rate(none, bodies) == 0.0);
     CHECK(tension_rate(none, bodies) == 0.0);
 }

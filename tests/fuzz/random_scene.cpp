@@ -150,6 +150,7 @@ class Generator {
             if (chance(0.3))
                 distance.acts = chance(0.5) ? engine::Distance::Acts::pulls : engine::Distance::Acts::pushes;
             if (chance(0.1)) distance.max_force = decades(-3, 4);
+            if (distance.length == 0.0) distance = {.a = distance.a, .b = distance.b, .length = 0.0};
             scene_.distances.push_back(distance);
             // The same bar once more, or one that contradicts it.
             if (chance(0.2)) scene_.distances.push_back(distance);
