@@ -61,6 +61,7 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
         if (larger(outcome.residuals) > termination.tolerance_high) {
+            outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
         }
@@ -103,7 +104,7 @@ solvers::SolveCount IslandSolver::find_better(solvers::Solver& solver, const sol
 }
 
 void IslandSolver::note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count) {
-    warm_start_.solved(island, count);
+    warm_start_.solved(island, count, outcome.outdated);
     budget_.spent(island, count);
     for (const int body : island.bodies) outcomes_[static_cast<std::size_t>(body)] = outcome;
 }
@@ -123,6 +124,29 @@ IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, cons
         residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, velocities_);
     }
     return residuals;
+}
+
+// Whether forces that bodies have kept are wrong because of a new force, as measure() has just left them. A body
+// that arrives does not outdate the forces between those that it meets.
+bool IslandSolver::is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
+                               const solvers::Termination& usual) const {
+    if (!warm_start_.begins_with_kept(island)) return false;
+    const auto is_kept = [&](int number) {
+        return number >= island.movable() ||
+               warm_start_.kept_steps(island.bodies[static_cast<std::size_t>(number)]) > 0;
+    };
+    const Eigen::Index column = island.columns - 1;
+    for (const RowRun& run : island.runs) {
+        if (!is_kept(run.a) || !is_kept(run.b)) continue;
+        const Vector6& of_a = velocities_[static_cast<std::size_t>(run.a)];
+        const Vector6& of_b = velocities_[static_cast<std::size_t>(run.b)];
+        for (int j = run.begin; j < run.end; ++j) {
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+            if (row_residual(system, lambda, column, j, w) > WarmStart::of_new_force(usual)) return true;
+        }
+    }
+    return false;
 }
 
 // Then every row misses what it asks for, w = -b; bounds contain zero or are as near to it as they can be.

@@ -37,6 +37,7 @@ class IslandSolver {
         bool solved = true;        // whether that is within the tolerance; true where there is none
         bool refused = false;      // whether the guard took other forces than those of the solver
         bool contradicts = false;  // whether the solver found rows that no forces can satisfy together
+        bool outdated = false;     // whether a new force made kept forces wrong
         bool exhausted = false;    // whether more iterations would be of no use
         Residuals residuals{};     // of the forces as they are
     };
@@ -81,6 +82,8 @@ class IslandSolver {
                             ConstraintForces& forces);
     Residuals measure(const SystemEquation& system, const Island& island, const Columns& lambda,
                       ConstraintForces& forces);
+    bool is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
+                     const solvers::Termination& usual) const;
     Residuals of_no_forces(const SystemEquation& system, const Island& island) const;
     void save(const Island& island, const Columns& lambda);
     solvers::SolveCount find_better(solvers::Solver& solver, const solvers::Termination& termination,

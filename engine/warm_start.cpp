@@ -7,14 +7,17 @@ void WarmStart::begin(std::size_t bodies) {
     records_.assign(bodies, {});
 }
 
-void WarmStart::solved(const Island& island, const solvers::SolveCount& count) {
+void WarmStart::solved(const Island& island, const solvers::SolveCount& count, bool outdated) {
     Record record{.in_island = true,
                   .contradicted = count.contradicts,
+                  .outdated = outdated,
                   .method = count.exact            ? Method::exact
                             : count.iterations > 0 ? Method::swept
                                                    : Method::kept};
     for (const int body : island.bodies) {
-        record.method = std::max(record.method, records_[static_cast<std::size_t>(body)].method);
+        const Record& before = records_[static_cast<std::size_t>(body)];
+        record.method = std::max(record.method, before.method);
+        record.outdated = record.outdated || before.outdated;
     }
     for (const int body : island.bodies) records_[static_cast<std::size_t>(body)] = record;
 }

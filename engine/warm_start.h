@@ -38,8 +38,26 @@ class WarmStart {
         return usual;
     }
 
-    // Takes note of a solve. Within a step the same bodies may be solved again, in a larger island.
-    void solved(const Island& island, const solvers::SolveCount& count);
+    // Whether `island` begins the step with forces that were kept, all or some, and has not been solved in it.
+    bool begins_with_kept(const Island& island) const {
+        bool kept = false;
+        for (const int body : island.bodies) {
+            if (records_[static_cast<std::size_t>(body)].in_island) return false;
+            kept = kept || memory_[static_cast<std::size_t>(body)].kept > 0;
+        }
+        return kept;
+    }
+
+    // Steps for which the forces of a body have been kept.
+    int kept_steps(int body) const { return memory_[static_cast<std::size_t>(body)].kept; }
+
+    // The residual [m/s] beyond which kept forces are wrong because of a new force. What their own error builds up
+    // is found out when it is little above the tolerance, in the first step in which it is.
+    static double of_new_force(const solvers::Termination& usual) { return new_force * usual.tolerance_high; }
+
+    // Takes note of a solve, and of whether its guess was kept and made wrong by a new force. Within a step the
+    // same bodies may be solved again, in a larger island.
+    void solved(const Island& island, const solvers::SolveCount& count, bool outdated = false);
 
     Method method_of(const Island& island) const { return record_of(island).method; }
 
@@ -48,7 +66,8 @@ class WarmStart {
     //
     // A force that was kept for k steps with an error e has built up a velocity of k e. A solve takes off that and
     // e itself, (k + 1) e; the next step needs e alone, so that the guess takes 1 / (k + 1) of the change. After an
-    // exact solve the guess is looked at anew. Forces of rows that contradict each other are as large as the method
+    // exact solve the guess is looked at anew, and where a new force made the guess wrong the answer counts whole:
+    // there e is not what was kept. Forces of rows that contradict each other are as large as the method
     // lets them: nothing is taken over from those.
     struct Next {
         double share = 1.0;
@@ -65,7 +84,7 @@ class WarmStart {
         const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
         const Record& record = records_[a].in_island ? records_[a] : records_[b];
         if (record.contradicted) return {.share = 0.0, .nothing = true};
-        if (record.method != Method::swept) return {};
+        if (record.method != Method::swept || record.outdated) return {};
         int kept = records_[a].in_island ? memory_[a].kept : memory_[b].kept;
         if (records_[b].in_island) kept = std::min(kept, memory_[b].kept);
         return {.share = 1.0 / (1 + kept), .nothing = false};
@@ -80,11 +99,15 @@ class WarmStart {
   private:
     // How much better than an answer the guess has to be after an exact solve.
     static constexpr double after_exact = 0.1;
+    // How many upper tolerances a kept guess misses by where a new force acts. Those of stacks that come to rest
+    // miss by at most 3.
+    static constexpr double new_force = 30.0;
 
     // Of the step, the same for all bodies of an island.
     struct Record {
         bool in_island = false;
         bool contradicted = false;
+        bool outdated = false;
         Method method = Method::kept;
     };
 

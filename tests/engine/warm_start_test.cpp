@@ -63,6 +63,20 @@ TEST_CASE("after k steps with kept forces a sweep's answer counts for 1 / (k + 1
     }
 }
 
+TEST_CASE(
+    "where a new force has made a kept guess wrong the answer counts whole, also when more rows come in the step") {
+    const Group group({1, 2}), larger({1, 2, 3});
+    WarmStart warm_start;
+    for (int i = 0; i < 600; ++i) step(warm_start, {{&group, kept}});
+    warm_start.begin(6);
+    CHECK(warm_start.begins_with_kept(group.island));
+    warm_start.solved(group.island, swept, true);
+    CHECK_FALSE(warm_start.begins_with_kept(group.island));
+    CHECK(warm_start.next(1, 2).share == 1.0);
+    warm_start.solved(larger.island, swept);
+    CHECK(warm_start.next(1, 2).share == 1.0);
+}
+
 TEST_CASE("after an exact solve the guess has to be better than an answer, in the step after and no longer") {
     const Group group({1, 2});
     WarmStart warm_start;
