@@ -1,5 +1,6 @@
 #include "engine/contact_cache.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace pushfactor::engine {
@@ -10,32 +11,58 @@ constexpr double position_tolerance = 0.02;  // of the size of the pair
 
 }  // namespace
 
-const ContactForce* ContactCache::find(const Entry& entry, const collision::ContactPoint& point,
-                                       double reach) const {
-    const std::span candidates(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
-    for (const Point& candidate : candidates) {
-        if (candidate.feature == point.feature) return &candidate.force;
-    }
-    const Point* nearest = nullptr;
-    double nearest_distance = reach;
-    for (const Point& candidate : candidates) {
-        const double distance = (candidate.position - point.position).norm();
-        if (distance < nearest_distance) {
-            nearest = &candidate;
-            nearest_distance = distance;
-        }
-    }
-    return nearest ? &nearest->force : nullptr;
+bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const {
+    return points.size() == static_cast<std::size_t>(entry.count) &&
+           std::equal(points.begin(), points.end(), points_.begin() + static_cast<std::ptrdiff_t>(entry.first),
+                      [](const auto& now, const auto& before) { return now.feature == before.feature; });
 }
 
-void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const {
+// Each force once: first to the points of the same feature, then to the nearest of the others, pair by pair in
+// ascending order of their distances.
+void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
+                            std::span<ContactForce> forces) {
+    const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
+    taken_.assign(known.size(), 0);
+    given_.assign(points.size(), 0);
+    const auto give = [&](std::size_t point, std::size_t from) {
+        forces[point] = known[from].force;
+        given_[point] = taken_[from] = 1;
+    };
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
+            if (!taken_[k] && known[k].feature == points[p].feature) give(p, k);
+        }
+    }
+    for (;;) {
+        double nearest = reach;
+        std::size_t point = points.size(), from = 0;
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
+                const double distance = (known[k].position - points[p].position).norm();
+                if (taken_[k] || !(distance < nearest)) continue;
+                nearest = distance;
+                point = p;
+                from = k;
+            }
+        }
+        if (point == points.size()) return;
+        give(point, from);
+    }
+}
+
+void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) {
     auto entry = entries_.begin();
     for (const collision::Touch& touch : touches) {
         while (entry != entries_.end() && entry->pair < touch.pair) ++entry;
         const bool known = entry != entries_.end() && entry->pair == touch.pair;
-        for (const collision::ContactPoint& point : touch.points) {
-            const ContactForce* force = known ? find(*entry, point, position_tolerance * touch.size) : nullptr;
-            forces.push_back(force ? *force : ContactForce{});
+        if (known && is_as_before(*entry, touch.points)) {
+            for (std::size_t i = 0; i < touch.points.size(); ++i) forces.push_back(points_[entry->first + i].force);
+            continue;
+        }
+        const std::size_t first = forces.size();
+        forces.resize(first + touch.points.size());
+        if (known) {
+            hand_out(*entry, touch.points, position_tolerance * touch.size, std::span(forces).subspan(first));
         }
     }
 }

@@ -31,8 +31,9 @@ class ContactCache {
     };
 
     // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point
-    // is the same as before when its feature is, or else when nothing nearer than it lies within 2 % of the size.
-    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) const;
+    // is the same as before when its feature is, or else when it is the nearest one within 2 % of the size. No
+    // force is given to two points.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces);
 
     // Replaces the cache. `forces` in the order of recall.
     void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
@@ -49,10 +50,13 @@ class ContactCache {
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
-    const ContactForce* find(const Entry& entry, const collision::ContactPoint& point, double reach) const;
+    bool is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const;
+    void hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
+                  std::span<ContactForce> forces);
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
+    std::vector<char> taken_, given_;  // of the touch at hand: forces of before, points of now
 };
 
 }  // namespace pushfactor::engine
