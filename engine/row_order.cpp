@@ -1,10 +1,31 @@
 #include "engine/row_order.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 namespace pushfactor::engine {
 
 namespace {
+
+// Heights that differ by less than a two hundredth of the size, or a little more, are equal: of a layer rounding
+// would decide the order, and another one after each step. They are rounded to a power of two, so that scaled
+// lengths have the same order; neither tenths nor halves of it are near where it rounds up.
+constexpr double quanta_a_size = 256.0;
+constexpr double rounds_up_at = 0.54;
+
+// The largest power of two that is not above a positive number.
+double power_of_two(double number) {
+    constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & exponent);
+}
+
+double rounded(double height, double size) {
+    const double quantum = power_of_two(size) / quanta_a_size;
+    if (!(quantum > 0.0) || !std::isfinite(size)) return height;
+    return quantum * std::floor(height / quantum + (1.0 - rounds_up_at));
+}
 
 double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
     double lowest = std::numeric_limits<double>::infinity();
@@ -12,7 +33,7 @@ double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
         const Body& body = bodies[static_cast<std::size_t>(index)];
         if (!body.is_static()) lowest = std::min(lowest, body.position.y());
     }
-    return lowest;
+    return rounded(lowest, touch.size);
 }
 
 // A static partner is below whatever stands on it, so at equal height its pair comes first.

@@ -25,7 +25,7 @@ struct ContactIndex {
 class ContactOrder {
   public:
     // All points of `touches` (ascending order of creation, as the detector gives them) in the named order; good
-    // until the next call. Height is measured along world y.
+    // until the next call. Height is measured along world y, to a fraction of the size of a pair.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
                                       std::span<const Body> bodies);
 
