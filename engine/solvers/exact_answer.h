@@ -15,6 +15,10 @@ double asked_speed(const UnitProblem& problem);
 
 class ExactAnswer {
   public:
+    ExactAnswer() = default;
+    ExactAnswer(const ExactAnswer&) = delete;  // structure_ points into structures_
+    ExactAnswer& operator=(const ExactAnswer&) = delete;
+
     // Finds out which bodies the rows connect. Comes first.
     void take(const Island& island) { structure_ = &structures_.of(island); }
     int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // static partners included
