@@ -28,8 +28,9 @@ constexpr double least_factorisations = 2.0;
 // bodies gets its exact steps then, however they are connected.
 constexpr int enough_sweeps = 7;
 constexpr int small_island = 32;
-// What is left after the sweeps of a heap that calls for exact steps [m/s].
-constexpr double far = 3e-2;
+// What is left after the sweeps of a heap that calls for exact steps, as a share of the largest speed that a row is
+// asked for: 3 cm/s where something lands with 3 m/s.
+constexpr double far = 1e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
@@ -85,7 +86,7 @@ class Auto {
         if (!few_sweeps && exact_.pairs() > pairs_of_a_heap * island.movable()) return;
         count.multiply_adds += rows_.look_work();
         const double swept = rows_.residual();
-        if (swept <= far) return;
+        if (swept <= far * rows_.fastest()) return;
         exact_.plan();
         const double factorisation = exact_.factorisation(rows_);
         if (factorisation > sweeps_an_exact_step * rows_.pass_work()) return;

@@ -143,6 +143,28 @@ TEST_CASE("a scene of a quarter of the size in half the time does the same, bit 
     }
 }
 
+TEST_CASE("each unit may be another power of two alone, and heaps do not notice: no constant has a unit") {
+    // Masses by powers of four, as the solvers take roots of them.
+    const std::array units{
+        std::pair{"lengths", Similarity{.length = 4.0}},
+        std::pair{"small", Similarity{.length = 1.0 / 1024}},
+        std::pair{"times", Similarity{.time = {1, 2}}},
+        std::pair{"slow", Similarity{.time = {64, 1}}},
+        std::pair{"all", Similarity{.length = 2.0, .mass = 4.0, .time = {1, 4}}},
+    };
+    auto cases = all_cases();
+    cases.push_back({"heap", describe("funnel", {{"count", "30"}}), 4.0});
+    cases.push_back({"pyramid of jittered cubes", describe("stack", {{"count", "12"}, {"jitter", "0.1"}}), 2.0});
+    for (const Case& test : cases) {
+        for (const char* preset : presets_of_interest) {
+            for (const auto& [name, similarity] : units) {
+                INFO(test.name << ", " << preset << ", " << name);
+                check_equal(run_both(test, preset, similarity));
+            }
+        }
+    }
+}
+
 TEST_CASE("a scene of balls in a mirror is the mirrored scene, bit for bit") {
     for (const Case& test : cases_of_balls()) {
         for (const char* preset : presets_of_interest) {
