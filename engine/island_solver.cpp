@@ -136,6 +136,7 @@ bool IslandSolver::is_outdated(const SystemEquation& system, const Island& islan
                warm_start_.kept_steps(island.bodies[static_cast<std::size_t>(number)]) > 0;
     };
     const Eigen::Index column = island.columns - 1;
+    RowResiduals residuals(system, lambda, column);
     for (const RowRun& run : island.runs) {
         if (!is_kept(run.a) || !is_kept(run.b)) continue;
         const Vector6& of_a = velocities_[static_cast<std::size_t>(run.a)];
@@ -143,7 +144,7 @@ bool IslandSolver::is_outdated(const SystemEquation& system, const Island& islan
         for (int j = run.begin; j < run.end; ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
-            if (row_residual(system, lambda, column, j, w) > WarmStart::of_new_force(usual)) return true;
+            if (residuals.next(j, w) > WarmStart::of_new_force(usual)) return true;
         }
     }
     return false;
