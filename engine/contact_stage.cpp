@@ -19,6 +19,13 @@ double least_sliding(const BodyPair& pair, double size) {
     return sliding_share * std::sqrt(size * acceleration);
 }
 
+// Overlap along an axis with which bodies count as apart along it, as a fraction of the size: as deep as they may
+// lie, with some room. Where no slop is left alone they lie at the surface as well as the solver can tell, and the
+// margin says how exactly a surface is meant.
+double permitted_overlap(double slop, double margin) {
+    return std::min(0.02, std::max(1.1 * slop, 0.2 * margin));
+}
+
 BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) {
     if (touch.meeting) return {touch.body_a, touch.body_b, touch.meeting->a, touch.meeting->b};
     return {touch.body_a, touch.body_b, bodies[static_cast<std::size_t>(touch.body_a)],
@@ -50,6 +57,11 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
 }
 
 }  // namespace
+
+ContactStage::ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
+    : colliders_(std::move(colliders)), choices_(choices) {
+    choices_.detection.permitted = permitted_overlap(choices.slop, choices.detection.margin);
+}
 
 // Each surface velocity is across the normal as far as friction is concerned.
 Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair) const {
@@ -185,7 +197,11 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
 }
 
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    touches_ = detector_.detect(colliders_, bodies, choices_.detection);
+    std::vector<collision::Touch>& touches = detector_.detect(colliders_, bodies, choices_.detection);
+    if (choices_.detection.permitted > 0.0) {
+        passing_.put_right(touches, {colliders_, bodies, dt, choices_.detection});
+    }
+    touches_ = touches;
     if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
     if (friction_) find_motions(bodies);
     unforeseen_.clear();

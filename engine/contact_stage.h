@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/collision/detector.h"
+#include "engine/collision/passing.h"
 #include "engine/collision/sweep.h"
 #include "engine/contact_cache.h"
 #include "engine/contact_constraint.h"
@@ -40,8 +41,7 @@ struct ContactSite {
 
 class ContactStage : public ConstraintSource {
   public:
-    ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
-        : colliders_(std::move(colliders)), choices_(choices) {}
+    ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices);
 
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
@@ -102,6 +102,7 @@ class ContactStage : public ConstraintSource {
 
     // Of the current step.
     collision::Detector detector_;
+    collision::Passing passing_;
     std::span<const collision::Touch> touches_;
     std::deque<collision::Touch> unforeseen_;
     std::vector<Motion> motions_;  // by body, at the start of the step; for friction

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double axis_preference = 5e-4;  // of the smaller box's shortest edge, for the choice of the axis
 constexpr double clip_tolerance = 2e-4;   // the same, by which the reference face is widened
+constexpr double same_direction = 0.9;    // cosine of the angle below which two axes are not two ways out
 
 // One candidate for the direction of least penetration.
 struct Axis {
@@ -29,6 +30,7 @@ struct Axis {
 
 struct Axes {
     Axis face_a, face_b, edges;
+    std::array<double, 3> faces_a, faces_b;  // separations along the face axes [m]
 
     double largest() const { return std::max({face_a.separation, face_b.separation, edges.separation}); }
 };
@@ -45,9 +47,11 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
     Axes best;
     for (int i = 0; i < 3; ++i) {
         const double on_a = std::abs(t[i]) - A[i] - (absR(i, 0) * B[0] + absR(i, 1) * B[1] + absR(i, 2) * B[2]);
+        best.faces_a[static_cast<std::size_t>(i)] = on_a;
         if (on_a > best.face_a.separation) best.face_a = {on_a, i, 0};
         const double along = t[0] * R(0, i) + t[1] * R(1, i) + t[2] * R(2, i);
         const double on_b = std::abs(along) - B[i] - (absR(0, i) * A[0] + absR(1, i) * A[1] + absR(2, i) * A[2]);
+        best.faces_b[static_cast<std::size_t>(i)] = on_b;
         if (on_b > best.face_b.separation) best.face_b = {on_b, 0, i};
     }
     if (best.largest() >= margin) return best;
@@ -61,7 +65,7 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
             const double separation = std::abs(t[i2] * R(i1, j) - t[i1] * R(i2, j)) - reach;
             if (separation <= std::min(0.0, best.largest())) continue;
             const double length = std::sqrt(R(i1, j) * R(i1, j) + R(i2, j) * R(i2, j));
-            if (length < 1e-3) continue;  // parallel edges; the faces beside them cover this direction
+            if (length < parallel_edges) continue;  // the faces beside them cover this direction
             if (separation / length > best.edges.separation) best.edges = {separation / length, i, j};
         }
     }
@@ -76,10 +80,14 @@ struct Corner {
 };
 
 struct Polygon {
-    std::array<Corner, 8> corners;  // of which `count` are there
+    // Of which `count` are there. A quadrilateral that four straight cuts go through has eight corners at most;
+    // only by rounding could a sliver have one more, which then lies on the corner before it.
+    std::array<Corner, 8> corners;
     int count = 0;
 
-    void add(const Corner& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
+    void add(const Corner& corner) {
+        if (count < 8) corners[static_cast<std::size_t>(count++)] = corner;
+    }
     const Corner& at(int i) const {
         return corners[static_cast<std::size_t>(i < count ? i : i - count)];
     }  // i < 2 count
@@ -210,15 +218,54 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     // Closest points of the two lines.
     const Vector3 between_middles = corner_b - corner_a;
     const double along = edge_a.dot(edge_b);
-    const double denominator = 1.0 - along * along;  // not small: near-parallel edges make no axis
+    const double denominator = 1.0 - along * along;  // at least the square of `parallel_edges`
     const double s = (edge_a.dot(between_middles) - along * edge_b.dot(between_middles)) / denominator;
     const double t = (along * edge_a.dot(between_middles) - edge_b.dot(between_middles)) / denominator;
-    const Vector3 on_a = corner_a + edge_a * s;
-    const Vector3 on_b = corner_b + edge_b * t;
+    // Nearly parallel edges cross where rounding says; the point belongs to both of them.
+    const double half_a = a.half_size[axis.of_a], half_b = b.half_size[axis.of_b];
+    const Vector3 on_a = corner_a + edge_a * std::clamp(s, -half_a, half_a);
+    const Vector3 on_b = corner_b + edge_b * std::clamp(t, -half_b, half_b);
 
     manifold.normal = normal;
     const auto edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
     manifold.add({0.5 * (on_a + on_b), axis.separation, (1u << 16) + edges * 64u + which});
+}
+
+// How the faces of both boxes are clipped to each other.
+struct Clipping {
+    double tolerance;  // m, by which the reference face is widened
+    double margin;     // m
+};
+
+void clip_to_face_of_a(const Box& a, const Pose& pose_a, int axis, const Box& b, const Pose& pose_b,
+                       const Clipping& clipping, Manifold& manifold) {
+    const Face face{axis, sign_of(pose_a.rotation.col(axis).dot(pose_b.position - pose_a.position))};
+    clip_faces(a, pose_a, face, b, pose_b, false, clipping.tolerance, clipping.margin, manifold);
+}
+
+void clip_to_face_of_b(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, int axis,
+                       const Clipping& clipping, Manifold& manifold) {
+    const Face face{axis, -sign_of(pose_b.rotation.col(axis).dot(pose_b.position - pose_a.position))};
+    clip_faces(b, pose_b, face, a, pose_a, true, clipping.tolerance, clipping.margin, manifold);
+}
+
+// The largest separation along a face axis that is not the manifold's normal.
+double largest_of_others(const Axes& axes, const Pose& pose_a, const Pose& pose_b, double much,
+                         const Vector3& normal) {
+    double largest = -std::numeric_limits<double>::infinity();
+    const auto consider = [&](double separation, const Matrix3& rotation, int axis) {
+        if (separation < -much || separation <= largest) return;
+        if (std::abs(rotation.col(axis).dot(normal)) < same_direction) largest = separation;
+    };
+    for (int i = 0; i < 3; ++i) {
+        consider(axes.faces_a[static_cast<std::size_t>(i)], pose_a.rotation, i);
+        consider(axes.faces_b[static_cast<std::size_t>(i)], pose_b.rotation, i);
+    }
+    return largest;
+}
+
+double size_of(const Box& a, const Box& b) {
+    return 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());
 }
 
 }  // namespace
@@ -228,22 +275,33 @@ void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
     const Axes axes = separate(a, pose_a, b, pose_b, margin);
     if (axes.largest() >= margin) return;
 
-    const double size = 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());
+    const double size = size_of(a, b);
     const double preference = axis_preference * size;
-    const double tolerance = clip_tolerance * size;
-    const Vector3 offset = pose_b.position - pose_a.position;
+    const Clipping clipping{clip_tolerance * size, margin};
 
     const double faces = std::max(axes.face_a.separation, axes.face_b.separation);
     if (axes.edges.separation > faces + preference) {
         cross_edges(a, pose_a, b, pose_b, axes.edges, manifold);
     } else if (axes.face_b.separation > axes.face_a.separation + preference) {
-        const int axis = axes.face_b.of_b;
-        const Face face{axis, -sign_of(pose_b.rotation.col(axis).dot(offset))};
-        clip_faces(b, pose_b, face, a, pose_a, true, tolerance, margin, manifold);
+        clip_to_face_of_b(a, pose_a, b, pose_b, axes.face_b.of_b, clipping, manifold);
     } else {
-        const int axis = axes.face_a.of_a;
-        const Face face{axis, sign_of(pose_a.rotation.col(axis).dot(offset))};
-        clip_faces(a, pose_a, face, b, pose_b, false, tolerance, margin, manifold);
+        clip_to_face_of_a(a, pose_a, axes.face_a.of_a, b, pose_b, clipping, manifold);
+    }
+    const double much = 0.1 * std::max(a.half_size.minCoeff(), b.half_size.minCoeff());  // overlap, m
+    manifold.other_gap = largest_of_others(axes, pose_a, pose_b, much, manifold.normal);
+}
+
+void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,
+                           const Pose& pose_b, double room, double margin, Manifold& manifold) {
+    manifold.count = 0;
+    if (axis.gap >= margin) return;
+    const Clipping clipping{std::max(room, clip_tolerance * size_of(a, b)), margin};
+    if (axis.of_b < 0) {
+        clip_to_face_of_a(a, pose_a, axis.of_a, b, pose_b, clipping, manifold);
+    } else if (axis.of_a < 0) {
+        clip_to_face_of_b(a, pose_a, b, pose_b, axis.of_b, clipping, manifold);
+    } else {
+        cross_edges(a, pose_a, b, pose_b, {axis.gap, axis.of_a, axis.of_b}, manifold);
     }
 }
 

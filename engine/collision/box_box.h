@@ -3,6 +3,7 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
+#include "engine/collision/separations.h"
 
 namespace pushfactor::engine::collision {
 
@@ -10,5 +11,10 @@ namespace pushfactor::engine::collision {
 // two edges that cross.
 void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                      Manifold& manifold);
+
+// The same along `axis`, one of the Separations of the boxes, whether or not it is the best. Points may lie up to
+// `room` [m] beside the face that they belong to.
+void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,
+                           const Pose& pose_b, double room, double margin, Manifold& manifold);
 
 }  // namespace pushfactor::engine::collision

@@ -34,8 +34,8 @@ void combine_surfaces(std::span<const Collider> colliders, Touch& touch) {
     touch.restitution = std::max(a.restitution, b.restitution);
 }
 
-std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                        const Detection& detection) {
+std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
+                                     const Detection& detection) {
     poses_.clear();
     for (const Body& body : bodies) poses_.push_back(pose_of(body));
 
@@ -46,7 +46,6 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
         name_pair(pair, colliders, bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
-        manifold_.count = 0;
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
                 colliders[static_cast<std::size_t>(pair.b)].shape, pose_b, detection.margin * touch.size,
                 manifold_);
@@ -56,6 +55,7 @@ std::span<const Touch> Detector::detect(std::span<const Collider> colliders, std
         }
         if (detection.reduce_to_four_points) reduce_to_four(manifold_, pose_a.rotation);
         touch.normal = manifold_.normal;
+        touch.doubtful = manifold_.other_gap + detection.permitted * touch.size >= 0.0;
         touch.points = manifold_.points();  // as many; where they are is said below, when all have been found
         points_.insert(points_.end(), touch.points.begin(), touch.points.end());
         combine_surfaces(colliders, touch);

@@ -13,6 +13,7 @@ namespace pushfactor::engine::collision {
 // is at the start of the step. The lever arms of the rows belong to that moment.
 struct MeetingBodies {
     Body a, b;
+    double time = 0.0;  // s, from the start of the step
 };
 
 // Two colliders that touch or nearly do.
@@ -30,6 +31,7 @@ struct Touch {
     // At least one. They belong to whoever found the touch, and are there until the next search.
     std::span<const ContactPoint> points;
     const MeetingBodies* meeting = nullptr;  // only of a pair that is to meet in the course of the step
+    bool doubtful = false;  // overlaps by no more than is permitted along another axis too (passing.h)
 };
 
 // Names the pair in `touch`: its colliders, bodies and size.
@@ -39,15 +41,16 @@ void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<
 void combine_surfaces(std::span<const Collider> colliders, Touch& touch);
 
 struct Detection {
-    double margin = 0.0;                // fraction of the size; points with a smaller gap count
+    double margin = 0.0;     // fraction of the size; points with a smaller gap count
+    double permitted = 0.0;  // the same; bodies that overlap by less along an axis count as apart along it
     bool reduce_to_four_points = true;  // of a face manifold, which has up to eight
 };
 
 class Detector {
   public:
-    // All touches in ascending order of the pair. The result is good until the next call.
-    std::span<const Touch> detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                  const Detection& detection);
+    // All touches in ascending order of the pair. The result is good until the next call, and may be changed.
+    std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
+                               const Detection& detection);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace pushfactor::engine::collision {
@@ -21,6 +22,9 @@ struct Manifold {
     Vector3 normal = Vector3::UnitY();             // unit length, world frame, from shape a to shape b
     std::array<ContactPoint, max_points> storage;  // of which `count` are there
     int count = 0;
+    // m, the largest separation along an axis in another direction than the normal; -infinity where there is none
+    // or where the overlap along all of them is deep.
+    double other_gap = -std::numeric_limits<double>::infinity();
 
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
     std::span<const ContactPoint> points() const { return {storage.data(), static_cast<std::size_t>(count)}; }

@@ -53,6 +53,7 @@ static_assert(pair_table.size() == std::variant_size_v<Shape>, "a shape without 
 void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
              Manifold& manifold) {
     manifold.count = 0;
+    manifold.other_gap = -std::numeric_limits<double>::infinity();
     if (const Collide function = pair_table[a.index()][b.index()]) {
         function(a, pose_a, b, pose_b, margin, manifold);
     }

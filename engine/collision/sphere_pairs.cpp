@@ -39,6 +39,9 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
     if (distance > 1e-12 * sphere.radius) {
         add_point(box_pose.position + box_pose.rotation * nearest, box_pose.rotation * (offset / distance),
                   distance - sphere.radius, margin, manifold);
+        // Beside more than one face, the nearest point lies on an edge or a corner.
+        const Vector3 beside = centre.cwiseAbs() - box.half_size;
+        if ((beside.array() > 0.0).count() > 1) manifold.other_gap = beside.maxCoeff() - sphere.radius;
         return;
     }
     // The centre is inside: out through the nearest face, y before the others where two are equally near.
@@ -52,6 +55,18 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
     const Vector3 surface = centre + out * depth[axis];
     add_point(box_pose.position + box_pose.rotation * surface, box_pose.rotation * out,
               -depth[axis] - sphere.radius, margin, manifold);
+}
+
+void collide_box_sphere_along(const Separation& axis, const Box& box, const Pose& box_pose, const Sphere& sphere,
+                              const Pose& sphere_pose, double room, double margin, Manifold& manifold) {
+    const Vector3 centre = box_pose.rotation.transpose() * (sphere_pose.position - box_pose.position);
+    Vector3 beside = centre.cwiseAbs() - box.half_size;
+    beside[axis.of_a] = 0.0;
+    manifold.count = 0;
+    manifold.normal = axis.normal;
+    if (beside.maxCoeff() > room) return;
+    const Vector3 surface = sphere_pose.position - (axis.gap + sphere.radius) * axis.normal;
+    add_point(surface, axis.normal, axis.gap, margin, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

@@ -3,6 +3,7 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
+#include "engine/collision/separations.h"
 
 namespace pushfactor::engine::collision {
 
@@ -14,5 +15,10 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
                         double margin, Manifold& manifold);
 void collide_sphere_plane(const Sphere& sphere, const Pose& sphere_pose, const Plane& plane, const Pose& plane_pose,
                           double margin, Manifold& manifold);
+
+// The same along `axis`, one of their Separations: a point where the sphere is farthest along it, unless that lies
+// beside the face by more than `room` [m].
+void collide_box_sphere_along(const Separation& axis, const Box& box, const Pose& box_pose, const Sphere& sphere,
+                              const Pose& sphere_pose, double room, double margin, Manifold& manifold);
 
 }  // namespace pushfactor::engine::collision

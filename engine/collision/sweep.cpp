@@ -17,6 +17,29 @@ bool is_fast(const Collider& collider, const Body& body, const Sweep::Step& step
     return path_of(collider, velocity(body).norm(), rate, step.dt) > margin_of(collider, step);
 }
 
+// What a force or a torque would move by so much of its size within the step could go through something, or end
+// deep inside. Far more than the margin: the weight alone takes a small body beyond that.
+constexpr double dangerous = 0.25;
+
+// Whether the external forces of the step bring the collider into that danger.
+bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity, const Sweep::Step& step) {
+    const double rate = (body.angular_momentum + step.dt * body.torque).norm() * body.inverse_inertia.maxCoeff();
+    return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
+}
+
+Vector3 velocity_with_forces(const Body& body, double dt) {
+    return body.inverse_mass * (body.linear_momentum + dt * body.force);
+}
+
+// Takes from the velocity of a body what would bring it closer along `normal` than the touch allows; the other body
+// has its velocity of before, because something holds its weight in turn.
+void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double dt, Vector3& velocity_of_body) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& point : touch.points) gap = std::min(gap, point.gap);
+    const double excess = normal.dot(velocity_of_body - velocity(other)) - std::max(gap, 0.0) / dt;
+    if (excess > 0.0) velocity_of_body -= excess * normal;
+}
+
 // Whether the constraint force makes the body move otherwise than foreseen, by more than its margin, and fast.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
@@ -28,7 +51,7 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
 }
 
 // How near two bodies have to come for having met, as a fraction of the size.
-constexpr double nearness = 1e-4;
+constexpr double met = 1e-4;
 
 bool before(const Touch& touch, const Pair& pair) {
     return touch.pair < pair;
@@ -91,14 +114,35 @@ Moving Sweep::moving(int collider, const Step& step) const {
     return {which.shape, pose_of(step.bodies[body]), fast_pairs_.motion_of(collider)};
 }
 
-bool Sweep::any_fast(const Step& step) {
+bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
     fast_.clear();
-    bool any = false;
+    bool any = false, any_pressed = false;
     for (const Collider& collider : step.colliders) {
-        fast_.push_back(is_fast(collider, step.bodies[static_cast<std::size_t>(collider.body)], step));
+        const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        fast_.push_back(is_fast(collider, body, step));
         any = any || fast_.back();
+        if (any_pressed || fast_.back()) continue;
+        any_pressed = is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
-    return any;
+    if (!any_pressed) return any;
+    find_pressed(touches, step);
+    return std::find(fast_.begin(), fast_.end(), true) != fast_.end();
+}
+
+// What lies on something is held and not fast, however it is pressed.
+void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
+    freely_.clear();
+    for (const Body& body : step.bodies) freely_.push_back(velocity_with_forces(body, step.dt));
+    for (const Touch& touch : touches) {
+        const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
+        if (!step.bodies[a].is_static()) stop_at(touch, touch.normal, step.bodies[b], step.dt, freely_[a]);
+        if (!step.bodies[b].is_static()) stop_at(touch, -touch.normal, step.bodies[a], step.dt, freely_[b]);
+    }
+    for (std::size_t i = 0; i < fast_.size(); ++i) {
+        const Collider& collider = step.colliders[i];
+        const auto body = static_cast<std::size_t>(collider.body);
+        fast_[i] = fast_[i] || is_pressed(collider, step.bodies[body], freely_[body], step);
+    }
 }
 
 bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
@@ -113,21 +157,25 @@ bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> ch
 }
 
 // Adds the touch of a pair that meets, with the motions of the moment.
-bool Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches) {
+Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches) {
     const Moving a = moving(pair.a, step);
     const Moving b = moving(pair.b, step);
     Touch touch;
     name_pair(pair, step.colliders, step.bodies, touch);
     combine_surfaces(step.colliders, touch);
-    const double margin = step.detection.margin * touch.size;
-    std::optional<Meeting> meeting = find_meeting(a, b, step.dt, nearness * touch.size, margin);
-    if (!meeting) return false;
+    Course course = follow(a, b, step.dt,
+                           {.tolerance = met * touch.size,
+                            .margin = step.detection.margin * touch.size,
+                            .permitted = step.detection.permitted * touch.size});
+    std::optional<Meeting>& meeting = course.meeting;
+    if (!meeting) return course.decided ? Outcome::passes : Outcome::undecided;
     if (touch.restitution > 0.0) keep_meeting_points(*meeting, a, b, step.dt - meeting->time);
     if (meeting->time > 0.0) {
         wind_back(*meeting, a, b);
         const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
         const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
-        found_.bodies.push_back({moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b)});
+        found_.bodies.push_back(
+            {moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b), meeting->time});
         touch.meeting = &found_.bodies.back();
     }
     Manifold& manifold = meeting->manifold;
@@ -135,7 +183,7 @@ bool Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& 
     touch.normal = manifold.normal;
     touch.points = found_.keep(manifold.points());
     touches.push_back(touch);
-    return true;
+    return Outcome::meets;
 }
 
 void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
@@ -148,18 +196,22 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
         if (touching && !has_more(*touch, moving(pair.a, step), moving(pair.b, step), step.dt, margin)) {
             refined_.push_back(*touch);
         } else {
-            add_meeting(pair, step, refined_);
+            const Outcome outcome = add_meeting(pair, step, refined_);
+            const bool stays = outcome == Outcome::undecided ||
+                               (outcome == Outcome::passes && touching && smallest_gap(touch->points) <= 0.0);
+            if (touching && stays) refined_.push_back(*touch);
         }
         if (touching) ++touch;
     }
     refined_.insert(refined_.end(), touch, touches.end());
+    passing_.take_out_held(refined_, step);
 }
 
 std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step) {
     found_.clear();
     seen_.clear();
     known_ = touches;
-    if (!any_fast(step)) return known_;
+    if (!any_fast(touches, step)) return known_;
     refined_.clear();
     refine_fast(touches, step);
     known_ = refined_;

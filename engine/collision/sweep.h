@@ -13,6 +13,7 @@
 
 #include "engine/collision/detector.h"
 #include "engine/collision/fast_pairs.h"
+#include "engine/collision/passing.h"
 #include "engine/collision/swept.h"
 
 #include <deque>
@@ -23,12 +24,7 @@ namespace pushfactor::engine::collision {
 
 class Sweep {
   public:
-    struct Step {
-        std::span<const Collider> colliders;
-        std::span<const Body> bodies;  // with the external forces of the step
-        double dt = 0.0;               // s
-        const Detection& detection;
-    };
+    using Step = Passing::Step;
 
     // `touches` as the detector found them, where fast pairs are concerned put right: those that meet in the coming
     // step added or with all the points that take part, and those that only pass each other left out. In ascending
@@ -56,15 +52,20 @@ class Sweep {
         }
     };
 
-    bool any_fast(const Step& step);
+    bool any_fast(std::span<const Touch> touches, const Step& step);
+    void find_pressed(std::span<const Touch> touches, const Step& step);
     bool any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step);
     void refine_fast(std::span<const Touch> touches, const Step& step);
     bool is_known(const Pair& pair) const;
-    bool add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
+    // How the pair goes on; the touch of one that meets is added to `touches`.
+    enum class Outcome { meets, passes, undecided };
+    Outcome add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
     Moving moving(int collider, const Step& step) const;
 
-    std::vector<bool> fast_;  // by collider
+    std::vector<bool> fast_;       // by collider
+    std::vector<Vector3> freely_;  // m/s by body, the velocities that forces and touches leave to pressed ones
     FastPairs fast_pairs_;
+    Passing passing_;
     Found found_;  // of the step
     std::vector<Touch> refined_;
     std::vector<Touch> unforeseen_;  // of the last look

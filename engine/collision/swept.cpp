@@ -1,6 +1,7 @@
 #include "engine/collision/swept.h"
 
 #include "engine/collision/pair_table.h"
+#include "engine/collision/separations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr int most_waits = 100;
+constexpr int most_waits = 400;  // a box that spins by hundreds of radians in a step takes many
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // A pair in the course of its motion.
@@ -17,12 +18,6 @@ struct Placed {
     const Moving& a;
     const Moving& b;
     Pose pose_a, pose_b;
-};
-
-// A direction in which the shapes are apart by `gap` [m], below zero where they overlap along it.
-struct Separation {
-    Vector3 normal;  // unit length, from a to b
-    double gap = 0.0;
 };
 
 // The first two terms of how far a shape reaches along a direction as time goes by.
@@ -58,35 +53,12 @@ double time_to_close(double gap, const Reach& reach) {
     return reach.speed > 0.0 ? 2.0 * gap / (reach.speed + root) : (root - reach.speed) / reach.acceleration;
 }
 
-// The separating axes of two boxes, paper section 4.
-template <typename Visit>
-void visit_box_axes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, Visit visit) {
-    const Vector3 offset = pose_b.position - pose_a.position;
-    const auto consider = [&](const Vector3& axis) {
-        const double along = axis.dot(offset);
-        const double reach = (pose_a.rotation.transpose() * axis).cwiseAbs().dot(a.half_size) +
-                             (pose_b.rotation.transpose() * axis).cwiseAbs().dot(b.half_size);
-        visit(Separation{along < 0.0 ? Vector3(-axis) : axis, std::abs(along) - reach});
-    };
-    for (int k = 0; k < 3; ++k) {
-        consider(pose_a.rotation.col(k));
-        consider(pose_b.rotation.col(k));
-    }
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const Vector3 axis = pose_a.rotation.col(i).cross(pose_b.rotation.col(j));
-            const double length = axis.norm();
-            if (length > 1e-6) consider(axis / length);  // parallel edges are covered by the faces beside them
-        }
-    }
-}
-
 template <typename Visit>
 void visit_separations(const Placed& pair, Visit visit) {
     const auto* box_a = std::get_if<Box>(&pair.a.shape);
     const auto* box_b = std::get_if<Box>(&pair.b.shape);
     if (box_a && box_b) {
-        visit_box_axes(*box_a, pair.pose_a, *box_b, pair.pose_b, visit);
+        for (const Separation& axis : Separations(*box_a, pair.pose_a, *box_b, pair.pose_b).all()) visit(axis);
         return;
     }
     Manifold nearest;
@@ -103,12 +75,14 @@ struct Wait {
     double fastest = 0.0;  // m/s, of all directions
 };
 
-Wait wait_of(const Placed& pair) {
+// `permitted`: the overlap with which they still count as apart [m].
+Wait wait_of(const Placed& pair, double permitted) {
     Wait wait;
     visit_separations(pair, [&](const Separation& separation) {
         const Reach reach = closing(pair, separation.normal);
-        wait.time = std::max(wait.time, time_to_close(separation.gap, reach));
-        wait.gap = std::max(wait.gap, separation.gap);
+        const double gap = separation.gap + permitted;
+        wait.time = std::max(wait.time, time_to_close(gap, reach));
+        wait.gap = std::max(wait.gap, gap);
         wait.fastest = std::max(wait.fastest, reach.speed);
     });
     return wait;
@@ -144,20 +118,29 @@ double approach(const Moving& a, const Moving& b, const Vector3& normal, double 
     return path(closing({a, b, a.start, b.start}, normal), time);
 }
 
-std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt, double tolerance, double margin) {
+Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearness) {
+    const double tolerance = nearness.tolerance;
     double time = 0.0;
-    for (int i = 0; i < most_waits && time < dt; ++i) {
+    double overlap = 0.0;
+    int i = 0;
+    for (; i < most_waits && time < dt; ++i) {
         const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
-        Wait wait = wait_of(pair);
+        Wait wait = wait_of(pair, overlap);
         if (wait.gap <= tolerance) {
-            const Manifold manifold = manifold_of(pair, dt - time, std::max(margin, 2.0 * tolerance));
-            if (manifold.count > 0) return Meeting{time, pair.pose_a, pair.pose_b, manifold};
+            const Manifold manifold = manifold_of(pair, dt - time, std::max(nearness.margin, 2.0 * tolerance));
+            const bool grazes = manifold.count > 0 && overlap < nearness.permitted &&
+                                manifold.other_gap + nearness.permitted > tolerance;
+            if (manifold.count > 0 && !grazes) return {Meeting{time, pair.pose_a, pair.pose_b, manifold}};
+            if (grazes) {
+                overlap = nearness.permitted;
+                continue;
+            }
             // Close along every axis and yet beside each other, corner to corner: a little later they are past.
             wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
         }
         time += wait.time;
     }
-    return std::nullopt;
+    return {.meeting = std::nullopt, .decided = i < most_waits};
 }
 
 }  // namespace pushfactor::engine::collision

@@ -32,9 +32,28 @@ struct Meeting {
     Manifold manifold;  // at that moment
 };
 
-// The first moment within `dt` [s] when the shapes come closer than `tolerance` [m]; nothing when they do not, or
-// not within a hundred waits. The manifold has all points that are closer than `margin` [m] then or may come as
-// close in the rest of the step.
-std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt, double tolerance, double margin);
+// How near two shapes have to come to meet, and how far they may overlap [m].
+struct Nearness {
+    double tolerance = 0.0;  // closer than this they have met
+    double margin = 0.0;     // points that are closer take part
+    // Shapes that come to overlap along two axes at once, as at an edge that one of them grazes, only meet when the
+    // overlap along all axes exceeds this (passing.h).
+    double permitted = 0.0;
+};
+
+// How the pair comes through the step.
+struct Course {
+    std::optional<Meeting> meeting;
+    bool decided = true;  // false: no meeting in as many waits as are allowed, and none excluded
+};
+
+// The first moment within `dt` [s] when the shapes meet. The manifold has all points that are closer than the
+// margin then or may come as close in the rest of the step.
+Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearness);
+
+inline std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt, double tolerance,
+                                           double margin) {
+    return follow(a, b, dt, {.tolerance = tolerance, .margin = margin}).meeting;
+}
 
 }  // namespace pushfactor::engine::collision

@@ -1,0 +1,276 @@
+#include "engine/collision/passing.h"
+
+#include "engine/collision/box_box.h"
+#include "engine/collision/sphere_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double noise = 1e-6;           // of the permitted overlap, what a body at rest moves by in one step
+constexpr double same_direction = 0.9;   // cosine below which two axes of boxes are not two ways out
+constexpr double holding_along = 0.999;  // cosine above which a touch holds what moves along an axis
+
+// A body in the coming step.
+struct Mover {
+    Vector3 centre;
+    Motion before, with_forces;
+};
+
+Mover mover_of(const Body& body, const Shape& shape, double dt) {
+    Mover mover{body.position, motion_of(body), motion_of(body, dt)};
+    if (std::holds_alternative<Sphere>(shape)) {  // which turns in itself
+        mover.before.angular_velocity.setZero();
+        mover.with_forces.angular_velocity.setZero();
+    }
+    return mover;
+}
+
+Vector3 velocity_at(const Motion& motion, const Vector3& centre, const Vector3& point) {
+    return motion.velocity + motion.angular_velocity.cross(point - centre);
+}
+
+struct Movers {
+    Mover a, b;
+
+    // How fast a comes towards b along `normal`, m/s.
+    double before(const Vector3& normal, const Vector3& point) const {
+        return normal.dot(velocity_at(a.before, a.centre, point) - velocity_at(b.before, b.centre, point));
+    }
+    double with_forces(const Vector3& normal, const Vector3& point) const {
+        return normal.dot(velocity_at(a.with_forces, a.centre, point) -
+                          velocity_at(b.with_forces, b.centre, point));
+    }
+    // Where something may hold the weight of either.
+    double at_most(const Vector3& normal, const Vector3& point) const {
+        return std::max(normal.dot(velocity_at(a.before, a.centre, point)),
+                        normal.dot(velocity_at(a.with_forces, a.centre, point))) -
+               std::min(normal.dot(velocity_at(b.before, b.centre, point)),
+                        normal.dot(velocity_at(b.with_forces, b.centre, point)));
+    }
+};
+
+const Body& body_of(int body, const Passing::Step& step) {
+    return step.bodies[static_cast<std::size_t>(body)];
+}
+
+// With the centres where they will be when the bodies meet.
+Movers movers_of(const Touch& touch, const Passing::Step& step) {
+    const Body& a = touch.meeting ? touch.meeting->a : body_of(touch.body_a, step);
+    const Body& b = touch.meeting ? touch.meeting->b : body_of(touch.body_b, step);
+    return {mover_of(a, step.colliders[static_cast<std::size_t>(touch.pair.a)].shape, step.dt),
+            mover_of(b, step.colliders[static_cast<std::size_t>(touch.pair.b)].shape, step.dt)};
+}
+
+// The two shapes of a touch at the start of the step.
+struct Shapes {
+    const Shape &a, &b;
+    Pose pose_a, pose_b;
+
+    Shapes(const Touch& touch, const Passing::Step& step)
+        : a(step.colliders[static_cast<std::size_t>(touch.pair.a)].shape),
+          b(step.colliders[static_cast<std::size_t>(touch.pair.b)].shape),
+          pose_a(pose_of(body_of(touch.body_a, step))),
+          pose_b(pose_of(body_of(touch.body_b, step))) {}
+
+    bool are_boxes() const { return std::holds_alternative<Box>(a) && std::holds_alternative<Box>(b); }
+
+    bool is_box_and_sphere() const {
+        return (std::holds_alternative<Box>(a) && std::holds_alternative<Sphere>(b)) ||
+               (std::holds_alternative<Sphere>(a) && std::holds_alternative<Box>(b));
+    }
+
+    // Calls `visit` with the other ways to be apart than along `normal`.
+    template <typename Visit>
+    void visit_others(const Vector3& normal, Visit visit) const {
+        if (are_boxes()) {
+            for (const Separation& axis : Separations(std::get<Box>(a), pose_a, std::get<Box>(b), pose_b).all()) {
+                if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
+            }
+        } else if (!is_box_and_sphere()) {
+            return;
+        } else if (const auto* box = std::get_if<Box>(&a)) {
+            for (const Separation& axis : Separations(*box, pose_a, std::get<Sphere>(b), pose_b).all()) visit(axis);
+        } else {
+            for (Separation axis : Separations(std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a).all()) {
+                axis.normal = -axis.normal;
+                visit(axis);
+            }
+        }
+    }
+
+    void collide_along(const Separation& axis, double room, double margin, Manifold& manifold) const {
+        if (are_boxes()) {
+            collide_box_box_along(axis, std::get<Box>(a), pose_a, std::get<Box>(b), pose_b, room, margin, manifold);
+        } else if (const auto* box = std::get_if<Box>(&a)) {
+            collide_box_sphere_along(axis, *box, pose_a, std::get<Sphere>(b), pose_b, room, margin, manifold);
+        } else {
+            Separation turned = axis;
+            turned.normal = -axis.normal;
+            collide_box_sphere_along(turned, std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a, room, margin,
+                                     manifold);
+            manifold.normal = -manifold.normal;
+        }
+    }
+};
+
+// How the axis of a touch closes in the step.
+struct Closing {
+    double path = 0.0;                // m, the longest way beyond its gap that a point would go; 0 when none does
+    double time = never;              // s, in which the motion before the step closes the first point
+    Vector3 where = Vector3::Zero();  // the point with that path
+};
+
+Closing closing_of(const Touch& touch, const Movers& movers, double permitted, double dt) {
+    Closing closing;
+    for (const ContactPoint& point : touch.points) {
+        const double least = std::max(point.gap, noise * permitted);
+        const double path = dt * movers.at_most(touch.normal, point.position);
+        if (path > least && path - std::max(point.gap, 0.0) > closing.path) {
+            closing.path = path - std::max(point.gap, 0.0);
+            closing.where = point.position;
+        }
+        const double speed = movers.before(touch.normal, point.position);
+        if (dt * speed > least) closing.time = std::min(closing.time, std::max(point.gap + permitted, 0.0) / speed);
+    }
+    return closing;
+}
+
+double fastest_before(const Movers& movers, const Vector3& normal, std::span<const ContactPoint> points) {
+    double fastest = 0.0;
+    for (const ContactPoint& point : points) fastest = std::max(fastest, movers.before(normal, point.position));
+    return fastest;
+}
+
+// What is as doubtful as the touch itself, or later, holds nothing: two could hold each other.
+bool can_hold(const Touch& holder, const Touch& touch) {
+    if (holder.meeting) return touch.meeting && holder.meeting->time < touch.meeting->time;
+    return !holder.doubtful;
+}
+
+const ContactPoint& nearest_to(const Vector3& where, std::span<const ContactPoint> points) {
+    return *std::min_element(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
+        return (p.position - where).squaredNorm() < (q.position - where).squaredNorm();
+    });
+}
+
+}  // namespace
+
+void Passing::list(std::span<const Touch> touches, const Step& step) {
+    of_body_.first.assign(step.bodies.size(), -1);
+    of_body_.next.resize(2 * touches.size());
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        for (const std::size_t place : {2 * i, 2 * i + 1}) {
+            const int body = place == 2 * i ? touches[i].body_a : touches[i].body_b;
+            of_body_.next[place] = of_body_.first[static_cast<std::size_t>(body)];
+            of_body_.first[static_cast<std::size_t>(body)] = static_cast<int>(place);
+        }
+    }
+}
+
+// Whether the touch `holder` of `body` keeps that body from closing `axis` of `touch` within the step.
+bool Passing::holds(const Touch& holder, int body, const Touch& touch, const Separation& axis, const Vector3& where,
+                    const Step& step) const {
+    const double way = (touch.body_a == body) == (holder.body_a == body) ? 1.0 : -1.0;
+    if (way * holder.normal.dot(axis.normal) < holding_along) return false;
+    const double permitted = step.detection.permitted * touch.size;
+    const Movers held = movers_of(holder, step);
+    const ContactPoint& point = nearest_to(where, holder.points);
+    const double gap = std::max(point.gap, 0.0);
+    // What can move may give way to more than a light touch.
+    const bool is_fixed = body_of(holder.body_a == body ? holder.body_b : holder.body_a, step).is_static();
+    if (!is_fixed && step.dt * held.before(holder.normal, point.position) > gap + permitted) return false;
+    const double stopped = std::max(0.0, step.dt * held.with_forces(holder.normal, point.position) - gap);
+    const double path = step.dt * movers_of(touch, step).with_forces(axis.normal, where);
+    return path - stopped <= axis.gap + permitted;
+}
+
+bool Passing::is_held(const Touch& touch, const Separation& axis, const Vector3& where,
+                      std::span<const Touch> touches, const Step& step) const {
+    for (const int body : {touch.body_a, touch.body_b}) {
+        if (body_of(body, step).is_static()) continue;
+        int place = of_body_.first[static_cast<std::size_t>(body)];
+        for (; place >= 0; place = of_body_.next[static_cast<std::size_t>(place)]) {
+            const Touch& holder = touches[static_cast<std::size_t>(place / 2)];
+            if (can_hold(holder, touch) && holds(holder, body, touch, axis, where, step)) return true;
+        }
+    }
+    return false;
+}
+
+std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::span<const Touch> touches,
+                                                      const Step& step) const {
+    const double permitted = step.detection.permitted * touch.size;
+    const Movers movers = movers_of(touch, step);
+    const Closing closing = closing_of(touch, movers, permitted, step.dt);
+    if (closing.path <= 0.0) return std::nullopt;
+    std::optional<Choice> last;
+    Shapes(touch, step).visit_others(touch.normal, [&](const Separation& axis) {
+        if (axis.gap + permitted < 0.0) return;
+        double time = 0.0;
+        if (closing.time < never) {
+            const double speed = fastest_before(movers, axis.normal, touch.points);
+            time = speed > 0.0 ? (axis.gap + permitted) / speed : never;
+            if (time <= closing.time) time = 0.0;
+        }
+        if (time < step.dt && is_held(touch, axis, closing.where, touches, step)) time = never;
+        if (time == 0.0) return;
+        if (!last || time > last->time || (time == last->time && axis.gap > last->axis.gap)) last = {axis, time};
+    });
+    return last;
+}
+
+void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
+    points_.clear();
+    bool is_listed = false, any_empty = false;
+    std::vector<std::pair<std::size_t, Manifold>> found;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        const Touch& touch = touches[i];
+        if (!touch.doubtful) continue;
+        if (!is_listed) list(touches, step);
+        is_listed = true;
+        const std::optional<Choice> choice = last_to_close(touch, touches, step);
+        if (!choice) continue;
+        // Where the bodies come together in this step, with the points that the motion brings in.
+        const double speed = std::abs(fastest_before(movers_of(touch, step), touch.normal, touch.points));
+        const double room = choice->time < step.dt ? speed * step.dt : 0.0;
+        const Shapes shapes(touch, step);
+        Manifold& manifold = found.emplace_back(i, Manifold{}).second;
+        shapes.collide_along(choice->axis, room, step.detection.margin * touch.size, manifold);
+        if (step.detection.reduce_to_four_points) reduce_to_four(manifold, shapes.pose_a.rotation);
+        any_empty = any_empty || manifold.count == 0;
+    }
+    for (const auto& [place, manifold] : found) {
+        const auto points = manifold.points();
+        touches[place].normal = manifold.normal;
+        touches[place].points = points_.emplace_back(points.begin(), points.end());
+    }
+    if (any_empty) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });
+}
+
+bool Passing::is_kept_apart(const Touch& touch, std::span<const Touch> touches, const Step& step) const {
+    const double permitted = step.detection.permitted * touch.size;
+    bool apart = false;
+    Shapes(touch, step).visit_others(touch.normal, [&](const Separation& axis) {
+        if (apart || axis.gap + permitted < 0.0) return;
+        apart = is_held(touch, axis, touch.points.front().position, touches, step);
+    });
+    return apart;
+}
+
+void Passing::take_out_held(std::vector<Touch>& touches, const Step& step) {
+    if (std::none_of(touches.begin(), touches.end(), [](const Touch& touch) { return touch.meeting; })) return;
+    list(touches, step);
+    std::vector<Pair> out;
+    for (const Touch& touch : touches) {
+        if (touch.meeting && is_kept_apart(touch, touches, step)) out.push_back(touch.pair);
+    }
+    std::erase_if(touches,
+                  [&](const Touch& touch) { return std::binary_search(out.begin(), out.end(), touch.pair); });
+}
+
+}  // namespace pushfactor::engine::collision

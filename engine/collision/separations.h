@@ -1,0 +1,39 @@
+// The directions along which two shapes can be apart: the separating axes of paper section 4.
+#pragma once
+
+#include "engine/collision/collider.h"
+
+#include <array>
+#include <span>
+
+namespace pushfactor::engine::collision {
+
+// A direction, and how far the shapes are apart along it.
+struct Separation {
+    Vector3 normal;    // unit length, from a to b
+    double gap = 0.0;  // m, below zero where they overlap along it
+    int of_a = -1;     // face axis or edge direction of a, 0..2, none for an axis of b alone
+    int of_b = -1;     // the same of b
+};
+
+class Separations {
+  public:
+    // The six face axes of two boxes and the nine across an edge of each, but for edges that are parallel.
+    Separations(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+    // The face axes of a box; the normals point from the box to the sphere.
+    Separations(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose);
+
+    std::span<const Separation> all() const { return {storage_.data(), static_cast<std::size_t>(count_)}; }
+
+  private:
+    void add(const Separation& separation) { storage_[static_cast<std::size_t>(count_++)] = separation; }
+
+    std::array<Separation, 15> storage_;
+    int count_ = 0;
+};
+
+// Sine of the angle below which two edges count as parallel. Beside them a face separates as well, but for this
+// times the length of the edges.
+inline constexpr double parallel_edges = 1e-6;
+
+}  // namespace pushfactor::engine::collision
