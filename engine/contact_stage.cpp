@@ -197,6 +197,10 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
 }
 
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+    // First what refers to the touches of the last step, whose points and meetings the search throws away.
+    contacts_.clear();
+    unforeseen_.clear();
+    touches_ = {};
     std::vector<collision::Touch>& touches = detector_.detect(colliders_, bodies, choices_.detection);
     if (choices_.detection.permitted > 0.0) {
         passing_.put_right(touches, {colliders_, bodies, dt, choices_.detection});
@@ -204,8 +208,6 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     touches_ = touches;
     if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
     if (friction_) find_motions(bodies);
-    unforeseen_.clear();
-    contacts_.clear();
     forces_.clear();
     own_rows_ = 0;
     if (cache_) cache_->recall(touches_, forces_);

@@ -13,15 +13,62 @@ Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal) {
     return (axis - normal * axis.dot(normal)).normalized();
 }
 
-void reduce_to_four(Manifold& manifold, const Matrix3& reference) {
-    if (manifold.count <= 4) return;
+namespace {
+
+// Beyond this ratio of its lengths a manifold has a long direction of its own; below it is as good as round, and
+// its long direction noise.
+constexpr double long_ratio = 2.0;
+
+// Two directions across the normal in which the outermost points are looked for. Their lengths differ where the
+// manifold is long: by them it becomes as long as wide.
+struct Outwards {
+    Vector3 along, across;
+};
+
+// `u` and `v` rotated and scaled so that the corners of a rectangle along them are told from each other, although
+// the directions lie off its diagonals.
+Outwards off_diagonals(const Vector3& u, const Vector3& v) {
+    return {(2.0 * u + v) / std::sqrt(5.0), (2.0 * v - u) / std::sqrt(5.0)};
+}
+
+// The root of the larger and of the smaller eigenvalue of the points' covariance in the plane of u and v [m], and
+// the angle from u to the long direction.
+struct Spread {
+    double length, width, angle;
+};
+
+Spread spread_of(const Manifold& manifold, const Vector3& u, const Vector3& v) {
+    Vector3 middle = Vector3::Zero();
+    for (const ContactPoint& point : manifold.points()) middle += point.position / manifold.count;
+    double uu = 0.0, uv = 0.0, vv = 0.0;
+    for (const ContactPoint& point : manifold.points()) {
+        const double x = u.dot(point.position - middle), y = v.dot(point.position - middle);
+        uu += x * x, uv += x * y, vv += y * y;
+    }
+    const double mean = 0.5 * (uu + vv), half = std::hypot(0.5 * (uu - vv), uv);
+    return {std::sqrt(mean + half), std::sqrt(std::max(0.0, mean - half)), 0.5 * std::atan2(2.0 * uv, uu - vv)};
+}
+
+Outwards outwards(const Manifold& manifold, const Matrix3& reference) {
     const Vector3 u = tangent_fixed_in(reference, manifold.normal);
     const Vector3 v = manifold.normal.cross(u);
-    const Vector3 direction = (2.0 * u + v).normalized();
-    const Vector3 across = manifold.normal.cross(direction);
+    const Spread spread = spread_of(manifold, u, v);
+    if (spread.length < long_ratio * spread.width) {
+        const Vector3 direction = (2.0 * u + v).normalized();
+        return {direction, manifold.normal.cross(direction)};
+    }
+    const Vector3 p = std::cos(spread.angle) * u + std::sin(spread.angle) * v;
+    return off_diagonals(p * (spread.width / spread.length), manifold.normal.cross(p));
+}
+
+}  // namespace
+
+void reduce_to_four(Manifold& manifold, const Matrix3& reference) {
+    if (manifold.count <= 4) return;
+    const Outwards directions = outwards(manifold, reference);
 
     std::array<bool, Manifold::max_points> kept{};
-    for (const Vector3& axis : {direction, across}) {
+    for (const Vector3& axis : {directions.along, directions.across}) {
         std::size_t first = 0, last = 0;
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
         for (std::size_t i = 0; i < manifold.points().size(); ++i) {

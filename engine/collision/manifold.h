@@ -32,7 +32,8 @@ struct Manifold {
 
 // Keeps at most four points: the outermost in four directions of the contact plane, deeper ones preferred. The
 // directions hang on `reference` (a rotation that moves with one of the shapes) and lie off the diagonals of a
-// face, so that rounding does not choose between two points of one corner. Does nothing to four or fewer.
+// face, so that rounding does not choose between two points of one corner; where the points span much more one way
+// than the other, the directions follow that span. Does nothing to four or fewer.
 void reduce_to_four(Manifold& manifold, const Matrix3& reference);
 
 // A unit vector across `normal` that is fixed in the frame `reference`.
