@@ -10,7 +10,8 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr int most_waits = 400;  // a box that spins by hundreds of radians in a step takes many
+constexpr int most_waits = 400;         // a box that spins by hundreds of radians in a step takes many
+constexpr double same_direction = 0.9;  // cosine of the angle between two normals of one face or edge
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // A pair in the course of its motion.
@@ -122,6 +123,7 @@ Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearn
     const double tolerance = nearness.tolerance;
     double time = 0.0;
     double overlap = 0.0;
+    std::optional<Meeting> graze;
     int i = 0;
     for (; i < most_waits && time < dt; ++i) {
         const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
@@ -130,11 +132,15 @@ Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearn
             const Manifold manifold = manifold_of(pair, dt - time, std::max(nearness.margin, 2.0 * tolerance));
             const bool grazes = manifold.count > 0 && overlap < nearness.permitted &&
                                 manifold.other_gap + nearness.permitted > tolerance;
-            if (manifold.count > 0 && !grazes) return {Meeting{time, pair.pose_a, pair.pose_b, manifold}};
+            const Meeting here{time, pair.pose_a, pair.pose_b, manifold};
             if (grazes) {
+                graze = here;
                 overlap = nearness.permitted;
                 continue;
             }
+            // What they grazed first is what they meet, unless they went on to another face.
+            const bool same = graze && graze->manifold.normal.dot(manifold.normal) > same_direction;
+            if (manifold.count > 0) return {same ? *graze : here};
             // Close along every axis and yet beside each other, corner to corner: a little later they are past.
             wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
         }
