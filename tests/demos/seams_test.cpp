@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <sstream>
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
