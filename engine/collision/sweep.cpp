@@ -163,15 +163,16 @@ Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vecto
     Touch touch;
     name_pair(pair, step.colliders, step.bodies, touch);
     combine_surfaces(step.colliders, touch);
-    Course course = follow(a, b, step.dt,
-                           {.tolerance = met * touch.size,
-                            .margin = step.detection.margin * touch.size,
-                            .permitted = step.detection.permitted * touch.size});
+    const double permitted = step.detection.permitted * touch.size;
+    Course course = follow(
+        a, b, step.dt,
+        {.tolerance = met * touch.size, .margin = step.detection.margin * touch.size, .permitted = permitted});
     std::optional<Meeting>& meeting = course.meeting;
     if (!meeting) return course.decided ? Outcome::passes : Outcome::undecided;
     if (touch.restitution > 0.0) keep_meeting_points(*meeting, a, b, step.dt - meeting->time);
-    if (meeting->time > 0.0) {
-        wind_back(*meeting, a, b);
+    const bool doubtful = permitted > 0.0 && meeting->manifold.other_gap + permitted >= 0.0;
+    if (meeting->time > 0.0) wind_back(*meeting, a, b);
+    if (meeting->time > 0.0 || doubtful) {  // what keeps them apart is looked for among all touches
         const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
         const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
         found_.bodies.push_back(

@@ -19,7 +19,7 @@ void add_rides(Chapter& chapter, double speed, const std::string& seconds, const
                             .wanted = outcome,
                             .checks = {{.measure = "twin_distance_m", .bar = 1e-6},
                                        {.measure = "twin_velocity_m_per_s", .bar = 1e-6}},
-                            .expected = settling(outcome, {seat, seat / step}),
+                            .expected = settling(outcome, {1.5 * seat, 1.5 * seat / step}),
                             .quick = speed == 4.0 && uneven == 0.0};
             });
         }
@@ -37,18 +37,21 @@ Chapter seams() {
     add_rides(chapter, 0.1, "3", "creep");  // as slow as that
     add_rides(chapter, 4.0, "0.8", "moving");
     add_rides(chapter, 50.0, "0.067", "moving");
+    constexpr double slop = 0.002;  // m, of a cube of 1 m
     const auto add_stop = [&chapter](const std::string& name, const SceneDescription& scene, double beyond) {
-        add_at_both_steps(chapter, [&](double) {
+        add_at_both_steps(chapter, [&](double step) {
+            // Short steps leave default a speed of a tenth of its seat in a step, which nothing takes away.
+            const bool creeps = step < 0.01 && beyond == slop;
             return Case{.name = name,
                         .own = scene,
                         .options = {{"seconds", "4"}},
                         .wanted = "rest",
                         .checks = {{.measure = "farthest_m", .bar = beyond, .target = way_to_stop}},
-                        .expected = of_both("rest"),
+                        .expected = {{.preset = "default", .outcome = creeps ? "creep" : "rest"},
+                                     {.preset = "exact", .outcome = "rest"}},
                         .quick = name == "cube-stopped-by-step"};
         });
     };
-    constexpr double slop = 0.002;  // m, of a cube of 1 m
     add_stop("cube-stopped-by-wall", stopped_by_wall(4.0), slop);
     add_stop("slab-stopped-by-step", slab_stopped_by_step(4.0), slop);
     // At the step it has 1 m/s left. It tips about the edge with 0.73 rad/s, to 0.033 rad, and its centre goes on

@@ -119,7 +119,7 @@ SceneDescription hovering_cubes() {
     for (int i = 0; i < 4; ++i) {
         const double gap = i == 3 ? 0.001 : 0.005;  // m
         BodyDescription one = cube(i, {0, 0.5 + gap, 1.6 * i - 2.4});
-        one.velocity = along(0.3 * i, 1.0);
+        one.velocity = along(-0.3 * i, 1.0);  // away from each other
         scene.forces.push_back({.body = one.name, .force = -*one.mass * scene.gravity});
         scene.bodies.push_back(one);
     }
