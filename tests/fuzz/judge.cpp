@@ -24,9 +24,10 @@ bool corrects_for_a_frame(const demos::Settings& settings) {
 }
 
 // Sweeps row by row lower q with every row while the bounds are numbers; over-relaxed or conjugate ones need not.
-bool lowers_its_objective(const demos::Settings& settings) {
-    return settings.solver != "jacobi" && settings.solver != "nncg" &&
-           settings.friction_model == demos::FrictionModel::paper;
+bool lowers_its_objective(const demos::Settings& settings, const engine::World& world) {
+    const bool follow = std::any_of(world.rows().begin(), world.rows().end(),
+                                    [](const engine::ConstraintRow& row) { return row.bounds.of_row >= 0; });
+    return settings.solver != "jacobi" && settings.solver != "nncg" && !follow;
 }
 
 bool any_swept(const demos::Scene& scene) {
@@ -48,7 +49,7 @@ Verdict run(const demos::SceneDescription& scene) {
                                                                  .isolated = isolated,
                                                                  .single_frame = corrects_for_a_frame(settings),
                                                                  .swept = any_swept(simulation.scene()),
-                                                                 .monotone = lowers_its_objective(settings)})
+                                                                 .monotone = lowers_its_objective(settings, world)})
                                                  : broken_bounds(world);
         if (broken) return {Verdict::Kind::fails, broken->claim, broken->what, step};
     }

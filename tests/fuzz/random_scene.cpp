@@ -37,7 +37,7 @@ const std::array option_choices{
     OptionChoices{"margin", {"", "", "0", "0.1", "1"}},
     OptionChoices{"row-order", {"", "bottom-up", "reverse", "creation", "normals-first"}},
     OptionChoices{"manifold-points", {"", "4", "8"}},
-    OptionChoices{"friction-model", {"", "paper", "coulomb"}},
+    OptionChoices{"friction-model", {"", "paper", "coulomb", "cone"}},
     OptionChoices{"restitution-model", {"", "sum", "larger"}},
     OptionChoices{"start-kick", {"", "", "on", "off"}},
     OptionChoices{"rotation", {"", "paper", "exponential", "splitting"}},

@@ -149,8 +149,11 @@ std::optional<Broken> broken_bounds(const engine::World& world) {
     const SystemEquation& system = world.system();
     for (Eigen::Index c = 0; c < world.lambda().cols(); ++c) {
         for (Eigen::Index j = 0; j < world.lambda().rows(); ++j) {
-            const double force = world.lambda()(j, c);
             const auto [low, high] = bounds_of(world.rows()[at(j)], world.lambda(), c);
+            double force = world.lambda()(j, c);
+            if (world.rows()[at(j)].bounds.disc == engine::Disc::second) {
+                force = std::hypot(world.lambda()(j - 1, c), force);
+            }
             const double beyond = std::max({0.0, low - force, force - high});
             // A guess is kept as long as it moves nothing faster than the tolerance.
             const double left_open =
