@@ -6,7 +6,12 @@ namespace {
 
 using Row = UnitProblem::Row;
 
-constexpr double rho = 1e9;
+constexpr double greatest_rho = 1e9;
+// With discs, whose map is not linear between its bounds, a step may have to stay near where the map was taken:
+// where one leads farther away rho shrinks, to this or less, and the next starts from the best again; where one
+// leads nearer it grows.
+constexpr double careful_rho = 1e3, least_rho = 1e-3;
+constexpr double rho_gain = 10.0, rho_loss = 0.1;
 // Changes that improve nothing before the method gives up; one that leads this much farther away is the last.
 constexpr int most_without_gain = 3;
 constexpr double diverged = 1e3;
@@ -17,7 +22,7 @@ bool act_on_the_same(const Row& a, const Row& b) {
 
 }  // namespace
 
-// The free rows are judged by a Jacobi step: judged with rho, every small residual would look like a change of the
+// The free rows are judged by a Jacobi step: judged with rho_, every small residual would look like a change of the
 // active set. A row whose leader acts on other bodies is set to where its bound is now.
 void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double>& y) {
     states_.resize(y.size());
@@ -57,7 +62,7 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     Slide slide{.second = j, .follows = may_follow, .d_1 = w_1 / length, .d_2 = w_2 / length};
     if (!(length > 0.0)) slide.d_1 = 1.0, slide.d_2 = 0.0;
     const double a = length > 0.0 ? radius / length : 0.0;
-    slide.k = std::min(a / (1.0 - a), rho);
+    slide.k = std::min(a / (1.0 - a), rho_);
     const auto combine = [&](double share_1, double share_2) {
         return Jacobian{share_1 * first.unit->a + share_2 * second.unit->a,
                         share_1 * first.unit->b + share_2 * second.unit->b};
@@ -97,9 +102,9 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
         if (states_[j] != State::free) continue;
         const Row& row = problem.rows[j];
         if (any_follows) {
-            matrix_.add_product(row.a, rho * pushed_[j].a, row.unit->a, row.b, rho * pushed_[j].b, row.unit->b);
+            matrix_.add_product(row.a, rho_ * pushed_[j].a, row.unit->a, row.b, rho_ * pushed_[j].b, row.unit->b);
         } else {
-            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho);
+            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho_);
         }
         work += any_follows ? 180.0 : 108.0;
     }
@@ -132,7 +137,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
             case State::free:
                 for (const auto& [body, axis] :
                      {std::pair{row.a, &pushed_[j].a}, std::pair{row.b, &pushed_[j].b}}) {
-                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho * r_[j]);
+                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho_ * r_[j]);
                 }
                 continue;
             case State::slides:
@@ -150,7 +155,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     matrix_.solve(d_);
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
-        if (states_[j] == State::free) moved_[j] = y[j] + rho * (r_[j] - along(row, d_));
+        if (states_[j] == State::free) moved_[j] = y[j] + rho_ * (r_[j] - along(row, d_));
     }
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -199,13 +204,16 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     y_2 = share * (radius * slide.d_2 + across * slide.d_1);
 }
 
-double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
-                        std::vector<double>& y, Effort& effort, SolveCount& count) {
+double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
+                        int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     const int before = count.iterations;
     const double most = order.general_work() + problem.assembly_work();
     int without_gain = 0;
+    const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
+    if (rho_ != begin) factored_.clear();
+    rho_ = begin;
     // One change more than the tolerance asks for: it has its factor already and takes the rest down to rounding,
     // which a stack that is not solved again for a minute would add up to a motion.
     for (bool enough = false; !enough && count.iterations - before < changes && without_gain < most_without_gain &&
@@ -217,6 +225,18 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, do
         count.multiply_adds += 2.0 * problem.look_work();
         const bool better = best_.look(problem, y, x_, r_);
         without_gain = better ? 0 : without_gain + 1;
+        if (pace == Pace::careful) {
+            if (!better) {
+                y = best_.y();
+                follow(problem, y, x_, r_);
+                without_gain = 0;
+            }
+            const double next = std::min(better ? rho_ * rho_gain : rho_ * rho_loss, greatest_rho);
+            if (next < least_rho) break;
+            if (next != rho_) factored_.clear();
+            rho_ = next;
+            continue;
+        }
         if (!better && (stayed || residual(problem, y, r_) > diverged * best_.residual())) break;
     }
     y = best_.y();

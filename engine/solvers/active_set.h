@@ -36,12 +36,16 @@ class ActiveSet {
     // in between may differ in t and in bounds alone.
     void start() { factored_.clear(); }
 
+    // How far a change may go: as far as the rows say; or only as far as the map of sliding discs, which is not
+    // linear between its bounds, is likely to hold, in more changes.
+    enum class Pace { bold, careful };
+
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
     // `changes` factorisations or the effort are used up. Returns the residual that was reached [m/s]; y is the
     // best that was seen among those that give the bodies no more energy than the guess or no force at all, and
     // never worse than it was.
     // `order` must connect the bodies of every row.
-    double solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
+    double solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance, int changes,
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
   private:
@@ -78,7 +82,8 @@ class ActiveSet {
     BestForces best_;
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // now, and in the factor
-    std::vector<Slide> slides_;             // now, in the order of their rows
+    double rho_ = 0.0;
+    std::vector<Slide> slides_;  // now, in the order of their rows
 };
 
 }  // namespace pushfactor::engine::solvers

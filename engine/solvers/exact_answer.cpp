@@ -19,6 +19,12 @@ namespace {
 // more of them find no end more often than one.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
+// And of those that slide on discs, which nothing but small steps may lead to the end of.
+constexpr int first_careful_changes = 12;
+// They come first where the guess is as near as this share of the largest speed that a row asks for.
+constexpr double careful_share = 1e-2;
+constexpr int careful_changes = 40;
+constexpr auto bold = ActiveSet::Pace::bold;
 // Steps of the interior point method.
 constexpr int most_steps = 60;
 // It stays a little inside the bounds and takes long to get to rounding. But at this share of the largest speed
@@ -82,7 +88,7 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
             problem_.rows[j].t -= p_[j];
         }
         clamp(problem_, y_);
-        active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
+        active_set_.solve(structure_->order, problem_, bold, tolerance, later_changes, y_, effort, count);
         for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
@@ -91,13 +97,20 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
 bool ExactAnswer::settle(double tolerance, Effort& effort, SolveCount& count) {
     const Elimination& order = structure_->order;
     const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
-    double reached = active_set_.solve(order, problem_, tolerance, first_changes, y_, effort, count);
+    double reached = active_set_.solve(order, problem_, bold, tolerance, first_changes, y_, effort, count);
+    const auto slide_carefully = [&](int changes) {
+        if (!problem_.has_discs || reached <= enough()) return;
+        reached =
+            active_set_.solve(order, problem_, ActiveSet::Pace::careful, tolerance, changes, y_, effort, count);
+    };
+    if (reached <= careful_share * asked_speed(problem_)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
-        reached = active_set_.solve(order, problem_, tolerance, later_changes, y_, effort, count);
+        reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
     }
+    slide_carefully(careful_changes);
     if (reached <= enough()) return true;
     if (contradicts()) {
         count.contradicts = true;
