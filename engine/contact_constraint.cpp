@@ -4,6 +4,10 @@ namespace pushfactor::engine {
 
 namespace {
 
+// How deep a point that has been apart comes to lie, as a share of the slop: deep enough for its row to aim at rest
+// from then on, instead of following gaps of rounding size.
+constexpr double seat = 1e-3;
+
 PushFactor contact_push(double gap, const Correction& correction, double slop, double dt) {
     if (gap > 0.0) return {.correcting = 0.0, .lasting = -(gap + seat * slop) / dt};
     // A body that has been pushed out to the slop stays there as exactly as the solver is asked to hold it; to

@@ -18,10 +18,6 @@
 
 namespace pushfactor::engine {
 
-// How deep a point that has been apart comes to lie, as a share of the slop: deep enough for its row to aim at rest
-// from then on, instead of following gaps of rounding size.
-inline constexpr double seat = 1e-3;
-
 // `gap` and `slop` in metres.
 ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal, double gap,
                                   const Correction& correction, double slop, double dt,

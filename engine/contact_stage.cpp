@@ -7,17 +7,8 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Sliding has no direction while it is slower than this share of sqrt(size * acceleration by the external forces),
-// the speed that they give a body over its own size: a resting body must not turn its tangents with roundings.
-constexpr double sliding_share = 1e-4;
-
-double least_sliding(const BodyPair& pair, double size) {
-    double acceleration = 0.0;
-    for (const Body* body : {&pair.body_a, &pair.body_b}) {
-        acceleration = std::max(acceleration, body->inverse_mass * body->force.norm());
-    }
-    return sliding_share * std::sqrt(size * acceleration);
-}
+// A gap beyond this share of the size is one, and not what the solver has left of a contact.
+constexpr double apart_share = 1e-5;
 
 // Overlap along an axis with which bodies count as apart along it, as a fraction of the size: as deep as they may
 // lie, with some room. Where no slop is left alone they lie at the surface as well as the solver can tell, and the
@@ -77,23 +68,24 @@ struct ContactStage::TouchFriction {
     FrictionBound bound, apart;  // of points that touch, and of those that are still apart
     Vector3 belt;                // m/s
     RelativeMotion motion;       // at the start of the step
-    double least_sliding;        // m/s
     Vector3 resting;             // the tangent of points that slide less
 };
 
-ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair) const {
+ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
+                                                      double dt) const {
     const Vector3 belt = belt_of(touch, pair);
     const Vector3& normal = touch.normal;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
     const FrictionBound bound = friction_->bound({.bodies = pair,
                                                   .normal = normal,
                                                   .friction = touch.friction,
-                                                  .points = static_cast<int>(touch.points.size())});
+                                                  .points = static_cast<int>(touch.points.size()),
+                                                  .size = touch.size,
+                                                  .dt = dt});
     return {.bound = bound,
-            .apart = {.limit = touch.friction, .of_normal_force = true, .round = bound.round},
+            .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,
             .motion = RelativeMotion(pair, motions_[a], motions_[b], belt),
-            .least_sliding = least_sliding(pair, touch.size),
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
@@ -119,10 +111,10 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
     const Vector3& normal = contact.touch->normal;
     const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
-    const bool apart = point.gap > seat * choices_.slop * contact.touch->size;
+    const bool apart = point.gap > apart_share * contact.touch->size;
     const FrictionBound& bound = apart ? shared.apart : shared.bound;
-    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal),
-                                         shared.least_sliding, shared.resting);
+    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), bound.least_sliding,
+                                         shared.resting);
     contact.friction_row = static_cast<int>(rows.size());
     own_rows_ += 2;
     for (const Disc which : {Disc::first, Disc::second}) {
@@ -182,7 +174,7 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
             const collision::Touch& touch = *contacts[i].touch;
             const BodyPair pair = bodies_of(touch, bodies);
             std::optional<TouchFriction> shared;
-            if (tangents) shared = friction_of(touch, pair);
+            if (tangents) shared = friction_of(touch, pair, dt);
             for (; i < contacts.size() && contacts[i].touch == &touch; ++i) {
                 Contact& contact = contacts[i];
                 const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);

@@ -89,7 +89,7 @@ class ContactStage : public ConstraintSource {
                        std::vector<ConstraintRow>& rows);
     void append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                          std::vector<ConstraintRow>& rows);
-    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair) const;
+    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
     void store_forces();
 

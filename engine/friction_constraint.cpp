@@ -1,23 +1,39 @@
 #include "engine/friction_constraint.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pushfactor::engine {
+
+namespace {
+
+constexpr double sliding_share = 1e-4;
+
+double least_sliding(const FrictionSite& site) {
+    double acceleration = 0.0;
+    for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
+        acceleration = std::max(acceleration, body->inverse_mass * body->force.norm());
+    }
+    return sliding_share * std::sqrt(site.size * acceleration);
+}
+
+}  // namespace
 
 FrictionBound WeightFriction::bound(const FrictionSite& site) const {
     double mass = 0.0;
     for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
         if (!body->is_static()) mass += body->mass();
     }
-    return {.limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points};
+    return {.limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points,
+            .least_sliding = sliding_share * site.size / site.dt};
 }
 
 FrictionBound CoulombFriction::bound(const FrictionSite& site) const {
-    return {.limit = site.friction, .of_normal_force = true};
+    return {.limit = site.friction, .of_normal_force = true, .least_sliding = least_sliding(site)};
 }
 
 FrictionBound ConeFriction::bound(const FrictionSite& site) const {
-    return {.limit = site.friction, .of_normal_force = true, .round = true};
+    return {.limit = site.friction, .of_normal_force = true, .round = true, .least_sliding = least_sliding(site)};
 }
 
 RelativeMotion::RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt)

@@ -10,7 +10,7 @@
 // make c_max < c_min. Its bound is exact for one body on a static one and wrong in stacks, as the text says
 // itself; next to it there is Coulomb's law, mu times the normal force of the same point: for each tangent alone,
 // which makes a square of the cone, or for the length of both forces. A point that is still apart carries nothing
-// unless it meets, which no weight knows: it has Coulomb's bound whatever the rule.
+// unless it meets, which no weight knows: with the paper's bound its friction begins in the step after.
 #pragma once
 
 #include "engine/constraint_row.h"
@@ -27,6 +27,8 @@ struct FrictionSite {
     const Vector3& normal;  // unit length
     double friction = 0.0;  // mu
     int points = 1;         // contact points of the pair
+    double size = 1.0;      // m, of the smaller movable body
+    double dt = 1.0;        // s
 };
 
 // A bound, the same for all contact points of a pair: a force [N], or a factor [1] of the force in the point's own
@@ -35,6 +37,9 @@ struct FrictionBound {
     double limit = 0.0;
     bool of_normal_force = false;
     bool round = false;  // of the length of both forces, not of each
+    // m/s: slower sliding has no direction, so that a resting body does not turn its tangents with roundings. It
+    // matters where each tangent has its own bound.
+    double least_sliding = 0.0;
 
     // At a point whose contact row has this index in the rows of the step, for the first or second tangent.
     Bounds at(int normal_row, Disc which) const {
@@ -52,7 +57,8 @@ class FrictionRule {
     virtual FrictionBound bound(const FrictionSite& site) const = 0;
 };
 
-// The paper's bound: a plain number, so the problem stays convex.
+// The paper's bound: a plain number, so the problem stays convex. Like it, what counts as sliding depends on the
+// step: a point that goes 1e-4 of the size in one.
 class WeightFriction : public FrictionRule {
   public:
     explicit WeightFriction(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
@@ -62,6 +68,9 @@ class WeightFriction : public FrictionRule {
     Vector3 gravity_;
 };
 
+// The others: 1e-4 of sqrt(size * acceleration by the external forces), the speed that they give a body over its
+// own size.
+//
 // Coulomb's bound for each tangent: mu lambda of the point's own contact row, in the same column. Along the
 // diagonal of the tangents friction is up to sqrt(2) times as large as it should be.
 class CoulombFriction : public FrictionRule {

@@ -225,9 +225,8 @@ std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::s
 }
 
 void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
-    points_.clear();
+    found_.clear();
     bool is_listed = false, any_empty = false;
-    std::vector<std::pair<std::size_t, Manifold>> found;
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
         if (!touch.doubtful) continue;
@@ -239,15 +238,22 @@ void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
         const double speed = std::abs(fastest_before(movers_of(touch, step), touch.normal, touch.points));
         const double room = choice->time < step.dt ? speed * step.dt : 0.0;
         const Shapes shapes(touch, step);
-        Manifold& manifold = found.emplace_back(i, Manifold{}).second;
+        Manifold& manifold = found_.emplace_back(Found{i, {}}).manifold;
         shapes.collide_along(choice->axis, room, step.detection.margin * touch.size, manifold);
         if (step.detection.reduce_to_four_points) reduce_to_four(manifold, shapes.pose_a.rotation);
         any_empty = any_empty || manifold.count == 0;
     }
-    for (const auto& [place, manifold] : found) {
-        const auto points = manifold.points();
-        touches[place].normal = manifold.normal;
-        touches[place].points = points_.emplace_back(points.begin(), points.end());
+    points_.clear();
+    for (const Found& found : found_) {
+        const auto points = found.manifold.points();
+        points_.insert(points_.end(), points.begin(), points.end());
+    }
+    std::span<const ContactPoint> left = points_;
+    for (const Found& found : found_) {
+        const auto count = static_cast<std::size_t>(found.manifold.count);
+        touches[found.touch].normal = found.manifold.normal;
+        touches[found.touch].points = left.first(count);
+        left = left.subspan(count);
     }
     if (any_empty) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });
 }

@@ -60,8 +60,15 @@ class Passing {
     std::optional<Choice> last_to_close(const Touch& touch, std::span<const Touch> touches, const Step& step) const;
     bool is_kept_apart(const Touch& touch, std::span<const Touch> touches, const Step& step) const;
 
+    // Of a touch of which something else was found than it had.
+    struct Found {
+        std::size_t touch = 0;  // by its place
+        Manifold manifold;
+    };
+
     OfBody of_body_;
-    std::vector<std::vector<ContactPoint>> points_;
+    std::vector<Found> found_;
+    std::vector<ContactPoint> points_;  // of all touches that have new ones
 };
 
 }  // namespace pushfactor::engine::collision

@@ -47,10 +47,8 @@ class Auto {
         SolveCount count;
         rows_.load(system, island, lambda);
         exact_.take(island);
-        const bool is_small = island.movable() <= small_island;
-        const double most = is_small ? pairs_of_a_heap : pairs_of_a_thread;
-        const bool is_thread = exact_.pairs() <= most * island.movable();
-        if (is_thread || exact_.is_tree()) {
+        const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
+        if (is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
         } else {
             solve_heap(island, termination, count);

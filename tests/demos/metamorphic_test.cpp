@@ -88,6 +88,8 @@ Outcomes run_both(
     Settings (*change)(Settings) = [](Settings settings) { return settings; }) {
     Settings settings = change(preset_settings(preset));
     settings.seconds = test.seconds;
+    // Convex: with Coulomb's bound a moving heap has several answers, and roundings choose.
+    settings.friction_model = FrictionModel::paper;
     Outcomes outcomes{.expected = bodies_after(test.scene, settings),
                       .found = bodies_after(similarity.map(test.scene), similarity.map(settings))};
     for (engine::Body& body : outcomes.expected) body = similarity.map(body);

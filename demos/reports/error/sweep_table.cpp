@@ -121,7 +121,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
     return {
         {"stack",
          "Stack: where the cubes come to rest",
-         {{"preset", "default"}, {"jitter", "0.01"}, {"seed", "1"}, {"slop", "0"}, seconds("10", "3")},
+         {{"preset", "default"}, {"jitter", "0.01"}, {"seed", "1"}, {"slop", "0"}, convex, seconds("10", "3")},
          rest_error,
          "distance from the exact place at rest, RMS [m]",
          "Five cubes, each up to a centimetre off the axis and turned, fall and should come to rest straight below "
@@ -130,7 +130,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
          standing},
         {"intersecting-stack",
          "Intersecting stack: against the closed form",
-         {{"preset", "default"}, {"slop", "0"}, {"seconds", "0.5"}},
+         {{"preset", "default"}, {"slop", "0"}, convex, {"seconds", "0.5"}},
          parting_error,
          "distance from the closed form, RMS [m]",
          "Five cubes part for half a second: the distance of their centres from the closed form of the exactly "
@@ -141,7 +141,8 @@ std::vector<Sweep> all_sweeps(bool quick) {
          {{"preset", "default"}, {"count", "20"}, convex, seconds("4", "3")},
          converged_error,
          "relative error of the constraint forces, median",
-         "Twenty balls fall into a funnel, with the friction bound of the paper, whose problem is convex and has one "
+         "Twenty balls fall into a funnel, with the friction bound of the paper, whose problem is convex and has "
+         "one "
          "answer: the constraint forces of a step against those of the same system solved to 1e-10 m/s, the median "
          "over thirty moments.",
          solvers(true)},
@@ -150,13 +151,14 @@ std::vector<Sweep> all_sweeps(bool quick) {
          {{"preset", "default"}, convex, seconds("3", "2")},
          converged_error,
          "relative error of the constraint forces, median",
-         "Spheres and boxes on a grid of pendulums, with the friction bound of the paper: the constraint forces of a step against those of the same "
+         "Spheres and boxes on a grid of pendulums, with the friction bound of the paper: the constraint forces of "
+         "a step against those of the same "
          "system "
          "solved to 1e-10 m/s, the median over thirty moments.",
          solvers(false)},
         {"heavy-on-light",
          "Heavy on light: where the cubes stand",
-         {{"preset", "default"}, {"mass-ratio", "1000"}, {"slop", "0"}, seconds("10", "3")},
+         {{"preset", "default"}, {"mass-ratio", "1000"}, {"slop", "0"}, convex, seconds("10", "3")},
          rest_error,
          "distance from the exact place at rest, RMS [m]",
          "A cube of 1 t on one of 1 kg: the distance of their centres from where they must stand, in the last "
