@@ -87,7 +87,7 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count) {
     } else if (count.exact) {
         debt.failures = 0.0;
     }
-    so_far.iterations += count.iterations;
+    so_far.iterations += count.iterations - count.exact_iterations;  // whose work has an account of its own
     so_far.exact_work += count.exact_work;
     so_far.paid_in = true;
     for (const int body : island.bodies) {

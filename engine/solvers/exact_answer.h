@@ -88,6 +88,7 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
 template <int columns>
 bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, Effort& effort, SolveCount& count) {
     const double before = effort.spent();
+    const int iterations_before = count.iterations;
     active_set_.start();
     bool solved = true;
     for (int c = 0; c < columns; ++c) {
@@ -98,6 +99,7 @@ bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, Effort& effor
     }
     rows.follow();
     count.exact_work += effort.spent() - before;
+    count.exact_iterations += count.iterations - iterations_before;
     return solved;
 }
 

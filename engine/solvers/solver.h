@@ -33,6 +33,7 @@ struct SolveCount {
     double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
     bool exact = false;          // whether it was solved to the tolerance by a method that goes to rounding
     double exact_work = 0.0;     // multiply-adds, the share of such methods
+    int exact_iterations = 0;    // their share of the iterations
     bool gave_up = false;        // whether such a method was tried and did not get there
     bool exhausted = false;      // whether more iterations would be of no use
     bool contradicts = false;    // whether it found rows that no forces can satisfy together
