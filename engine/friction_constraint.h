@@ -37,8 +37,8 @@ struct FrictionBound {
     double limit = 0.0;
     bool of_normal_force = false;
     bool round = false;  // of the length of both forces, not of each
-    // m/s: slower sliding has no direction, so that a resting body does not turn its tangents with roundings. It
-    // matters where each tangent has its own bound.
+    // m/s, where each tangent has its own bound: slower sliding has no direction, so that a resting body does not
+    // turn its tangents with roundings.
     double least_sliding = 0.0;
 
     // At a point whose contact row has this index in the rows of the step, for the first or second tangent.
@@ -68,11 +68,9 @@ class WeightFriction : public FrictionRule {
     Vector3 gravity_;
 };
 
-// The others: 1e-4 of sqrt(size * acceleration by the external forces), the speed that they give a body over its
-// own size.
-//
 // Coulomb's bound for each tangent: mu lambda of the point's own contact row, in the same column. Along the
-// diagonal of the tangents friction is up to sqrt(2) times as large as it should be.
+// diagonal of the tangents friction is up to sqrt(2) times as large as it should be. What counts as sliding: 1e-4
+// of sqrt(size * acceleration by the external forces), the speed that they give a body over its own size.
 class CoulombFriction : public FrictionRule {
   public:
     FrictionBound bound(const FrictionSite& site) const override;

@@ -67,6 +67,9 @@ struct WeightedAxis {
     WeightedAxis() : x(0), y(0), z(0), u(0), v(0), w(0) {}
 
     double squared() const { return (x * x + y * y + z * z) + (u * u + v * v + w * w); }
+    double dot(const WeightedAxis& other) const {
+        return (x * other.x + y * other.y + z * other.z) + (u * other.u + v * other.v + w * other.w);
+    }
     void write(double factor, Vector6& axis) const {
         axis[0] = factor * x;
         axis[1] = factor * y;
@@ -79,49 +82,45 @@ struct WeightedAxis {
     double x, y, z, u, v, w;
 };
 
-// A_jj, its root, and the unit axis of row j.
-inline void weigh(const ConstraintRow& row, std::size_t j, SystemEquation& system) {
-    const auto weighted = [&](int body, const Vector6& axis) {
+// Both halves of a row's axis.
+struct WeightedRow {
+    [[gnu::always_inline]] WeightedRow(const ConstraintRow& row, const SystemEquation& system)
+        : a(half(row.body_a, row.jacobian.a, system)), b(half(row.body_b, row.jacobian.b, system)) {}
+
+    [[gnu::always_inline]] static WeightedAxis half(int body, const Vector6& axis, const SystemEquation& system) {
         const InverseMass& inverse_mass = system.inverse_mass[static_cast<std::size_t>(body)];
         return inverse_mass.linear > 0.0 ? WeightedAxis(inverse_mass, axis) : WeightedAxis();
-    };
-    const WeightedAxis a = weighted(row.body_a, row.jacobian.a);
-    const WeightedAxis b = weighted(row.body_b, row.jacobian.b);
-    const double diagonal = a.squared() + b.squared();
-    const double scale = std::sqrt(diagonal);
+    }
+    double squared() const { return a.squared() + b.squared(); }
+
+    WeightedAxis a, b;
+};
+
+// Writes what a row is divided by, its root, and its axis divided by that.
+inline void write(const WeightedRow& row, double step, double scale, std::size_t j, SystemEquation& system) {
     const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
-    system.diagonal[static_cast<Eigen::Index>(j)] = diagonal;
+    system.diagonal[static_cast<Eigen::Index>(j)] = step;
     system.scale[static_cast<Eigen::Index>(j)] = scale;
     system.inverse_scale[static_cast<Eigen::Index>(j)] = to_unit;
-    a.write(to_unit, system.unit_axes[j].a);
-    b.write(to_unit, system.unit_axes[j].b);
+    row.a.write(to_unit, system.unit_axes[j].a);
+    row.b.write(to_unit, system.unit_axes[j].b);
 }
 
-// Row j is the second of a disc, and both are weighed: gives them the same step, the largest eigenvalue of
-// [a c; c b], so that a sweep of both at once does not go too far.
-void share_step(std::size_t j, SystemEquation& system) {
-    const auto second = static_cast<Eigen::Index>(j), first = second - 1;
-    Jacobian &u = system.unit_axes[j - 1], &v = system.unit_axes[j];
-    const double a = system.diagonal[first], b = system.diagonal[second];
-    const double c = system.scale[first] * system.scale[second] * (u.a.dot(v.a) + u.b.dot(v.b));
+// A_jj, its root, and the unit axis of row j; of both rows of a disc when it is the second of them. These have the
+// same step, the largest eigenvalue of their block [a c; c b], so that a sweep of both at once does not go too far.
+inline void weigh(std::size_t j, SystemEquation& system) {
+    const Disc disc = system.rows[j].bounds.disc;
+    if (disc == Disc::first) return;
+    const WeightedRow row(system.rows[j], system);
+    const double b = row.squared();
+    if (disc == Disc::none) return write(row, b, std::sqrt(b), j, system);
+    const WeightedRow first(system.rows[j - 1], system);
+    const double a = first.squared();
+    const double c = first.a.dot(row.a) + first.b.dot(row.b);
     const double step = 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c);
     const double scale = std::sqrt(step);
-    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
-    for (const Eigen::Index row : {first, second}) {
-        Jacobian& axis = system.unit_axes[static_cast<std::size_t>(row)];
-        axis.a *= system.scale[row] * to_unit;
-        axis.b *= system.scale[row] * to_unit;
-    }
-    for (const Eigen::Index row : {first, second}) {
-        system.diagonal[row] = step;
-        system.scale[row] = scale;
-        system.inverse_scale[row] = to_unit;
-    }
-}
-
-void weigh_next(std::size_t j, SystemEquation& system) {
-    weigh(system.rows[j], j, system);
-    if (system.rows[j].bounds.disc == Disc::second) share_step(j, system);
+    write(first, step, scale, j - 1, system);
+    write(row, step, scale, j, system);
 }
 
 // Keeps the axes that are there.
@@ -148,7 +147,7 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 
 void weigh_rows(SystemEquation& system) {
     size_axes(system);
-    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh_next(j, system);
+    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(j, system);
 }
 
 namespace {
@@ -169,7 +168,7 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
     const std::vector<Vector6>& free = system.free_acceleration;
     for (std::size_t j = first; j < rows.size(); ++j) {
         const ConstraintRow& row = rows[j];
-        weigh_next(j, system);
+        weigh(j, system);
         const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
                                      row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
         const auto index = static_cast<Eigen::Index>(j);
