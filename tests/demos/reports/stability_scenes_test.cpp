@@ -85,7 +85,7 @@ TEST_CASE("every scene file of the tests runs for a second") {
             CHECK(ended.status == 0);
         }
     }
-    CHECK(files == static_cast<int>(scenes().size()));
+    CHECK(files >= static_cast<int>(scenes().size()));
 }
 
 TEST_CASE("cases have names of their own, and each one an expectation and a wanted outcome") {
