@@ -113,10 +113,8 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
 
     const bool apart = point.gap > apart_share * contact.touch->size;
     const FrictionBound& bound = apart ? shared.apart : shared.bound;
-    // A disc is the same in every direction.
-    contact.tangents = bound.round ? std::array{shared.resting, Vector3(normal.cross(shared.resting))}
-                                   : friction_tangents(normal, shared.motion.sliding(point.position, normal),
-                                                       bound.least_sliding, shared.resting);
+    contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), bound.least_sliding,
+                                         shared.resting);
     contact.friction_row = static_cast<int>(rows.size());
     own_rows_ += 2;
     for (const Disc which : {Disc::first, Disc::second}) {

@@ -33,7 +33,7 @@ FrictionBound CoulombFriction::bound(const FrictionSite& site) const {
 }
 
 FrictionBound ConeFriction::bound(const FrictionSite& site) const {
-    return {.limit = site.friction, .of_normal_force = true, .round = true};
+    return {.limit = site.friction, .of_normal_force = true, .round = true, .least_sliding = least_sliding(site)};
 }
 
 RelativeMotion::RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt)

@@ -37,8 +37,8 @@ struct FrictionBound {
     double limit = 0.0;
     bool of_normal_force = false;
     bool round = false;  // of the length of both forces, not of each
-    // m/s, where each tangent has its own bound: slower sliding has no direction, so that a resting body does not
-    // turn its tangents with roundings.
+    // m/s: slower sliding has no direction, so that a resting body does not turn its tangents with roundings. A
+    // disc needs none, but the square around it, where exact solves begin, should lie along the sliding.
     double least_sliding = 0.0;
 
     // At a point whose contact row has this index in the rows of the step, for the first or second tangent.
