@@ -33,9 +33,10 @@ template <int columns>
         const auto take_off = [&](auto i, auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; };
         unrolled<count>([&](auto i) {
             if constexpr (disc >= 0 && i == disc + 1) {
-                unrolled<disc>([&](auto k) { take_off(i, k); });
-                system.put_in_disc(row[i], wanted[disc], wanted[i]);
-                move(disc, wanted[disc]);
+                constexpr std::integral_constant<int, i - 1> first;
+                unrolled<first>([&](auto k) { take_off(i, k); });
+                system.put_in_disc(row[i], wanted[first], wanted[i]);
+                move(first, wanted[first]);
                 move(i, wanted[i]);
             } else {
                 unrolled<i>([&](auto k) { take_off(i, k); });
