@@ -83,8 +83,8 @@ void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> 
                                        std::vector<ConstraintRow>& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
-    const Vector3 p_ab = p_b - p_a;
-    const PairPoint points(pair_of(distance, bodies), p_a, p_b);
+    const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);
+    const PairPoint points(pair_of(distance, bodies), middle);
     for (int axis = 0; axis < 3; ++axis) {
         ConstraintRow& row = rows.emplace_back();
         points.place(row, Vector3::Unit(axis));

@@ -7,6 +7,9 @@
 //
 //   c_k = p_ab . e_k,   j_c = [-e_k, -r_a x e_k, e_k, r_b x e_k],   v_k = -beta c_k / dt
 //
+// with the levers r_i = (p_a + p_b) / 2 - x_i: while a joint is open, force and counterforce act at one point, or
+// they would turn the pair; |p_ab| closes at the same rate, as the turning of the bodies moves p_ab only sideways.
+//
 // Symbols: p_ab = p_b - p_a [m]; r_i = p_i - x_i offset from the centre of mass [m]; l length [m]; v push factor
 // [m/s]; lambda force along n [N], above zero pushes the points apart. World frame.
 //

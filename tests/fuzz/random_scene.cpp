@@ -4,6 +4,7 @@
 #include "demos/simulation_options.h"
 #include "tests/random.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -134,6 +135,19 @@ class Generator {
         return {.body = name, .point = at_centre ? Vector3::Zero() : vector(size_)};
     }
 
+    Vector3 world_point(const demos::DistanceDescription::End& end) const {
+        const auto body = std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
+                                       [&](const BodyDescription& b) { return b.name == end.body; });
+        if (body == scene_.bodies.end()) return end.point;
+        return body->position + body->orientation * end.point;
+    }
+
+    // A length that is given, or left to where the points are.
+    bool has_length(const demos::DistanceDescription& distance) const {
+        if (distance.length) return *distance.length > 0.0;
+        return (world_point(distance.a) - world_point(distance.b)).norm() > 1e-3 * size_;
+    }
+
     void add_distances(bool isolated) {
         const std::size_t bodies = scene_.bodies.size();
         const std::size_t count = 1 + below(6);
@@ -150,7 +164,7 @@ class Generator {
             if (chance(0.3))
                 distance.acts = chance(0.5) ? engine::Distance::Acts::pulls : engine::Distance::Acts::pushes;
             if (chance(0.1)) distance.max_force = decades(-3, 4);
-            if (distance.length == 0.0) distance = {.a = distance.a, .b = distance.b, .length = 0.0};
+            if (!has_length(distance)) distance = {.a = distance.a, .b = distance.b, .length = 0.0};
             scene_.distances.push_back(distance);
             // The same bar once more, or one that contradicts it.
             if (chance(0.2)) scene_.distances.push_back(distance);
