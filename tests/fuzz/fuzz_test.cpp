@@ -38,7 +38,7 @@ struct JudgedStep {
         const auto found = broken_claim({.before = before,
                                          .world = built.world,
                                          .isolated = true,
-                                         .single_frame = settings.contacts.kind == engine::PushKind::single_frame,
+                                         .shifts = settings.contacts.kind == engine::PushKind::single_frame,
                                          .monotone = true});
         return found ? found->claim : "";
     }

@@ -66,7 +66,7 @@ std::optional<Broken> angular_momentum(const Step& step) {
         scale += (before.position.norm() + after.position.norm()) *
                  (before.linear_momentum.norm() + after.linear_momentum.norm());
         const Vector3 correction = after.position - before.position - dt * velocity(after);
-        if (step.single_frame) change -= correction.cross(after.linear_momentum);
+        if (step.shifts) change -= correction.cross(after.linear_momentum);
     }
     if (change.norm() <= rounding * scale) return {};
     return Broken{"angular momentum", fmt::format("changes by {:.3g} of {:.3g} kg m^2/s", change.norm(), scale)};

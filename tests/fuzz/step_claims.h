@@ -13,10 +13,10 @@ namespace pushfactor::tests {
 struct Step {
     std::span<const engine::Body> before;
     const engine::World& world;
-    bool isolated = false;      // nothing outside acts: no gravity, no force, no static body
-    bool single_frame = false;  // some rows correct for a single frame
-    bool swept = false;         // some rows act where bodies meet later in the step
-    bool monotone = false;      // the solver never ends above the q from which it started
+    bool isolated = false;  // nothing outside acts: no gravity, no force, no static body
+    bool shifts = false;    // some rows move bodies without giving them the momentum of that motion
+    bool swept = false;     // some rows act where bodies meet later in the step
+    bool monotone = false;  // the solver never ends above the q from which it started
 };
 
 struct Broken {
