@@ -10,11 +10,11 @@ namespace {
 constexpr double sliding_share = 1e-4;
 
 double least_sliding(const FrictionSite& site) {
-    double acceleration = 0.0;
+    double square = 0.0;  // of the acceleration
     for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
-        acceleration = std::max(acceleration, body->inverse_mass * body->force.norm());
+        square = std::max(square, body->inverse_mass * body->inverse_mass * body->force.squaredNorm());
     }
-    return sliding_share * std::sqrt(site.size * acceleration);
+    return sliding_share * std::sqrt(site.size * std::sqrt(square));
 }
 
 }  // namespace

@@ -96,41 +96,30 @@ struct WeightedRow {
     WeightedAxis a, b;
 };
 
-// Writes what a row is divided by, its root, and its axis divided by that.
-inline void write(const WeightedRow& row, double step, double scale, std::size_t j, SystemEquation& system) {
-    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
-    system.diagonal[static_cast<Eigen::Index>(j)] = step;
-    system.scale[static_cast<Eigen::Index>(j)] = scale;
-    system.inverse_scale[static_cast<Eigen::Index>(j)] = to_unit;
-    row.a.write(to_unit, system.unit_axes[j].a);
-    row.b.write(to_unit, system.unit_axes[j].b);
-}
-
-// A_jj, its root, and the unit axis of row j; of both rows of a disc when it is the second of them. These have the
-// same step, the largest eigenvalue of their block [a c; c b], so that a sweep of both at once does not go too far.
+// A_jj of row j; of both rows of a disc when it is the second of them. These have the same step, the largest
+// eigenvalue of their block [a c; c b], so that a sweep of both at once does not go too far.
 inline void weigh(std::size_t j, SystemEquation& system) {
     const Disc disc = system.rows[j].bounds.disc;
     if (disc == Disc::first) return;
     const WeightedRow row(system.rows[j], system);
     const double b = row.squared();
-    if (disc == Disc::none) return write(row, b, std::sqrt(b), j, system);
+    const auto index = static_cast<Eigen::Index>(j);
+    if (disc == Disc::none) {
+        system.diagonal[index] = b;
+        return;
+    }
     const WeightedRow first(system.rows[j - 1], system);
     const double a = first.squared();
     const double c = first.a.dot(row.a) + first.b.dot(row.b);
     const double step = 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c);
-    const double scale = std::sqrt(step);
-    write(first, step, scale, j - 1, system);
-    write(row, step, scale, j, system);
+    system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-// Keeps the axes that are there.
-void size_axes(SystemEquation& system) {
+// Keeps what is there.
+void size_diagonal(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
-    system.unit_axes.resize(system.rows.size());
     if (system.diagonal.size() == count) return;  // Eigen would ask for memory all the same
     system.diagonal.conservativeResize(count);
-    system.scale.conservativeResize(count);
-    system.inverse_scale.conservativeResize(count);
 }
 
 bool corrects(std::span<const ConstraintRow> rows) {
@@ -146,8 +135,17 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 }
 
 void weigh_rows(SystemEquation& system) {
-    size_axes(system);
+    size_diagonal(system);
     for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(j, system);
+}
+
+Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale) {
+    const WeightedRow weighted(system.rows[static_cast<std::size_t>(row)], system);
+    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
+    Jacobian unit;
+    weighted.a.write(to_unit, unit.a);
+    weighted.b.write(to_unit, unit.b);
+    return unit;
 }
 
 namespace {
@@ -155,7 +153,7 @@ namespace {
 // The axes and right sides of the rows from `first` on. Those before have theirs.
 void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system) {
     system.rows = rows;
-    size_axes(system);
+    size_diagonal(system);
     const Eigen::Index before = system.column_count();
     const bool two_columns = (first > 0 && before == 2) || corrects(rows.subspan(first));
     const auto count = static_cast<Eigen::Index>(rows.size());

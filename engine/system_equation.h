@@ -41,11 +41,8 @@ struct SystemEquation {
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    VectorX diagonal;                 // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
-    VectorX scale;                    // s_j, its root
-    VectorX inverse_scale;            // 1 / s_j, 0 for such a row
-    std::vector<Jacobian> unit_axes;  // J M^(-1/2) / s, of unit length (of a disc: at most), in body axes
-    Columns b;                        // m/s^2, rows x columns
+    VectorX diagonal;  // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
+    Columns b;         // m/s^2, rows x columns
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }
@@ -60,8 +57,12 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
 // they were.
 void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system);
 
-// The part of build_system that depends on J and M^-1 alone: `diagonal`, its roots, `unit_axes`.
+// The part of build_system that depends on J and M^-1 alone: `diagonal`.
 void weigh_rows(SystemEquation& system);
+
+// J M^(-1/2) / `scale` of a row, in body axes: with the root of its A_jj as `scale` of unit length, or of a disc at
+// most. Only who solves needs it: forces that are kept do not.
+Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);
@@ -138,7 +139,7 @@ class RowResiduals {
         : system_(system), lambda_(lambda), column_(column) {}
 
     // Of row `j`; of both rows of a disc when it is the second of them, and zero when it is the first.
-    double next(Eigen::Index j, double w) {
+    [[gnu::always_inline]] double next(Eigen::Index j, double w) {
         const ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
         const double diagonal = system_.diagonal[j];
         if (diagonal <= 0.0) return 0.0;

@@ -27,6 +27,19 @@ bool is_pressed(const Collider& collider, const Body& body, const Vector3& veloc
     return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
 }
 
+// What is_pressed() asks of a body that is not fast, for certain where the answer is no. In squares, because every
+// body is asked in every step.
+bool could_be_pressed(const Collider& collider, const Body& body, const Sweep::Step& step) {
+    double acceleration =
+        body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // squared, of any point
+    if (const auto* box = std::get_if<Box>(&collider.shape)) {
+        const double turning = body.inverse_inertia.maxCoeff();
+        acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
+    }
+    const double room = (dangerous - step.detection.margin) * size_of(collider.shape) / (step.dt * step.dt);
+    return room <= 0.0 || 2.0 * acceleration > room * room;  // (x + y)^2 <= 2 (x^2 + y^2)
+}
+
 Vector3 velocity_with_forces(const Body& body, double dt) {
     return body.inverse_mass * (body.linear_momentum + dt * body.force);
 }
@@ -122,7 +135,8 @@ bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
         fast_.push_back(is_fast(collider, body, step));
         any = any || fast_.back();
         if (any_pressed || fast_.back()) continue;
-        any_pressed = is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
+        any_pressed = could_be_pressed(collider, body, step) &&
+                      is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
     if (!any_pressed) return any;
     find_pressed(touches, step);

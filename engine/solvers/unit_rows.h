@@ -37,7 +37,7 @@ class UnitRows {
     using Value = typename Lanes<columns>::Value;
 
     struct Row {
-        const Jacobian* unit = nullptr;  // u_j, of the system that was loaded
+        const Jacobian* unit = nullptr;  // u_j
         int a = 0, b = 0;                // bodies
         std::array<double, columns> y{}, t{};
         std::array<double, columns> low{}, high{};  // bounds of y, or factors of the other row's y
@@ -59,6 +59,7 @@ class UnitRows {
     // one of zeros.
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         rows.resize(static_cast<std::size_t>(island.rows));
+        units_.resize(rows.size());
         blocks.clear();
         coupled_ = false;
         int number = 0;
@@ -67,6 +68,9 @@ class UnitRows {
                 Row& row = rows[static_cast<std::size_t>(number)];
                 row.a = run.a;
                 row.b = run.b;
+                row.unit = &units_[static_cast<std::size_t>(number)];
+                row.scale = std::sqrt(system.diagonal[j]);
+                units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
                 load_row(system, island, run, guess, j, row);
                 add_to_block(number);
             }
@@ -288,8 +292,6 @@ class UnitRows {
     void load_row(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
                   int j, Row& row) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
-        row.unit = &system.unit_axes[static_cast<std::size_t>(j)];
-        row.scale = system.scale[j];
         row.of_row = source.bounds.of_row;
         row.disc = source.bounds.disc;
         if (row.of_row >= 0) {
@@ -303,7 +305,7 @@ class UnitRows {
         }
         assert(row.a != row.b);
         const double to_y = system.dt * row.scale;
-        const double to_t = system.dt * system.inverse_scale[j];
+        const double to_t = system.dt * (1.0 / row.scale);
         const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
         for (int c = 0; c < columns; ++c) {
             const bool bounded_by_zero = c > 0 && !source.bounds.in_momenta;
@@ -360,6 +362,7 @@ class UnitRows {
         return scale > 0.0 ? scale : 1.0;
     }
 
+    std::vector<Jacobian> units_;                    // by row
     bool coupled_ = false;                           // whether the blocks have their couplings
     std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is to come; see move()
 };

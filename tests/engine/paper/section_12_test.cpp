@@ -139,14 +139,17 @@ TEST_CASE("12.2: the products of whole rows are those of whole matrices, for man
         for (std::size_t i = 0; i < 7; ++i) {
             for (std::size_t j = 0; j < 7; ++j) {
                 const auto half = [&](std::size_t row, int body) -> Vector6 {
-                    if (boxes.rows[row].body_a == body) return system.unit_axes[row].a;
-                    if (boxes.rows[row].body_b == body) return system.unit_axes[row].b;
+                    const auto index = static_cast<Eigen::Index>(row);
+                    const Jacobian unit = unit_axis(system, index, std::sqrt(system.diagonal[index]));
+                    if (boxes.rows[row].body_a == body) return unit.a;
+                    if (boxes.rows[row].body_b == body) return unit.b;
                     return Vector6::Zero();
                 };
                 double product = 0.0;
                 for (int body = 0; body < 8; ++body) product += half(i, body).dot(half(j, body));
                 const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
-                from_rows(row, column) = system.scale[row] * product * system.scale[column];
+                from_rows(row, column) =
+                    std::sqrt(system.diagonal[row]) * product * std::sqrt(system.diagonal[column]);
             }
         }
         CHECK(relative_error(from_rows, A) < 1e-14);

@@ -21,14 +21,18 @@ struct UnitColumn {
         const auto number_of = [movable](int body) { return body == 0 ? movable : body - 1; };
         std::vector<std::pair<int, int>> pairs;
         for (std::size_t j = 0; j < frozen.rows.size(); ++j) {
+            const auto row = static_cast<Eigen::Index>(j);
+            units.push_back(unit_axis(system, row, std::sqrt(system.diagonal[row])));
+        }
+        for (std::size_t j = 0; j < frozen.rows.size(); ++j) {
             const ConstraintRow& row = frozen.rows[j];
             const auto index = static_cast<Eigen::Index>(j);
-            const double scale = system.scale[index];
+            const double scale = std::sqrt(system.diagonal[index]);
             const int leader = row.bounds.of_row;
-            const double bound = leader < 0 ? system.dt * scale : scale / system.scale[leader];
+            const double bound = leader < 0 ? system.dt * scale : scale / std::sqrt(system.diagonal[leader]);
             problem.rows.push_back({.a = number_of(row.body_a),
                                     .b = number_of(row.body_b),
-                                    .unit = &system.unit_axes[j],
+                                    .unit = &units[j],
                                     .t = system.b(index, 0) * system.dt / scale,
                                     .low = row.bounds.c_min * bound,
                                     .high = row.bounds.c_max * bound,
@@ -57,6 +61,7 @@ struct UnitColumn {
         return residual(problem, y, r);
     }
 
+    std::vector<Jacobian> units;  // of the rows of the problem
     UnitProblem problem;
     Elimination order;
     SolveCount count;
