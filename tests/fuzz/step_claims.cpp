@@ -19,6 +19,8 @@ using engine::Vector6;
 
 // Roundings of sums over some hundred terms, as a share of the largest that may stand in them.
 constexpr double rounding = 1e-12;
+// Smaller forces have squares of zero and lie within any disc.
+constexpr double smallest = 1e-150;  // N
 
 std::size_t at(Eigen::Index j) {
     return static_cast<std::size_t>(j);
@@ -154,7 +156,7 @@ std::optional<Broken> broken_bounds(const engine::World& world) {
             if (world.rows()[at(j)].bounds.disc == engine::Disc::second) {
                 force = std::hypot(world.lambda()(j - 1, c), force);
             }
-            const double beyond = std::max({0.0, low - force, force - high});
+            const double beyond = std::max({0.0, low - force - smallest, force - high - smallest});
             // A guess is kept as long as it moves nothing faster than the tolerance.
             const double left_open =
                 world.termination.tolerance_high + rounding * system.dt * system.diagonal(j) * std::abs(force);
