@@ -27,7 +27,8 @@ struct Manifold {
     double other_gap = -std::numeric_limits<double>::infinity();
 
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
-    std::span<const ContactPoint> points() const { return {storage.data(), static_cast<std::size_t>(count)}; }
+    std::span<const ContactPoint> points() const& { return {storage.data(), static_cast<std::size_t>(count)}; }
+    std::span<const ContactPoint> points() const&& = delete;  // they end with the object
 };
 
 // Keeps at most four points: the outermost in four directions of the contact plane, deeper ones preferred. The

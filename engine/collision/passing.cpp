@@ -88,15 +88,18 @@ struct Shapes {
     template <typename Visit>
     void visit_others(const Vector3& normal, Visit visit) const {
         if (are_boxes()) {
-            for (const Separation& axis : Separations(std::get<Box>(a), pose_a, std::get<Box>(b), pose_b).all()) {
+            const Separations separations(std::get<Box>(a), pose_a, std::get<Box>(b), pose_b);
+            for (const Separation& axis : separations.all()) {
                 if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
             }
         } else if (!is_box_and_sphere()) {
             return;
         } else if (const auto* box = std::get_if<Box>(&a)) {
-            for (const Separation& axis : Separations(*box, pose_a, std::get<Sphere>(b), pose_b).all()) visit(axis);
+            const Separations separations(*box, pose_a, std::get<Sphere>(b), pose_b);
+            for (const Separation& axis : separations.all()) visit(axis);
         } else {
-            for (Separation axis : Separations(std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a).all()) {
+            const Separations separations(std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a);
+            for (Separation axis : separations.all()) {
                 axis.normal = -axis.normal;
                 visit(axis);
             }

@@ -23,7 +23,8 @@ class Separations {
     // The face axes of a box; the normals point from the box to the sphere.
     Separations(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose);
 
-    std::span<const Separation> all() const { return {storage_.data(), static_cast<std::size_t>(count_)}; }
+    std::span<const Separation> all() const& { return {storage_.data(), static_cast<std::size_t>(count_)}; }
+    std::span<const Separation> all() const&& = delete;  // they end with the object
 
   private:
     void add(const Separation& separation) { storage_[static_cast<std::size_t>(count_++)] = separation; }

@@ -59,7 +59,8 @@ void visit_separations(const Placed& pair, Visit visit) {
     const auto* box_a = std::get_if<Box>(&pair.a.shape);
     const auto* box_b = std::get_if<Box>(&pair.b.shape);
     if (box_a && box_b) {
-        for (const Separation& axis : Separations(*box_a, pair.pose_a, *box_b, pair.pose_b).all()) visit(axis);
+        const Separations separations(*box_a, pair.pose_a, *box_b, pair.pose_b);
+        for (const Separation& axis : separations.all()) visit(axis);
         return;
     }
     Manifold nearest;
