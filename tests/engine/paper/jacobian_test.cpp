@@ -201,8 +201,8 @@ void compare_rows(const ShapePair& shapes, const Body& a, const Body& b, std::sp
         });
         REQUIRE(point != points.end());
         const auto gap = [&](const Body& moved_a, const Body& moved_b) -> std::optional<double> {
-            const Manifold manifold = touching(shapes, moved_a, moved_b);
-            for (const ContactPoint& now : manifold.points()) {
+            const Manifold moved = touching(shapes, moved_a, moved_b);
+            for (const ContactPoint& now : moved.points()) {
                 if (now.feature == point->feature) return now.gap;
             }
             return std::nullopt;
