@@ -205,6 +205,9 @@ void add_solver(Scene& scene, const Settings& settings) {
     if (scene.world.constraints.empty()) return;
     scene.world.solver = engine::solvers::make_solver(settings.solver);
     scene.world.termination = {settings.iterations, settings.tolerance_high, settings.tolerance_low};
+    if (settings.small_steps) {
+        scene.world.small_steps = std::make_unique<engine::SmallSteps>(settings.small_division);
+    }
 }
 
 // Integrators other than the paper's are for bars, and begin with momenta that belong to the positions.

@@ -32,6 +32,7 @@ Settings paper() {
 Settings recommended() {
     Settings settings;
     settings.preset = "default";
+    settings.small_steps = true;
     return settings;
 }
 

@@ -4,6 +4,7 @@
 #include "demos/rational.h"
 #include "engine/push_factor.h"
 #include "engine/row_order.h"
+#include "engine/small_steps.h"
 
 #include <optional>
 #include <span>
@@ -29,6 +30,10 @@ struct Settings {
     int iterations = 25;           // at most, a solve
     double tolerance_high = 1e-8;  // m/s: below it the cached answer is kept
     double tolerance_low = 1e-10;  // m/s: above it a solve goes on
+
+    // Islands without an exact answer go through the step in small ones, in so many where a number is given.
+    bool small_steps = false;
+    std::optional<engine::SmallSteps::Division> small_division;
 
     engine::Correction contacts{engine::PushKind::single_frame, 0.2};
     engine::Correction distances{engine::PushKind::persistent, 1.0};

@@ -3,6 +3,8 @@
 #include "demos/numbers.h"
 #include "engine/solvers/solver.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,6 +88,26 @@ bool set_substeps(Settings& s, std::string_view text) {
     return true;
 }
 
+bool set_small_steps(Settings& s, std::string_view text) {
+    s.small_division.reset();
+    s.small_steps = text != "off";
+    if (text == "off" || text == "auto") return true;
+    const auto by = text.find('x');
+    engine::SmallSteps::Division division;
+    if (by == std::string_view::npos || !take(division.steps, parse_integer(text.substr(0, by)), 1, 1000) ||
+        !take(division.sweeps, parse_integer(text.substr(by + 1)), 1, 1000)) {
+        return false;
+    }
+    s.small_division = division;
+    return true;
+}
+
+std::string small_steps_text(const Settings& s) {
+    if (!s.small_steps) return "off";
+    if (!s.small_division) return "auto";
+    return fmt::format("{}x{}", s.small_division->steps, s.small_division->sweeps);
+}
+
 bool set_solver(Settings& s, std::string_view text) {
     for (const auto& entry : engine::solvers::solver_table()) {
         if (entry.name != text) continue;
@@ -148,6 +170,11 @@ const std::array options{
                      "all iterations",
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
+    SimulationOption{
+        "small-steps", "NxK",
+        "islands without an exact answer go through a step in N small ones of K sweeps each: auto, off, "
+        "or numbers",
+        "auto, off or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
                      "one of none, persistent, single-frame",
                      [](Settings& s, std::string_view t) { return take_name(s.contacts.kind, push_names, t); },

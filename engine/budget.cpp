@@ -64,7 +64,7 @@ const Budget::Spent& Budget::most_spent(const Island& island) const {
 solvers::Termination Budget::limits(const Island& island, solvers::Termination usual, Take take) const {
     const Spent& so_far = most_spent(island);
     const int left = usual.iterations - so_far.iterations;
-    usual.iterations = std::max(1, take == Take::half ? (left + 1) / 2 : left);
+    usual.iterations = take == Take::exact_only ? 0 : std::max(1, take == Take::half ? (left + 1) / 2 : left);
     usual.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
     const double in_account = most_of(island) - debt.work;

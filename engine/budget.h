@@ -37,9 +37,10 @@ class Budget {
     // Between solves in a step that do not count together.
     void begin_another() { std::fill(spent_.begin(), spent_.end(), Spent{}); }
 
-    enum class Take { half, rest };
+    enum class Take { half, rest, exact_only };
 
-    // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration.
+    // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for
+    // exact answers only.
     solvers::Termination limits(const Island& island, solvers::Termination usual, Take take) const;
 
     // Iterations of the step that are left.

@@ -60,6 +60,9 @@ struct ConstraintRow {
     int body_b = 0;
     Jacobian jacobian;
     PushFactor push;
+    // c of the constraint where the step begins [m], for who follows a row that acts one way through the step: a
+    // gap above zero, a loose rope below; an overlap the other way round.
+    double error = 0.0;
     Bounds bounds;
     Lambda guess;  // where an iterative solver starts (6.2.3); zero when nothing is cached
     RowLabel label;

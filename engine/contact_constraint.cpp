@@ -25,6 +25,7 @@ ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal,
     point.place(row, normal);
     row.push = contact_push(gap, correction, slop, dt);
     row.bounds.c_min = 0.0;
+    row.error = gap > 0.0 ? gap + seat * slop : gap;
     row.label = {.kind = RowKind::contact, .point = 0, .gap = gap};
     return row;
 }

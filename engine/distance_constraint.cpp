@@ -73,6 +73,7 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
     PairPoint(pair_of(distance, bodies), p_a, p_b).place(row, n);
     row.push = distance_push(distance, error, correction_, dt);
     row.bounds = distance_bounds(distance);
+    row.error = error;
     row.label = {.kind = RowKind::distance,
                  .point = static_cast<int>(index),
                  .gap = is_loose(distance, error) ? 0.0 : error};

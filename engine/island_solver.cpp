@@ -35,6 +35,11 @@ bool clamp(const SystemEquation& system, const Island& island, Columns& lambda) 
     return changed;
 }
 
+// Of a solver that was asked for an exact one alone; lambda is as it was then.
+bool has_no_answer(const solvers::SolveCount& count) {
+    return !count.exact && !count.contradicts && (count.gave_up || count.iterations == 0);
+}
+
 double larger(const std::array<double, 2>& residuals) {
     return std::max(residuals[0], residuals[1]);
 }
@@ -51,11 +56,14 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
                                         const SystemEquation& system, const Island& island, Budget::Take take,
                                         Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
-    const auto termination =
-        budget_.limits(island, warm_start_.termination(island, usual), fixed_number ? Budget::Take::rest : take);
+    if (take == Budget::Take::exact_only && !SmallSteps::suit(system, island)) take = Budget::Take::half;
+    const auto termination = budget_.limits(island, warm_start_.termination(island, usual),
+                                            fixed_number && take == Budget::Take::half ? Budget::Take::rest : take);
     Outcome outcome;
     solvers::SolveCount count;
-    if (fixed_number) {
+    if (fixed_number && take == Budget::Take::exact_only) {
+        outcome.unfinished = true;
+    } else if (fixed_number) {
         count = solver.solve(system, island, termination, lambda);
         find_forces(system, island, lambda, forces);
     } else {
@@ -68,6 +76,19 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     }
     note(island, outcome, count);
     if (!fixed_number) count.multiply_adds += 12.0 * island.rows * island.columns;
+    return count;
+}
+
+// What they leave has no tolerance of its own: the next small step sees it.
+solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, const SystemEquation& system,
+                                                   std::span<const Body> bodies, const Island& island,
+                                                   Columns& lambda, ConstraintForces& forces) {
+    Outcome outcome = outcome_of(island);
+    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island);
+    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, lambda, forces);
+    outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
+    outcome.unfinished = false;
+    note(island, outcome, count);
     return count;
 }
 
@@ -91,6 +112,10 @@ solvers::SolveCount IslandSolver::find_better(solvers::Solver& solver, const sol
     if (clamp(system, island, lambda)) outcome.residuals = measure(system, island, lambda, forces);
     save(island, lambda);
     solvers::SolveCount count = solver.solve(system, island, termination, lambda);
+    if (termination.iterations == 0 && has_no_answer(count)) {
+        outcome.unfinished = true;
+        return count;
+    }
     count.iterations = std::max(1, count.iterations);
     Residuals found = measure(system, island, lambda, forces);
     if (larger(found) > termination.tolerance_low) {

@@ -8,6 +8,7 @@
 
 #include "engine/budget.h"
 #include "engine/islands.h"
+#include "engine/small_steps.h"
 #include "engine/solvers/solver.h"
 #include "engine/warm_start.h"
 
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace pushfactor::engine {
-
-// f_c = J^T lambda of both columns [N and N m, one per body]: what moves the bodies, and what sets their momenta.
-// The second one only for bodies whose island has two columns.
-struct ConstraintForces {
-    std::vector<Vector6> moving, lasting;
-};
 
 class IslandSolver {
   public:
@@ -34,12 +29,14 @@ class IslandSolver {
     // What became of an island in its last solve of the step.
     using Residuals = std::array<double, 2>;  // m/s, of both columns; 0 of a second one that there is not
     struct Outcome {
-        bool solved = true;        // whether that is within the tolerance; true where there is none
-        bool refused = false;      // whether the guard took other forces than those of the solver
-        bool contradicts = false;  // whether the solver found rows that no forces can satisfy together
-        bool outdated = false;     // whether a new force made kept forces wrong
-        bool exhausted = false;    // whether more iterations would be of no use
-        Residuals residuals{};     // of the forces as they are
+        bool solved = true;           // whether that is within the tolerance; true where there is none
+        bool refused = false;         // whether the guard took other forces than those of the solver
+        bool contradicts = false;     // whether the solver found rows that no forces can satisfy together
+        bool outdated = false;        // whether a new force made kept forces wrong
+        bool unfinished = false;      // whether exact answers alone were asked for, and there is none
+        bool in_small_steps = false;  // whether it has gone through the step in small ones
+        bool exhausted = false;       // whether more iterations would be of no use
+        Residuals residuals{};        // of the forces as they are
     };
 
     // Before the first solve of a step.
@@ -50,10 +47,15 @@ class IslandSolver {
 
     // Solves `island` from the forces in `lambda`, which receives the answer; writes f_c of its bodies. A solve
     // beyond the first one of a step, because of more rows, passes as `first_guess` what that one began with, and
-    // may find it put within its bounds. When no more rows may come, it takes all iterations that are left.
+    // may find it put within its bounds. `take` says which iterations of those that are left it may have.
     solvers::SolveCount solve(solvers::Solver& solver, const solvers::Termination& usual,
                               const SystemEquation& system, const Island& island, Budget::Take take,
                               Columns* first_guess, Columns& lambda, ConstraintForces& forces);
+
+    // Takes an island that is unfinished through the step in small ones.
+    solvers::SolveCount take_small_steps(SmallSteps& small_steps, const SystemEquation& system,
+                                         std::span<const Body> bodies, const Island& island, Columns& lambda,
+                                         ConstraintForces& forces);
 
     // The same for an island that was solved in this step and has the same rows still.
     solvers::SolveCount go_on(solvers::Solver& solver, const solvers::Termination& usual,

@@ -11,7 +11,8 @@ void WarmStart::solved(const Island& island, const solvers::SolveCount& count, b
     Record record{.in_island = true,
                   .contradicted = count.contradicts,
                   .outdated = outdated,
-                  .method = count.exact            ? Method::exact
+                  .method = count.in_small_steps   ? Method::in_small_steps
+                            : count.exact          ? Method::exact
                             : count.iterations > 0 ? Method::swept
                                                    : Method::kept};
     for (const int body : island.bodies) {

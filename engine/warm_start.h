@@ -23,7 +23,7 @@ class WarmStart {
     };
 
     // What a step did with an island.
-    enum class Method { kept, swept, exact };
+    enum class Method { kept, swept, exact, in_small_steps };
 
     // Before the first solve of a step.
     void begin(std::size_t bodies);

@@ -152,8 +152,19 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
 }
 
 void World::solve(const Island& island, Columns* first_guess, Work& work) {
-    work.add(island, island_solver_.solve(*solver, termination, system_, island, Budget::Take::half, first_guess,
-                                          lambda_, forces_));
+    const Budget::Take take = small_steps ? Budget::Take::exact_only : Budget::Take::half;
+    work.add(island,
+             island_solver_.solve(*solver, termination, system_, island, take, first_guess, lambda_, forces_));
+    if (outcome_of(island).unfinished) take_small_steps(island, work);
+}
+
+void World::take_small_steps(const Island& island, Work& work) {
+    work.add(island, island_solver_.take_small_steps(*small_steps, system_, bodies, island, lambda_, forces_));
+    endings_.resize(rows_.size());
+    const std::span<const Lambda> ending = small_steps->ending();
+    for (const RowRun& run : island.runs) {
+        std::copy_n(ending.begin() + run.first, run.end - run.begin, endings_.begin() + run.begin);
+    }
 }
 
 void World::Work::add(const Island& island, const solvers::SolveCount& count) {
@@ -166,9 +177,14 @@ void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;
     answers_.assign(rows_.size(), {});
     for (const Island& island : islands_.all()) {
+        const bool small = outcome_of(island).in_small_steps;
         for (const RowRun& run : island.runs) {
             const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
             const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
+            if (small) {
+                std::copy(endings_.begin() + run.begin, endings_.begin() + run.end, answers_.begin() + run.begin);
+                continue;
+            }
             for (int j = run.begin; j < run.end; ++j) {
                 const auto row = static_cast<std::size_t>(j);
                 answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
@@ -214,7 +230,9 @@ void World::prepare(double dt) {
 
 bool World::has_lasting_force(std::size_t body) const {
     const int island = islands_.of_body(static_cast<int>(body));
-    return island >= 0 && islands_.all()[static_cast<std::size_t>(island)].columns == 2;
+    if (island < 0) return false;
+    const Island& of_body = islands_.all()[static_cast<std::size_t>(island)];
+    return of_body.columns == 2 || outcome_of(of_body).in_small_steps;
 }
 
 void World::kick_back_half(double dt) {
@@ -269,6 +287,9 @@ StepCount World::count(const Work& work) const {
                 break;
             case WarmStart::Method::exact:
                 ++count.islands_exact;
+                break;
+            case WarmStart::Method::in_small_steps:
+                ++count.islands_in_small_steps;
         }
     }
     count.sweeps = work.sweeps;

@@ -27,16 +27,17 @@ class StageObserver {
 // What one step did.
 struct StepCount {
     std::array<int, row_kind_count> rows_of_kind{};  // by RowKind
-    int columns = 0;                // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
-    int islands = 0;                // of bodies that rows join
-    int islands_kept = 0;           // whose last forces were good enough
-    int islands_swept = 0;          // that were solved by sweeps, or other iterations
-    int islands_exact = 0;          // that were solved to rounding
-    int islands_unsolved = 0;       // of those that were worked on, with more than the upper tolerance left
-    int islands_contradicting = 0;  // in which an exact method found rows that no forces can satisfy together
-    int sweeps = 0;                 // iterations of the solver, on the island with the most of them
-    double row_updates = 0.0;       // rows times columns times iterations, of all islands
-    double multiply_adds = 0.0;     // of the solver
+    int columns = 0;                 // 2 when some row corrected for a single frame, 1 otherwise, 0 without rows
+    int islands = 0;                 // of bodies that rows join
+    int islands_kept = 0;            // whose last forces were good enough
+    int islands_swept = 0;           // that were solved by sweeps, or other iterations
+    int islands_exact = 0;           // that were solved to rounding
+    int islands_in_small_steps = 0;  // that went through the step in small ones
+    int islands_unsolved = 0;        // of those that were worked on, with more than the upper tolerance left
+    int islands_contradicting = 0;   // in which an exact method found rows that no forces can satisfy together
+    int sweeps = 0;                  // iterations of the solver, on the island with the most of them
+    double row_updates = 0.0;        // rows times columns times iterations, of all islands
+    double multiply_adds = 0.0;      // of the solver
 
     int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
     int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
@@ -50,6 +51,7 @@ class World {
     std::vector<std::unique_ptr<ConstraintSource>> constraints;
     std::unique_ptr<solvers::Solver> solver;
     solvers::Termination termination;
+    std::unique_ptr<SmallSteps> small_steps;  // for islands without an exact answer; null: iterations of the solver
     OrientationStep rotate = rotate_splitting;
 
     // Advances by dt [s], above zero.
@@ -106,6 +108,7 @@ class World {
     void append_unforeseen(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
     void solve(const Island& island, Columns* first_guess, Work& work);
+    void take_small_steps(const Island& island, Work& work);
     // Solves all islands from the guesses of their rows and writes forces_.
     Work solve_islands();
     // Solves the islands with new rows once more, these rows from their guesses and the others from what has been
@@ -136,6 +139,7 @@ class World {
     Columns lambda_, first_guess_;
     std::vector<char> changed_;  // one per body, whether the last solves may have given it another force
     std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row
+    std::vector<Lambda> endings_;  // of rows whose islands were in small steps, the forces of the last one
     ConstraintForces forces_;
 };
 

@@ -81,6 +81,7 @@ class Auto {
     }
 
     void solve_heap(const Island& island, const Termination& termination, SolveCount& count) {
+        if (termination.iterations == 0) return;
         if (work_down(rows_, termination, count, sweep<columns>)) return;
         const bool few_sweeps = termination.iterations < enough_sweeps && island.movable() <= small_island;
         if (!few_sweeps && exact_.pairs() > pairs_of_a_heap * island.movable()) return;

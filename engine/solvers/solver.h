@@ -20,7 +20,7 @@ namespace pushfactor::engine::solvers {
 //
 // What exact methods may take is counted in multiply-adds and over all solves of a step (budget.h).
 struct Termination {
-    int iterations = 25;          // 1 or more
+    int iterations = 25;          // 0: only what a method gives that goes to rounding
     double tolerance_high = 0.0;  // m/s
     double tolerance_low = 0.0;   // m/s, at most tolerance_high, but after an exact answer (warm_start.h)
     double credit = std::numeric_limits<double>::infinity();  // that they may spend where they have to pay off
@@ -29,14 +29,15 @@ struct Termination {
 
 // What a solve took.
 struct SolveCount {
-    int iterations = 0;          // of the solver's own kind
-    double multiply_adds = 0.0;  // work, the same on every machine; loading and storing are left out
-    bool exact = false;          // whether it was solved to the tolerance by a method that goes to rounding
-    double exact_work = 0.0;     // multiply-adds, the share of such methods
-    int exact_iterations = 0;    // their share of the iterations
-    bool gave_up = false;        // whether such a method was tried and did not get there
-    bool exhausted = false;      // whether more iterations would be of no use
-    bool contradicts = false;    // whether it found rows that no forces can satisfy together
+    int iterations = 0;           // of the solver's own kind
+    double multiply_adds = 0.0;   // work, the same on every machine; loading and storing are left out
+    bool exact = false;           // whether it was solved to the tolerance by a method that goes to rounding
+    double exact_work = 0.0;      // multiply-adds, the share of such methods
+    int exact_iterations = 0;     // their share of the iterations
+    bool gave_up = false;         // whether such a method was tried and did not get there
+    bool exhausted = false;       // whether more iterations would be of no use
+    bool contradicts = false;     // whether it found rows that no forces can satisfy together
+    bool in_small_steps = false;  // whether the step was taken in small ones (small_steps.h)
 };
 
 class Solver {

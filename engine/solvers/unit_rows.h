@@ -58,6 +58,11 @@ class UnitRows {
     // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes
     // one of zeros.
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
+        load(system, island, guess, 0, system.dt);
+    }
+    // For a step of `dt` [s], with guesses from column `first` on.
+    void load(const SystemEquation& system, const Island& island, const Columns& guess, Eigen::Index first,
+              double dt) {
         rows.resize(static_cast<std::size_t>(island.rows));
         units_.resize(rows.size());
         blocks.clear();
@@ -71,7 +76,7 @@ class UnitRows {
                 row.unit = &units_[static_cast<std::size_t>(number)];
                 row.scale = std::sqrt(system.diagonal[j]);
                 units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
-                load_row(system, island, run, guess, j, row);
+                load_row(system, island, run, guess, first, dt, j, row);
                 add_to_block(number);
             }
         }
@@ -290,7 +295,7 @@ class UnitRows {
   private:
     // Row j of the system, which is of `run`; the bodies are there already.
     void load_row(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
-                  int j, Row& row) {
+                  Eigen::Index first, double dt, int j, Row& row) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         row.of_row = source.bounds.of_row;
         row.disc = source.bounds.disc;
@@ -304,15 +309,15 @@ class UnitRows {
             return;
         }
         assert(row.a != row.b);
-        const double to_y = system.dt * row.scale;
-        const double to_t = system.dt * (1.0 / row.scale);
+        const double to_y = dt * row.scale;
+        const double to_t = dt * (1.0 / row.scale);
         const double bound_scale = row.of_row < 0 ? to_y : row.scale / scale_of(row.of_row);
         for (int c = 0; c < columns; ++c) {
             const bool bounded_by_zero = c > 0 && !source.bounds.in_momenta;
             row.low[at(c)] = bounded_by_zero ? 0.0 : source.bounds.c_min * bound_scale;
             row.high[at(c)] = bounded_by_zero ? 0.0 : source.bounds.c_max * bound_scale;
             row.t[at(c)] = system.b(j, c) * to_t;
-            row.y[at(c)] = guess(j, c) * to_y;
+            row.y[at(c)] = guess(j, first + c) * to_y;
         }
     }
 

@@ -35,7 +35,7 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
     CHECK(first_line(steps) ==
           "step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,max_penetration_m,rms_penetration_m,"
           "max_length_error_m,residual_m_per_s,contacts,rows,columns,substeps,sweeps,islands,islands_kept,"
-          "islands_swept,islands_exact,islands_unsolved");
+          "islands_swept,islands_exact,islands_in_small_steps,islands_unsolved");
     CHECK(lines(steps) == 1 + 30);
     const std::string bodies = folder.read("bodies.csv");
     CHECK(first_line(bodies) ==

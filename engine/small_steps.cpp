@@ -1,0 +1,228 @@
+#include "engine/small_steps.h"
+
+#include "engine/solvers/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+namespace {
+
+constexpr SmallSteps::Division standing{.steps = 20, .sweeps = 2};
+constexpr SmallSteps::Division falling{.steps = 8, .sweeps = 2};
+// A body falls while it is faster than so many steps of its external force make it.
+constexpr double fast = 3.0;
+
+constexpr int push_sweeps = 4;
+
+// Rows that hold bodies apart, or points at a distance; the others are friction and bars that yield.
+bool holds_place(const Bounds& bounds) {
+    return bounds.of_row < 0 && (std::isinf(bounds.c_min) || std::isinf(bounds.c_max));
+}
+
+const ConstraintRow& row_of(const SystemEquation& system, int row) {
+    return system.rows[static_cast<std::size_t>(row)];
+}
+
+// Momenta from x, which is M^(-1/2)^T of them.
+Vector6 momenta_of(const InverseMass& inverse_mass, const Vector3& inverse_inertia, const Vector6& x) {
+    const Vector3 turning = x.tail<3>().cwiseQuotient(inverse_inertia);
+    return stacked(x.head<3>() / inverse_mass.linear_root, inverse_mass.angular_root * turning);
+}
+
+Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const Vector3& angular) {
+    return stacked(inverse_mass.linear_root * linear, inverse_mass.angular_root.transpose() * angular);
+}
+
+// Calls `visit` with the number in the island and the number in the step of each row.
+template <typename Visit>
+void each_row(const Island& island, const Visit& visit) {
+    std::size_t number = 0;
+    for (const RowRun& run : island.runs) {
+        for (int j = run.begin; j < run.end; ++j) visit(number++, j);
+    }
+}
+
+}  // namespace
+
+bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
+    const auto acts_both_ways = [](const ConstraintRow& row) {
+        return row.bounds.of_row < 0 && std::isinf(row.bounds.c_min) && std::isinf(row.bounds.c_max);
+    };
+    return std::none_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
+        const auto rows =
+            system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
+        return std::any_of(rows.begin(), rows.end(), acts_both_ways);
+    });
+}
+
+SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island) const {
+    if (division_) return *division_;
+    int moving = 0;
+    const double reached = fast * dt;
+    for (const int body : island.bodies) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        moving += own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
+    }
+    return 2 * moving > island.movable() ? falling : standing;
+}
+
+solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,
+                                      const Island& island, const Division& division, Columns& lambda,
+                                      ConstraintForces& forces) {
+    const double h = system.dt / division.steps;
+    rows_.load(system, island, lambda, lambda.cols() - 1, h);
+    begin(system, bodies, island, h);
+    for (int step = 0; step < division.steps; ++step) {
+        if (step > 0) aim(h);
+        small_step(h, division.sweeps);
+    }
+    store(system, island, h, lambda);
+    constraint_forces(system, island, lambda, lambda.cols() - 1, forces.lasting);
+    const bool pushed = push_apart(system, island, lambda);
+    write_moving_forces(system, bodies, island, forces);
+
+    const double rows = 24.0 * island.rows, one_sided = 24.0 * static_cast<double>(one_sided_.size());
+    const int sweeps = division.steps * division.sweeps;
+    return {.iterations = sweeps,
+            .multiply_adds = sweeps * rows + division.steps * one_sided + (pushed ? push_sweeps : 1) * one_sided,
+            .in_small_steps = true};
+}
+
+// Free motion at the start of the step, and what the first small step begins with.
+void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h) {
+    const auto movable = static_cast<std::size_t>(island.movable());
+    pull_.resize(movable);
+    base_.resize(movable);
+    impulse_.assign(rows_.velocity.begin(), rows_.velocity.begin() + island.movable());
+    moved_.assign(movable, Vector6::Zero());
+    std::fill(rows_.velocity.begin(), rows_.velocity.end(), Vector6::Zero());
+    for (std::size_t i = 0; i < movable; ++i) {
+        const auto body = static_cast<std::size_t>(island.bodies[i]);
+        const InverseMass& inverse_mass = system.inverse_mass[body];
+        const Body& own = bodies[body];
+        rows_.velocity[i] = weighted(inverse_mass, own.linear_momentum, own.angular_momentum);
+        pull_[i] = h * weighted(inverse_mass, own.force, own.torque);
+    }
+    sum_.assign(rows_.rows.size(), 0.0);
+    one_sided_.clear();
+    each_row(island, [&](std::size_t number, int j) {
+        const ConstraintRow& source = row_of(system, j);
+        solvers::UnitRows<1>::Row& row = rows_.rows[number];
+        if (!(row.scale > 0.0)) return;
+        const bool lifts = source.bounds.c_min >= 0.0, holds = source.bounds.c_max <= 0.0;
+        const double aim = lifts   ? std::max(0.0, source.push.lasting)
+                           : holds ? std::min(0.0, source.push.lasting)
+                                   : source.push.lasting;
+        row.t[0] = aim / row.scale;
+        const bool one_sided = source.bounds.of_row < 0 && (lifts || holds);
+        if (!one_sided) return;
+        one_sided_.push_back({number, source.error, row.t[0], lifts ? 1.0 : -1.0});
+    });
+    aim(h);
+}
+
+// s u . d of a row [m].
+double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
+    const auto half = [this](int body, const Vector6& axis) {
+        const auto number = static_cast<std::size_t>(body);
+        return number < moved_.size() ? axis.dot(moved_[number]) : 0.0;
+    };
+    return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
+}
+
+void SmallSteps::aim(double h) {
+    for (const OneSided& one : one_sided_) {
+        solvers::UnitRows<1>::Row& row = rows_.rows[one.row];
+        const double error = one.error + moved_along(row);
+        row.t[0] = one.open_side * error > 0.0 ? -error / (h * row.scale) : one.closed;
+    }
+}
+
+void SmallSteps::small_step(double h, int sweeps) {
+    for (std::size_t i = 0; i < pull_.size(); ++i) {
+        base_[i] = rows_.velocity[i] + pull_[i];
+        rows_.velocity[i] = base_[i] + impulse_[i];
+    }
+    for (int k = 0; k < sweeps; ++k) sweep(rows_);
+    for (std::size_t i = 0; i < pull_.size(); ++i) {
+        impulse_[i] = rows_.velocity[i] - base_[i];
+        moved_[i] += h * rows_.velocity[i];
+    }
+    for (std::size_t j = 0; j < sum_.size(); ++j) sum_[j] += rows_.rows[j].y[0];
+}
+
+void SmallSteps::store(const SystemEquation& system, const Island& island, double h, Columns& lambda) {
+    ending_.assign(rows_.rows.size(), {});
+    each_row(island, [&](std::size_t number, int j) {
+        const double scale = rows_.rows[number].scale;
+        const double mean = scale > 0.0 ? sum_[number] / (system.dt * scale) : 0.0;
+        lambda.row(j).setConstant(mean);
+        const double last = scale > 0.0 ? rows_.rows[number].y[0] / (h * scale) : 0.0;
+        ending_[number] = {last, last};
+    });
+    for (Eigen::Index column = 0; column < lambda.cols(); ++column) {
+        each_row(island, [&](std::size_t, int j) { clamp_force(system.rows, j, column, lambda); });
+    }
+}
+
+// Where the rows are to be taken after the last small step, as a displacement, if that is anywhere.
+bool SmallSteps::push_apart(const SystemEquation& system, const Island& island, Columns& lambda) {
+    pushed_.clear();
+    bool wanted = false;
+    each_row(island, [&](std::size_t number, int j) {
+        const ConstraintRow& source = row_of(system, j);
+        solvers::UnitRows<1>::Row& row = rows_.rows[number];
+        if (!(row.scale > 0.0) || !holds_place(source.bounds)) return;
+        const double moved = moved_along(row), correcting = system.dt * source.push.correcting;
+        double want = correcting;
+        if (source.bounds.c_min >= 0.0) {
+            const double overlap = std::max(0.0, -source.error);
+            want = std::clamp(correcting, 0.0, overlap) - std::max(0.0, moved);
+            const double gap = source.error + moved;
+            want = gap > 0.0 ? -gap : std::max(0.0, want);
+        } else if (source.bounds.c_max <= 0.0) {
+            const double slack = source.error + moved;
+            want = slack < 0.0 ? -slack : std::min(0.0, correcting);
+        }
+        pushed_.push_back({number, j, want / row.scale});
+        wanted = wanted || (source.bounds.c_min >= 0.0   ? want > 0.0
+                            : source.bounds.c_max <= 0.0 ? want < 0.0
+                                                         : want != 0.0);
+    });
+    if (!wanted) return false;
+    std::fill(rows_.velocity.begin(), rows_.velocity.end(), Vector6::Zero());
+    for (const Pushed& own : pushed_) {
+        rows_.rows[own.row].t[0] = own.want;
+        rows_.rows[own.row].y[0] = 0.0;
+    }
+    for (int k = 0; k < push_sweeps; ++k) {
+        for (const Pushed& own : pushed_) {
+            solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+            rows_.set(row, 0, rows_.clamped(row, 0, row.y[0] + rows_.error(row, 0)));
+        }
+    }
+    for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i] += rows_.velocity[i];
+    for (const Pushed& own : pushed_) {
+        const solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+        const double force = row.y[0] / (system.dt * system.dt * row.scale);
+        ending_[own.row].first += force;
+        if (lambda.cols() == 2) lambda(own.of_step, 0) += force;
+    }
+    return true;
+}
+
+// The forces of a whole step that take the bodies as far as the small ones did.
+void SmallSteps::write_moving_forces(const SystemEquation& system, std::span<const Body> bodies,
+                                     const Island& island, ConstraintForces& forces) const {
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+        const auto body = static_cast<std::size_t>(island.bodies[i]);
+        const Body& own = bodies[body];
+        const Vector6 mean = momenta_of(system.inverse_mass[body], own.inverse_inertia, moved_[i]) / system.dt;
+        forces.moving[body] = (mean - stacked(own.linear_momentum, own.angular_momentum)) / system.dt -
+                              stacked(own.force, own.torque);
+    }
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,104 @@
+// A step of one island in small ones: the rows and their axes of the whole step, in n small steps of k sweeps each.
+//
+//   x <- x + h M^(-1/2)^T f_ext + (what the rows did in the small step before)      3.2.1, 6.2.3
+//   k times: y_j <- clamp(y_j + t_j - u_j . x), x along                             7.1.1
+//   d <- d + h x
+//
+// with h = dt / n. A force has to hold a velocity error of g h only, and what is left over is seen again in the
+// next small step, so that load travels through a tower as a wave, a layer a sweep, where the sweeps of a whole
+// step spread it like heat.
+//
+// Symbols: x velocity and d displacement of a body with the root of its mass, M^(1/2) v [sqrt(kg) m/s] and
+// [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. A row that is still open has t_j = -gap / h, with the gap
+// that is left after d; another one aims at its lasting push.
+//
+// The single-frame push (8.1) is apart: after the last small step the contact and distance rows, but no friction,
+// find a displacement that takes off the share `beta` of what overlaps. It is no velocity of any small step. As
+// a column of the system it lifts bodies by more than they overlap while it is not solved, and gravity makes
+// energy of the height.
+//
+// Not from the paper. The bodies are moved by World as ever: what comes out are the forces of a whole step that
+// would move them so.
+#pragma once
+
+#include "engine/islands.h"
+#include "engine/solvers/solver.h"
+#include "engine/solvers/unit_rows.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+// f_c = J^T lambda of both columns [N and N m, one per body]: what moves the bodies, and what sets their momenta.
+// The second one only for bodies whose island has two columns or has taken small steps.
+struct ConstraintForces {
+    std::vector<Vector6> moving, lasting;
+};
+
+class SmallSteps {
+  public:
+    struct Division {
+        int steps = 1;
+        int sweeps = 1;  // of each
+    };
+
+    // With a division, every island takes that one.
+    explicit SmallSteps(const std::optional<Division>& division = {}) : division_(division) {}
+
+    // Whether they are for the rows of the island: not where a bar acts both ways. Sweeps leave it a little wrong
+    // in every small step, and what it is wrong by has no side on which it does no harm.
+    static bool suit(const SystemEquation& system, const Island& island);
+
+    // What suits the island: many where more of its bodies rest than move.
+    Division division_of(double dt, std::span<const Body> bodies, const Island& island) const;
+
+    // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
+    // receives their means over the step: in the first column with those of the push, in the last one without.
+    // Writes what its bodies are moved by.
+    solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
+                              const Division& division, Columns& lambda, ConstraintForces& forces);
+
+    // What the next step begins with [N], by row of the island of the last solve().
+    std::span<const Lambda> ending() const { return ending_; }
+
+  private:
+    // A row that acts one way, and not while it is open.
+    struct OneSided {
+        std::size_t row;   // number in the island
+        double error;      // m, at the start of the step
+        double closed;     // t while it is not open
+        double open_side;  // 1 where it is open above an error of zero, -1 below
+    };
+    // A row that takes part in the push.
+    struct Pushed {
+        std::size_t row;  // number in the island
+        int of_step;      // number in the step
+        double want;      // sqrt(kg) m
+    };
+
+    void begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h);
+    void aim(double h);
+    void small_step(double h, int sweeps);
+    void store(const SystemEquation& system, const Island& island, double h, Columns& lambda);
+    bool push_apart(const SystemEquation& system, const Island& island, Columns& lambda);
+    void write_moving_forces(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
+                             ConstraintForces& forces) const;
+    double moved_along(const solvers::UnitRows<1>::Row& row) const;
+
+    std::optional<Division> division_;
+    solvers::UnitRows<1> rows_;
+    // By movable body of the island:
+    std::vector<Vector6> pull_;     // x that the external forces add in a small step
+    std::vector<Vector6> base_;     // x before the rows act
+    std::vector<Vector6> impulse_;  // x that the rows have added in the last small step
+    std::vector<Vector6> moved_;    // d
+    // By row of the island:
+    std::vector<double> sum_;  // of y over the small steps
+    std::vector<Lambda> ending_;
+    std::vector<OneSided> one_sided_;
+    std::vector<Pushed> pushed_;
+};
+
+}  // namespace pushfactor::engine
