@@ -32,7 +32,6 @@ Settings paper() {
 Settings recommended() {
     Settings settings;
     settings.preset = "default";
-    settings.small_steps = true;
     return settings;
 }
 

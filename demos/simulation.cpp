@@ -112,7 +112,7 @@ void Simulation::step_engine(double dt) {
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
     sample_.count.multiply_adds += so_far.multiply_adds;
-    const double residual = natural_residual(scene_.world.system(), scene_.world.lambda());
+    const double residual = scene_.world.residual();
     find_worst(residual);
     sample_.count.islands_unsolved = std::max(sample_.count.islands_unsolved, so_far.islands_unsolved);
     sample_.count.islands_contradicting =

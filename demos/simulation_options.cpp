@@ -89,15 +89,16 @@ bool set_substeps(Settings& s, std::string_view text) {
 }
 
 bool set_small_steps(Settings& s, std::string_view text) {
-    s.small_division.reset();
-    s.small_steps = text != "off";
-    if (text == "off" || text == "auto") return true;
-    const auto by = text.find('x');
-    engine::SmallSteps::Division division;
-    if (by == std::string_view::npos || !take(division.steps, parse_integer(text.substr(0, by)), 1, 1000) ||
-        !take(division.sweeps, parse_integer(text.substr(by + 1)), 1, 1000)) {
-        return false;
+    std::optional<engine::SmallSteps::Division> division;
+    if (text != "off" && text != "auto") {
+        const auto by = text.find('x');
+        division.emplace();
+        if (by == std::string_view::npos || !take(division->steps, parse_integer(text.substr(0, by)), 1, 1000) ||
+            !take(division->sweeps, parse_integer(text.substr(by + 1)), 1, 1000)) {
+            return false;
+        }
     }
+    s.small_steps = text != "off";
     s.small_division = division;
     return true;
 }

@@ -88,6 +88,7 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
     solvers::SolveCount count = small_steps.solve(system, bodies, island, division, lambda, forces);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;
+    outcome.residuals = {small_steps.residual(), small_steps.residual()};
     note(island, outcome, count);
     return count;
 }

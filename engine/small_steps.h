@@ -1,7 +1,7 @@
 // A step of one island in small ones: the rows and their axes of the whole step, in n small steps of k sweeps each.
 //
 //   x <- x + h M^(-1/2)^T f_ext + (what the rows did in the small step before)      3.2.1, 6.2.3
-//   k times: y_j <- clamp(y_j + t_j - u_j . x), x along                             7.1.1
+//   k times, and 4 k in the last: y_j <- clamp(y_j + t_j - u_j . x), x along        7.1.1
 //   d <- d + h x
 //
 // with h = dt / n. A force has to hold a velocity error of g h only, and what is left over is seen again in the
@@ -10,7 +10,7 @@
 //
 // Symbols: x velocity and d displacement of a body with the root of its mass, M^(1/2) v [sqrt(kg) m/s] and
 // [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. A row that is still open has t_j = -gap / h, with the gap
-// that is left after d; another one aims at its lasting push.
+// that is left after d; one that has closed aims at rest, and friction at the speed of its belt.
 //
 // The single-frame push (8.1) is apart: after the last small step the contact and distance rows, but no friction,
 // find a displacement that takes off the share `beta` of what overlaps. It is no velocity of any small step. As
@@ -47,8 +47,10 @@ class SmallSteps {
     // With a division, every island takes that one.
     explicit SmallSteps(const std::optional<Division>& division = {}) : division_(division) {}
 
-    // Whether they are for the rows of the island: not where a bar acts both ways. Sweeps leave it a little wrong
-    // in every small step, and what it is wrong by has no side on which it does no harm.
+    // Whether they are for the island. Not for a few bodies, whose sweeps get somewhere in a whole step; not where
+    // a bar acts both ways, because sweeps leave it a little wrong in every small step, and what it is wrong by has
+    // no side on which it does no harm; and not where something bounces or its push stays in the momenta, because a
+    // collision that a small step takes over from the one before happens twice.
     static bool suit(const SystemEquation& system, const Island& island);
 
     // What suits the island: many where more of its bodies rest than move.
@@ -60,6 +62,9 @@ class SmallSteps {
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
                               const Division& division, Columns& lambda, ConstraintForces& forces);
 
+    // What the rows still get wrong at the end of the last one [m/s], each with what it aims at there.
+    double residual() const { return residual_; }
+
     // What the next step begins with [N], by row of the island of the last solve().
     std::span<const Lambda> ending() const { return ending_; }
 
@@ -68,7 +73,6 @@ class SmallSteps {
     struct OneSided {
         std::size_t row;   // number in the island
         double error;      // m, at the start of the step
-        double closed;     // t while it is not open
         double open_side;  // 1 where it is open above an error of zero, -1 below
     };
     // A row that takes part in the push.
@@ -88,6 +92,7 @@ class SmallSteps {
     double moved_along(const solvers::UnitRows<1>::Row& row) const;
 
     std::optional<Division> division_;
+    double residual_ = 0.0;
     solvers::UnitRows<1> rows_;
     // By movable body of the island:
     std::vector<Vector6> pull_;     // x that the external forces add in a small step

@@ -235,6 +235,19 @@ bool World::has_lasting_force(std::size_t body) const {
     return of_body.columns == 2 || outcome_of(of_body).in_small_steps;
 }
 
+double World::residual() const {
+    const std::span<const Island> islands = islands_.all();
+    const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
+    if (std::none_of(islands.begin(), islands.end(), took_small_steps)) return natural_residual(system_, lambda_);
+    double largest = 0.0;
+    for (const Island& island : islands) {
+        const double own =
+            took_small_steps(island) ? outcome_of(island).residuals[0] : natural_residual(system_, island, lambda_);
+        largest = std::max(largest, own);
+    }
+    return largest;
+}
+
 void World::kick_back_half(double dt) {
     prepare(dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -83,6 +83,9 @@ class World {
     WarmStart::Method method_of(const Island& island) const {
         return island_solver_.warm_start().method_of(island);
     }
+    // Natural-map residual of the last step [m/s]. An island that took small steps has that of the last of them:
+    // the gaps of a whole step are no measure for it.
+    double residual() const;
     const IslandSolver::Outcome& outcome_of(const Island& island) const {
         return island_solver_.outcome_of(island);
     }

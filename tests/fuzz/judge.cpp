@@ -34,6 +34,13 @@ bool lowers_its_objective(const demos::Settings& settings, const engine::World& 
     return settings.solver != "jacobi" && settings.solver != "nncg" && !follow;
 }
 
+// Its bodies have moved with the means of the small steps.
+bool any_small_steps(const engine::World& world) {
+    const auto islands = world.islands().all();
+    return std::any_of(islands.begin(), islands.end(),
+                       [&](const auto& island) { return world.outcome_of(island).in_small_steps; });
+}
+
 bool any_swept(const demos::Scene& scene) {
     if (!scene.contacts) return false;
     const std::vector<engine::ContactSite> sites = scene.contacts->sites();
@@ -51,7 +58,7 @@ Verdict run(const demos::SceneDescription& scene) {
         const auto broken = sample.substeps == 1 ? broken_claim({.before = before,
                                                                  .world = world,
                                                                  .isolated = isolated,
-                                                                 .shifts = shifts,
+                                                                 .shifts = shifts || any_small_steps(world),
                                                                  .swept = any_swept(simulation.scene()),
                                                                  .monotone = lowers_its_objective(settings, world)})
                                                  : broken_bounds(world);

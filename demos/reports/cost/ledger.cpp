@@ -82,7 +82,19 @@ void add_islands(const engine::World& world, std::array<IslandCounts, island_kin
     for (const engine::Island& island : world.islands().all()) {
         IslandCounts& counts = sum[static_cast<std::size_t>(kind_of(island))];
         const Method method = world.method_of(island);
-        (method == Method::kept ? counts.kept : method == Method::swept ? counts.swept : counts.exact) += 1.0;
+        switch (method) {
+            case Method::kept:
+                counts.kept += 1.0;
+                break;
+            case Method::swept:
+                counts.swept += 1.0;
+                break;
+            case Method::exact:
+                counts.exact += 1.0;
+                break;
+            case Method::in_small_steps:
+                counts.small_steps += 1.0;
+        }
     }
 }
 
@@ -106,7 +118,8 @@ Counts means_of(Counts sum) {
         *each /= steps_counted;
     }
     for (IslandCounts& counts : sum.islands) {
-        for (double* each : {&counts.kept, &counts.swept, &counts.exact}) *each /= steps_counted;
+        for (double* each : {&counts.kept, &counts.swept, &counts.exact, &counts.small_steps})
+            *each /= steps_counted;
     }
     return sum;
 }

@@ -27,11 +27,11 @@ Moment moment_at(const Choices& choices, double seconds, const std::function<voi
 enum class IslandKind { single, thread, heap };
 inline constexpr std::array<std::string_view, 3> island_kinds{"single", "thread", "heap"};
 
-// What was done with the islands of a kind: last forces kept, solved by sweeps, solved exactly.
+// What was done with the islands of a kind: last forces kept, solved by sweeps, solved exactly, in small steps.
 struct IslandCounts {
-    double kept = 0.0, swept = 0.0, exact = 0.0;
+    double kept = 0.0, swept = 0.0, exact = 0.0, small_steps = 0.0;
 
-    double all() const { return kept + swept + exact; }
+    double all() const { return kept + swept + exact + small_steps; }
 };
 
 // Means over the steps that were counted, each a step of the run.

@@ -42,7 +42,8 @@ std::string csv_line(const Entry& entry, const char* made, const Entry::Made& wh
         fields.push_back(to_text(value));
     }
     for (const IslandCounts& kind : counts.islands) {
-        for (const double value : {kind.kept, kind.swept, kind.exact}) fields.push_back(to_text(value));
+        for (const double value : {kind.kept, kind.swept, kind.exact, kind.small_steps})
+            fields.push_back(to_text(value));
     }
     for (const double value : {counts.sweeps, counts.row_updates, counts.multiply_adds}) {
         fields.push_back(to_text(value));
@@ -91,14 +92,15 @@ Lines counts_table(std::span<const Entry> entries) {
 
 // A line for each kind of islands that a scene has.
 Lines islands_table(std::span<const Entry> entries) {
-    Lines lines{{"scene", "kind", "islands", "kept", "swept", "exact"}};
+    Lines lines{{"scene", "kind", "islands", "kept", "swept", "exact", "small steps"}};
     for (const Entry& entry : entries) {
         const Counts& counts = entry.as_it_is.ledger.counts;
         for (std::size_t k = 0; k < island_kinds.size(); ++k) {
             const IslandCounts& kind = counts.islands[k];
             if (kind.all() == 0.0) continue;
             lines.push_back({entry.name, std::string(island_kinds[k]), three_digits(kind.all()),
-                             three_digits(kind.kept), three_digits(kind.swept), three_digits(kind.exact)});
+                             three_digits(kind.kept), three_digits(kind.swept), three_digits(kind.exact),
+                             three_digits(kind.small_steps)});
         }
     }
     return lines;
@@ -147,7 +149,9 @@ std::string three_digits(double value) {
 
 std::string csv_text(std::span<const Entry> entries) {
     std::string text = columns_before_islands;
-    for (const std::string_view kind : island_kinds) text += fmt::format(",{0}_kept,{0}_swept,{0}_exact", kind);
+    for (const std::string_view kind : island_kinds) {
+        text += fmt::format(",{0}_kept,{0}_swept,{0}_exact,{0}_small_steps", kind);
+    }
     text += fmt::format(",{}", columns_after_islands);
     for (const std::string_view stage : stage_names) text += fmt::format(",{}_us", stage);
     text += ",command\n";

@@ -1,0 +1,159 @@
+// Islands that go through a step in small ones.
+#include "engine/small_steps.h"
+
+#include "tests/catch.h"
+#include "tests/engine/contact_scene.h"
+
+#include <cmath>
+
+using namespace pushfactor::engine;
+using pushfactor::tests::ContactScene;
+
+namespace {
+
+using Division = SmallSteps::Division;
+
+double energy(const World& world) {
+    return kinetic_energy(world.bodies) + potential_energy(world.bodies, {0, -10, 0});
+}
+
+// What happens to bodies that should stand, in some seconds.
+struct Standing {
+    double gain = 0.0;   // J, the largest
+    double moved = 0.0;  // m, of the body that moved most
+    double speed = 0.0;  // m/s, at the end
+};
+
+Standing watch(ContactScene& scene, int steps) {
+    const std::vector<Body> start = scene.world.bodies;
+    const double before = energy(scene.world);
+    Standing seen;
+    for (int i = 0; i < steps; ++i) {
+        scene.world.step(ContactScene::dt);
+        seen.gain = std::max(seen.gain, energy(scene.world) - before);
+    }
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        seen.moved = std::max(seen.moved, (scene.world.bodies[i].position - start[i].position).norm());
+    }
+    seen.speed = max_speed(scene.world.bodies);
+    return seen;
+}
+
+void in_small_steps(ContactScene& scene, const std::optional<Division>& division = {}) {
+    scene.build();
+    scene.world.small_steps = std::make_unique<SmallSteps>(division);
+}
+
+// Bricks in bond, `rows` high and `length` long.
+void add_wall(ContactScene& scene, int rows, int length) {
+    scene.add_ground();
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < length; ++i) {
+            const bool half = row % 2 == 1 && i == 0;
+            const double shift = half ? 0.125 : row % 2 == 1 ? 0.0 : 0.25;
+            scene.add_box({half ? 0.25 : 0.5, 0.25, 0.25}, {0.5 * i + shift, 0.25 * row + 0.125, 0});
+        }
+        if (row % 2 == 1) scene.add_box({0.25, 0.25, 0.25}, {0.5 * length - 0.125, 0.25 * row + 0.125, 0});
+    }
+}
+
+// Layers of three planks, each across the one below.
+void add_tower(ContactScene& scene, int layers) {
+    scene.add_ground();
+    for (int layer = 0; layer < layers; ++layer) {
+        for (int i = -1; i <= 1; ++i) {
+            const bool across = layer % 2 == 1;
+            const Vector3 size = across ? Vector3(0.3, 0.1, 1.0) : Vector3(1.0, 0.1, 0.3);
+            const Vector3 beside = across ? Vector3(0.35 * i, 0, 0) : Vector3(0, 0, 0.35 * i);
+            scene.add_box(size, beside + Vector3(0, 0.1 * layer + 0.05, 0));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a wall stands in small steps without a joule too many, and stiller than by sweeps of whole steps") {
+    ContactScene small, whole;
+    add_wall(small, 16, 12);
+    in_small_steps(small);
+    const Standing stands = watch(small, 120);
+    CHECK(stands.gain <= 0.0);
+    CHECK(stands.moved < 0.005);
+    add_wall(whole, 16, 12);
+    whole.build();
+    const Standing swept = watch(whole, 120);
+    CHECK(swept.speed > 3.0 * stands.speed);
+}
+
+TEST_CASE("a tower of 30 layers of planks stands in small steps") {
+    ContactScene scene;
+    add_tower(scene, 30);
+    in_small_steps(scene);
+    const Standing seen = watch(scene, 240);
+    CHECK(seen.gain <= 0.0);
+    CHECK(seen.moved < 0.005);  // measured 3.0 mm
+}
+
+TEST_CASE("one small step is a whole step: the same forces as as many sweeps where nothing overlaps") {
+    ContactScene small, whole;
+    for (ContactScene* const scene : {&small, &whole}) {
+        add_wall(*scene, 4, 4);
+        scene->build();
+        scene->world.solver = solvers::make_solver("pgs");
+        scene->world.termination = {.iterations = 20, .tolerance_high = 0.0, .tolerance_low = 0.0};
+    }
+    small.world.small_steps = std::make_unique<SmallSteps>(Division{.steps = 1, .sweeps = 5});
+    small.world.step(ContactScene::dt);
+    whole.world.step(ContactScene::dt);
+    REQUIRE(small.world.lambda().rows() == whole.world.lambda().rows());
+    const Eigen::Index last = small.world.lambda().cols() - 1;
+    const double largest = whole.world.lambda().col(0).cwiseAbs().maxCoeff();
+    CHECK((small.world.lambda().col(last) - whole.world.lambda().col(0)).cwiseAbs().maxCoeff() < 1e-12 * largest);
+    for (std::size_t i = 0; i < small.world.bodies.size(); ++i) {
+        CHECK((small.world.bodies[i].position - whole.world.bodies[i].position).norm() < 1e-14);
+    }
+}
+
+TEST_CASE("the push of small steps takes overlaps apart by beta and leaves no momentum") {
+    ContactScene scene;
+    constexpr double overlap = 0.1;
+    for (int i = 0; i < 8; ++i) scene.add_box({1, 1, 1}, {(1.0 - overlap) * i, 0, 0});
+    scene.build({0, 0, 0});
+    scene.world.solver = solvers::make_solver("pgs");  // auto would solve the row of cubes exactly
+    scene.world.termination.tolerance_high = scene.world.termination.tolerance_low = 0.0;
+    scene.world.small_steps = std::make_unique<SmallSteps>(Division{.steps = 8, .sweeps = 2});
+    double before = overlap;
+    for (int step = 0; step < 60; ++step) {
+        scene.world.step(ContactScene::dt);
+        for (const Body& body : scene.world.bodies) {
+            REQUIRE(body.linear_momentum.norm() == 0.0);
+            REQUIRE(body.angular_momentum.norm() == 0.0);
+        }
+        CHECK(scene.penetration() <= 1.02 * before);  // row after row, one pair may wait for another
+        before = scene.penetration();
+    }
+    CHECK(before < 0.1 * overlap);
+}
+
+TEST_CASE("a heap that collides in small steps keeps its momentum to rounding, and loses energy") {
+    ContactScene scene;
+    for (int i = 0; i < 27; ++i) {
+        const Vector3 place(1.02 * (i % 3 - 1), 1.02 * (i / 3 % 3 - 1), 1.02 * (i / 9 - 1));
+        scene.add_box({1, 1, 1}, place, -2.0 * place);
+    }
+    in_small_steps(scene);
+    scene.world.forces.clear();
+    const Vector3 momentum = linear_momentum(scene.world.bodies);
+    double before = kinetic_energy(scene.world.bodies);
+    bool any = false;
+    for (int step = 0; step < 30; ++step) {
+        scene.world.step(ContactScene::dt);
+        for (const Island& island : scene.world.islands().all()) {
+            any = any || scene.world.outcome_of(island).in_small_steps;
+        }
+        CHECK(kinetic_energy(scene.world.bodies) <= before * (1.0 + 1e-12));
+        before = kinetic_energy(scene.world.bodies);
+    }
+    CHECK(any);
+    CHECK((linear_momentum(scene.world.bodies) - momentum).norm() < 1e-12 * 27.0);
+}
