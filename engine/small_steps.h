@@ -37,12 +37,14 @@ struct ConstraintForces {
     std::vector<Vector6> moving, lasting;
 };
 
+struct SmallStepDivision {
+    int steps = 1;
+    int sweeps = 1;  // of each
+};
+
 class SmallSteps {
   public:
-    struct Division {
-        int steps = 1;
-        int sweeps = 1;  // of each
-    };
+    using Division = SmallStepDivision;
 
     // With a division, every island takes that one.
     explicit SmallSteps(const std::optional<Division>& division = {}) : division_(division) {}
