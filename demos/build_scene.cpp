@@ -124,8 +124,7 @@ void add_distances(Scene& scene, const SceneDescription& description, const Sett
     }
     const engine::Correction whole{engine::PushKind::persistent, 1.0};
     auto source = std::make_unique<engine::DistanceConstraints>(
-        std::move(distances), settings.integrator == Integrator::euler ? settings.distances : whole,
-        settings.warm_start);
+        std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
     if (description.state) source->set_forces(description.state->distance_forces);
     scene.distances = source.get();
     scene.world.constraints.push_back(std::move(source));
@@ -201,20 +200,26 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
+// A fixed number of iterations, and another solver, are what somebody asked for.
+bool takes_small_steps(const Settings& settings) {
+    if (settings.scheme == Scheme::small_steps) return true;
+    return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
+}
+
 void add_solver(Scene& scene, const Settings& settings) {
     if (scene.world.constraints.empty()) return;
     scene.world.solver = engine::solvers::make_solver(settings.solver);
     scene.world.termination = {settings.iterations, settings.tolerance_high, settings.tolerance_low};
-    if (settings.small_steps) {
-        scene.world.small_steps = std::make_unique<engine::SmallSteps>(settings.small_division);
+    if (takes_small_steps(settings)) {
+        scene.world.small_steps = std::make_unique<engine::SmallSteps>(settings.small_steps);
     }
 }
 
-// Integrators other than the paper's are for bars, and begin with momenta that belong to the positions.
+// RATTLE is for bars, and begins with momenta that belong to the positions.
 void require_bars_alone(const SceneDescription& description, const Settings& settings) {
-    const std::string name = integrator_name(settings);
+    const std::string name = scheme_name(settings);
     const auto refuse = [&](const std::string& what) {
-        throw engine::InvalidInput("--integrator", name, "euler for a scene with " + what);
+        throw engine::InvalidInput("--scheme", name, "auto or whole for a scene with " + what);
     };
     if (description.contacts) refuse("contacts");
     for (const DistanceDescription& distance : description.distances) {
@@ -222,21 +227,21 @@ void require_bars_alone(const SceneDescription& description, const Settings& set
         if (distance.max_force) refuse("bars that yield");
     }
     if (settings.start_kick == StartKick::on) {
-        throw engine::InvalidInput("--start-kick", "on", "off or auto with --integrator " + name);
+        throw engine::InvalidInput("--start-kick", "on", "off or auto with --scheme " + name);
     }
 }
 
-void set_integrator(Scene& scene, const SceneDescription& description, const Settings& settings) {
-    if (settings.integrator == Integrator::euler) return;
+void set_scheme(Scene& scene, const SceneDescription& description, const Settings& settings) {
+    if (!is_rattle(settings.scheme)) return;
     require_bars_alone(description, settings);
-    scene.step = settings.integrator == Integrator::rattle    ? engine::rattle
-                 : settings.integrator == Integrator::rattle4 ? engine::rattle4
-                                                              : engine::rattle6;
+    scene.step = settings.scheme == Scheme::rattle    ? engine::rattle
+                 : settings.scheme == Scheme::rattle4 ? engine::rattle4
+                                                      : engine::rattle6;
 }
 
 void set_measure(Scene& scene, const SceneDescription& description, const Settings& settings) {
     if (!description.measure) return;
-    const auto momenta = settings.integrator == Integrator::euler ? MomentaAt::half_steps : MomentaAt::whole_steps;
+    const auto momenta = is_rattle(settings.scheme) ? MomentaAt::whole_steps : MomentaAt::half_steps;
     scene.measure = [make = description.measure, momenta](const engine::World& world) {
         return make(world, momenta);
     };
@@ -270,7 +275,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings.rotation, description.contacts);
-    set_integrator(scene, description, settings);
+    set_scheme(scene, description, settings);
     set_measure(scene, description, settings);
     if (description.state) resume(scene, *description.state);
     return scene;

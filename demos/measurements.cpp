@@ -134,7 +134,7 @@ void Measurements::observe(const Simulation& simulation) {
     latest_ = positions_of(simulation.scene().world);
 
     energy_ = sample.kinetic_energy + sample.potential_energy;
-    energy_gain_ = std::max(energy_gain_, energy_ - initial_energy_);
+    energy_gain_ = std::max(energy_gain_, sample.energy_gain);
     max_penetration_ = std::max(max_penetration_, sample.penetration.max);
     max_length_error_ = std::max(max_length_error_, sample.max_length_error);
     residuals_.push_back(sample.residual);

@@ -71,7 +71,7 @@ class Measurements {
     double median_residual() const;                                 // m/s
     double initial_energy() const { return initial_energy_; }       // J
     double final_energy() const { return energy_; }                 // J
-    double energy_gain() const { return energy_gain_; }             // J, the largest rise above the start
+    double energy_gain() const { return energy_gain_; }             // J, the largest, beyond what came from outside
     double max_off_axis() const { return max_off_axis_; }           // m sideways from the start
     std::optional<double> drift_after_10_s() const;                 // m, farthest from the place at 10 s
     std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes

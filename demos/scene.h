@@ -32,7 +32,7 @@ struct Scene {
 
 // The world of a description under the settings. What either leaves out is not constructed. When distances hang on
 // "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, for an
-// integrator that does not fit the scene, and for what the engine refuses.
+// scheme that does not fit the scene, and for what the engine refuses.
 Scene build_scene(const SceneDescription& description, const Settings& settings);
 
 }  // namespace pushfactor::demos

@@ -11,6 +11,7 @@ namespace {
 Settings paper() {
     Settings settings;
     settings.preset = "paper";
+    settings.scheme = Scheme::whole;
     settings.solver = "pgs";
     settings.tolerance_high = 0.0;
     settings.tolerance_low = 0.0;

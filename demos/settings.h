@@ -17,7 +17,13 @@ enum class FrictionModel { paper, coulomb, cone };
 enum class RestitutionModel { sum, larger };
 enum class StartKick { off, on, where_it_fits };
 enum class Rotation { paper, exponential, splitting };
-enum class Integrator { euler, rattle, rattle4, rattle6 };
+// How a step is gone through: as the paper does, in small ones where that gets farther, or for bars alone in
+// another way. Automatic: in small steps with the solver auto and a tolerance, else whole.
+enum class Scheme { automatic, whole, small_steps, rattle, rattle4, rattle6 };
+
+constexpr bool is_rattle(Scheme scheme) {
+    return scheme >= Scheme::rattle;
+}
 
 struct Settings {
     std::string preset;
@@ -31,9 +37,8 @@ struct Settings {
     double tolerance_high = 1e-8;  // m/s: below it the cached answer is kept
     double tolerance_low = 1e-10;  // m/s: above it a solve goes on
 
-    // Islands without an exact answer go through the step in small ones, in so many where a number is given.
-    bool small_steps = false;
-    std::optional<engine::SmallSteps::Division> small_division;
+    Scheme scheme = Scheme::automatic;
+    std::optional<engine::SmallSteps::Division> small_steps;  // none: as many as suit an island
 
     engine::Correction contacts{engine::PushKind::single_frame, 0.2};
     engine::Correction distances{engine::PushKind::persistent, 1.0};
@@ -52,7 +57,6 @@ struct Settings {
     // Half a kick back before the first step of euler; it fits where a scene has no contacts and starts from rest.
     StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
-    Integrator integrator = Integrator::euler;  // the others where nothing but bars holds the bodies
 };
 
 struct Preset {

@@ -23,7 +23,7 @@ double max_length_error(std::span<const engine::ConstraintRow> rows) {
 
 bool wants_kick(const Scene& scene, const Settings& settings) {
     const StartKick choice = settings.start_kick;
-    if (settings.integrator != Integrator::euler) return false;
+    if (is_rattle(settings.scheme)) return false;
     if (choice != StartKick::where_it_fits) return choice == StartKick::on;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
         return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
@@ -60,8 +60,13 @@ std::string_view body_name(const Scene& scene, int body) {
 }
 
 Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
-    : scene_(std::move(scene)), settings_(settings), division_(division_of(scene_, settings)), clock_(clock) {
+    : scene_(std::move(scene)),
+      settings_(settings),
+      division_(division_of(scene_, settings)),
+      clock_(clock),
+      energy_(scene_.gravity) {
     start();
+    energy_.open(scene_.world.bodies, settings_.dt.value());
     measure_state();
 }
 
@@ -105,10 +110,12 @@ void Simulation::divide_step() {
 }
 
 void Simulation::step_engine(double dt) {
+    energy_.begin(scene_.world.bodies);
     const double before = clock_ ? clock_() : 0.0;
     const engine::StepCount so_far = sample_.count;
     sample_.count = scene_.step(scene_.world, dt);
     if (clock_) *sample_.cpu_us += clock_() - before;
+    energy_.end(scene_.world, dt);
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
     sample_.count.multiply_adds += so_far.multiply_adds;
@@ -138,6 +145,7 @@ void Simulation::measure_state() {
     const std::span<const engine::Body> bodies = scene_.world.bodies;
     sample_.kinetic_energy = engine::kinetic_energy(bodies);
     sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
+    sample_.energy_gain = energy_.gain();
     sample_.max_speed = engine::max_speed(bodies);
     if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders());
 }
@@ -156,6 +164,7 @@ void Simulation::require_finite_state() const {
 void Simulation::require_finite_sample() const {
     const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
                               std::pair{sample_.potential_energy, "potential energy"},
+                              std::pair{sample_.energy_gain, "energy gain"},
                               std::pair{sample_.max_speed, "speed"},
                               std::pair{sample_.penetration.max, "penetration"},
                               std::pair{sample_.penetration.rms, "penetration"},

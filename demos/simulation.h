@@ -6,6 +6,7 @@
 #include "demos/step_division.h"
 #include "demos/worst_row.h"
 #include "engine/diagnostics.h"
+#include "engine/energy_account.h"
 #include "engine/penetration.h"
 
 #include <optional>
@@ -21,6 +22,7 @@ struct Sample {
     double time = 0.0;                // s
     double kinetic_energy = 0.0;      // J
     double potential_energy = 0.0;    // J, zero at the origin
+    double energy_gain = 0.0;         // J, beyond what came from outside, a step ago (energy_account.h)
     double max_speed = 0.0;           // m/s, from the stored momenta
     engine::Penetration penetration;  // of the state after the step
     double max_length_error = 0.0;    // m, of distance rows
@@ -76,6 +78,7 @@ class Simulation {
     StepDivision division_;
     Clock clock_;
     Sample sample_;
+    engine::EnergyAccount energy_;
     Checkpoint before_;
     double largest_unsolved_ = 0.0;  // m/s, residual of any engine step that was not solved
     bool contradicted_ = false;      // rows of any engine step

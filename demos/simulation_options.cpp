@@ -43,10 +43,12 @@ constexpr Names<StartKick, 3> kick_names{
     {{"on", StartKick::on}, {"off", StartKick::off}, {"auto", StartKick::where_it_fits}}};
 constexpr Names<Rotation, 3> rotation_names{
     {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}}};
-constexpr Names<Integrator, 4> integrator_names{{{"euler", Integrator::euler},
-                                                 {"rattle", Integrator::rattle},
-                                                 {"rattle4", Integrator::rattle4},
-                                                 {"rattle6", Integrator::rattle6}}};
+constexpr Names<Scheme, 6> scheme_names{{{"auto", Scheme::automatic},
+                                         {"whole", Scheme::whole},
+                                         {"small-steps", Scheme::small_steps},
+                                         {"rattle", Scheme::rattle},
+                                         {"rattle4", Scheme::rattle4},
+                                         {"rattle6", Scheme::rattle6}}};
 
 template <typename Value, std::size_t n>
 bool take_name(Value& field, const Names<Value, n>& names, std::string_view text) {
@@ -90,7 +92,7 @@ bool set_substeps(Settings& s, std::string_view text) {
 
 bool set_small_steps(Settings& s, std::string_view text) {
     std::optional<engine::SmallSteps::Division> division;
-    if (text != "off" && text != "auto") {
+    if (text != "auto") {
         const auto by = text.find('x');
         division.emplace();
         if (by == std::string_view::npos || !take(division->steps, parse_integer(text.substr(0, by)), 1, 1000) ||
@@ -98,15 +100,12 @@ bool set_small_steps(Settings& s, std::string_view text) {
             return false;
         }
     }
-    s.small_steps = text != "off";
-    s.small_division = division;
+    s.small_steps = division;
     return true;
 }
 
 std::string small_steps_text(const Settings& s) {
-    if (!s.small_steps) return "off";
-    if (!s.small_division) return "auto";
-    return fmt::format("{}x{}", s.small_division->steps, s.small_division->sweeps);
+    return s.small_steps ? fmt::format("{}x{}", s.small_steps->steps, s.small_steps->sweeps) : "auto";
 }
 
 bool set_solver(Settings& s, std::string_view text) {
@@ -172,10 +171,15 @@ const std::array options{
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
     SimulationOption{
-        "small-steps", "NxK",
-        "islands without an exact answer go through a step in N small ones of K sweeps each: auto, off, "
-        "or numbers",
-        "auto, off or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
+        "scheme", "NAME",
+        "how a step is gone through: whole (3.2); small-steps, many for islands of contacts without an "
+        "exact answer; auto: those with solver auto; for scenes of bars without contacts rattle, "
+        "rattle4, rattle6, of order 2, 4, 6, which correct whole length errors whatever "
+        "--distance-push and --distance-beta",
+        "one of auto, whole, small-steps, rattle, rattle4, rattle6",
+        [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); }, scheme_name},
+    SimulationOption{"small-steps", "NxK", "N small steps of K sweeps each; auto: as many as suit an island",
+                     "auto or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
                      "one of none, persistent, single-frame",
                      [](Settings& s, std::string_view t) { return take_name(s.contacts.kind, push_names, t); },
@@ -246,18 +250,12 @@ const std::array options{
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
-    SimulationOption{"integrator", "NAME",
-                     "euler (3.2); for scenes of bars without contacts rattle, rattle4, rattle6, of order 2, 4, 6, "
-                     "which correct whole length errors whatever --distance-push and --distance-beta",
-                     "one of euler, rattle, rattle4, rattle6",
-                     [](Settings& s, std::string_view t) { return take_name(s.integrator, integrator_names, t); },
-                     integrator_name},
 };
 
 }  // namespace
 
-std::string integrator_name(const Settings& settings) {
-    return name_of(settings.integrator, integrator_names);
+std::string scheme_name(const Settings& settings) {
+    return name_of(settings.scheme, scheme_names);
 }
 
 std::span<const SimulationOption> simulation_options() {

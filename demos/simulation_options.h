@@ -22,8 +22,8 @@ struct SimulationOption {
 // In the order in which they are shown. `preset` is not among them: it is where the others start from.
 std::span<const SimulationOption> simulation_options();
 
-// What the option `integrator` is set to.
-std::string integrator_name(const Settings& settings);
+// What the option `scheme` is set to.
+std::string scheme_name(const Settings& settings);
 
 // "preset" and the names of the table: what a config or a scene file may set.
 std::vector<std::string> simulation_option_names();

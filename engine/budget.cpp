@@ -13,7 +13,7 @@ constexpr double most_in_sweeps = 120.0;
 constexpr double income_in_sweeps = 60.0;
 // Small islands have more, in multiply-adds: a stack of 15 that lands may take two million once. By bodies, up to a
 // number of them.
-constexpr double most_per_body = 3e5;
+constexpr double most_per_body = 1.5e5;
 constexpr double income_per_body = 3e4;
 constexpr double small_island = 200.0;
 // A failure takes this part of the account for itself and as much again for every failure just before it, up to

@@ -193,7 +193,9 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     contacts_.clear();
     unforeseen_.clear();
     touches_ = {};
-    std::vector<collision::Touch>& touches = detector_.detect(colliders_, bodies, choices_.detection);
+    if (sweep_) foresight_.look_ahead(colliders_, bodies, dt);
+    std::vector<collision::Touch>& touches =
+        detector_.detect(colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr);
     if (choices_.detection.permitted > 0.0) {
         passing_.put_right(touches, {colliders_, bodies, dt, choices_.detection});
     }

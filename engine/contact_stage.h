@@ -101,6 +101,7 @@ class ContactStage : public ConstraintSource {
     std::unique_ptr<collision::Sweep> sweep_;
 
     // Of the current step.
+    collision::Foresight foresight_;
     collision::Detector detector_;
     collision::Passing passing_;
     std::span<const collision::Touch> touches_;

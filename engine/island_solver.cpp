@@ -53,21 +53,23 @@ void IslandSolver::begin(std::size_t bodies) {
 }
 
 solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::Termination& usual,
-                                        const SystemEquation& system, const Island& island, Budget::Take take,
+                                        const SystemEquation& system, const Island& island, const Allowed& allowed,
                                         Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
-    if (take == Budget::Take::exact_only && !SmallSteps::suit(system, island)) take = Budget::Take::half;
-    const auto termination = budget_.limits(island, warm_start_.termination(island, usual),
-                                            fixed_number && take == Budget::Take::half ? Budget::Take::rest : take);
     Outcome outcome;
     solvers::SolveCount count;
-    if (fixed_number && take == Budget::Take::exact_only) {
+    const auto is_for_small_steps = [&](double residual) {
+        return !(residual <= allowed.iterates_up_to) && SmallSteps::suit(system, island);
+    };
+    if (fixed_number && is_for_small_steps(std::numeric_limits<double>::max())) {
         outcome.unfinished = true;
     } else if (fixed_number) {
-        count = solver.solve(system, island, termination, lambda);
+        count = solver.solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
         find_forces(system, island, lambda, forces);
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
+        const auto take = is_for_small_steps(larger(outcome.residuals)) ? Budget::Take::exact_only : allowed.take;
+        const auto termination = budget_.limits(island, warm_start_.termination(island, usual), take);
         if (larger(outcome.residuals) > termination.tolerance_high) {
             outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
@@ -84,7 +86,7 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
                                                    std::span<const Body> bodies, const Island& island,
                                                    Columns& lambda, ConstraintForces& forces) {
     Outcome outcome = outcome_of(island);
-    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island);
+    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
     solvers::SolveCount count = small_steps.solve(system, bodies, island, division, lambda, forces);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;

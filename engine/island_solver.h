@@ -13,6 +13,7 @@
 #include "engine/warm_start.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,14 @@ class IslandSolver {
         Residuals residuals{};        // of the forces as they are
     };
 
+    // What a solve may do: which iterations of those that are left. Where small steps suit the island and its guess
+    // has a residual of more than `iterates_up_to` [m/s], it looks for an exact answer only, and may leave the
+    // island unfinished.
+    struct Allowed {
+        Budget::Take take = Budget::Take::half;
+        double iterates_up_to = std::numeric_limits<double>::infinity();
+    };
+
     // Before the first solve of a step.
     void begin(std::size_t bodies);
 
@@ -47,9 +56,9 @@ class IslandSolver {
 
     // Solves `island` from the forces in `lambda`, which receives the answer; writes f_c of its bodies. A solve
     // beyond the first one of a step, because of more rows, passes as `first_guess` what that one began with, and
-    // may find it put within its bounds. `take` says which iterations of those that are left it may have.
+    // may find it put within its bounds.
     solvers::SolveCount solve(solvers::Solver& solver, const solvers::Termination& usual,
-                              const SystemEquation& system, const Island& island, Budget::Take take,
+                              const SystemEquation& system, const Island& island, const Allowed& allowed,
                               Columns* first_guess, Columns& lambda, ConstraintForces& forces);
 
     // Takes an island that is unfinished through the step in small ones.

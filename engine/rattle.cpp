@@ -175,7 +175,7 @@ class RattleStep {
             const Island& island = world_.islands_.all()[k];
             const solvers::SolveCount count =
                 world_.island_solver_.solve(*world_.solver, world_.termination, world_.system_, island,
-                                            Budget::Take::rest, nullptr, lambda, forces_);
+                                            {Budget::Take::rest}, nullptr, lambda, forces_);
             sweeps = std::max(sweeps, count.iterations);
             work_.row_updates += 1.0 * island.rows * count.iterations;
             work_.multiply_adds += count.multiply_adds;

@@ -10,9 +10,16 @@ namespace pushfactor::engine {
 namespace {
 
 constexpr SmallSteps::Division standing{.steps = 16, .sweeps = 2};
+constexpr SmallSteps::Division loading{.steps = 16, .sweeps = 4};
 constexpr SmallSteps::Division falling{.steps = 8, .sweeps = 2};
 // A body falls while it is faster than so many steps of its external force make it.
 constexpr double fast = 3.0;
+
+// Share of the speed that external forces give in a step.
+constexpr double settled = 1e-4;
+
+// And from which on load has a long way to go: that of a tower whose forces begin at zero.
+constexpr double unheld = 0.1;
 
 // The last small step, whose velocities and forces the next step begins with, has so many times the sweeps: what
 // rings in a tower dies away.
@@ -67,7 +74,17 @@ bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
     });
 }
 
-SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island) const {
+double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const Island& island) {
+    double fastest = 0.0;
+    for (const int body : island.bodies) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        fastest = std::max(fastest, own.inverse_mass * own.force.norm());
+    }
+    return settled * dt * fastest;
+}
+
+SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island,
+                                             double residual) const {
     if (division_) return *division_;
     int moving = 0;
     const double reached = fast * dt;
@@ -75,7 +92,8 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
         const Body& own = bodies[static_cast<std::size_t>(body)];
         moving += own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
     }
-    return 2 * moving > island.movable() ? falling : standing;
+    if (2 * moving > island.movable()) return falling;
+    return residual > unheld / settled * settled_speed(dt, bodies, island) ? loading : standing;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

@@ -55,8 +55,13 @@ class SmallSteps {
     // collision that a small step takes over from the one before happens twice.
     static bool suit(const SystemEquation& system, const Island& island);
 
-    // What suits the island: many where more of its bodies rest than move.
-    Division division_of(double dt, std::span<const Body> bodies, const Island& island) const;
+    // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
+    // travel, and when they are done the forces can be kept.
+    static double settled_speed(double dt, std::span<const Body> bodies, const Island& island);
+
+    // What suits the island, whose guess has this residual [m/s]: many where more of its bodies rest than move,
+    // with more sweeps while the forces are far from what holds them.
+    Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
     // receives their means over the step: in the first column with those of the push, in the last one without.

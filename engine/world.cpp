@@ -152,9 +152,10 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
 }
 
 void World::solve(const Island& island, Columns* first_guess, Work& work) {
-    const Budget::Take take = small_steps ? Budget::Take::exact_only : Budget::Take::half;
+    IslandSolver::Allowed allowed;
+    if (small_steps) allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
     work.add(island,
-             island_solver_.solve(*solver, termination, system_, island, take, first_guess, lambda_, forces_));
+             island_solver_.solve(*solver, termination, system_, island, allowed, first_guess, lambda_, forces_));
     if (outcome_of(island).unfinished) take_small_steps(island, work);
 }
 

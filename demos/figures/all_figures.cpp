@@ -14,6 +14,7 @@ std::span<const Figure> all_figures() {
         Figure{"figure_10", "Figure 10: pendulum wave", pendulum_wave},
         Figure{"figure_11", "Figure 11: sphere resting in a V shaped corner", sphere_in_corner},
         Figure{"push_against_beta", "The push factor against beta", push_against_beta},
+        Figure{"push_pump", "Energy from a push that is not solved", push_pump},
         Figure{"intersecting_motion", "Height and speed of the intersecting stack", intersecting_motion},
         Figure{"pendulum_energy", "Energy of a pendulum", pendulum_energy},
         Figure{"stack_forces", "Contact forces of the stack", stack_forces},

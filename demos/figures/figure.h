@@ -29,6 +29,7 @@ Plate pendulum_grid(Workshop& workshop, const Figure& figure);       // Figure 9
 Plate pendulum_wave(Workshop& workshop, const Figure& figure);       // Figure 10
 Plate sphere_in_corner(Workshop& workshop, const Figure& figure);    // Figure 11
 Plate push_against_beta(Workshop& workshop, const Figure& figure);
+Plate push_pump(Workshop& workshop, const Figure& figure);
 Plate intersecting_motion(Workshop& workshop, const Figure& figure);
 Plate pendulum_energy(Workshop& workshop, const Figure& figure);
 Plate stack_forces(Workshop& workshop, const Figure& figure);

@@ -42,7 +42,7 @@ bool holds(const BoundingBox& wide, const BoundingBox& box) {
 }  // namespace
 
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
-                       std::span<const Pose> poses, double margin) {
+                       std::span<const Pose> poses, double margin, const Foresight* foresight) {
     bounds_.clear();
     planes_.clear();
     for (int i = 0; i < static_cast<int>(colliders.size()); ++i) {
@@ -53,10 +53,10 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
             planes_.push_back({.point = pose.position, .up = pose.rotation.col(1), .collider = i});
             continue;
         }
-        const double size = size_of(collider.shape);
+        const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
         Bounds& box = bounds_.emplace_back();
         box.centre = pose.position;
-        box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size);
+        box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
         box.slack = slack_share * size;
         box.collider = i;
         box.body = collider.body;
@@ -177,8 +177,9 @@ void BroadPhase::add_if_near(int index, int other) {
 }
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                             std::span<const Pose> poses, double margin) {
-    bound(colliders, bodies, poses, margin);
+                                             std::span<const Pose> poses, double margin,
+                                             const Foresight* foresight) {
+    bound(colliders, bodies, poses, margin, foresight);
     update_candidates();
     pairs_.clear();
     for (const Candidate& candidate : candidates_) {

@@ -5,6 +5,7 @@
 
 #include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
+#include "engine/collision/foresight.h"
 
 #include <span>
 #include <vector>
@@ -19,11 +20,12 @@ struct Pair {
 
 class BroadPhase {
   public:
-    // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, in
-    // ascending order. Never two colliders of one body, never two static bodies: such a row could move nothing.
-    // `poses` are those of the bodies.
+    // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, and the
+    // paths of their colliders with `foresight`, in ascending order. Never two colliders of one body, never two
+    // static bodies: such a row could move nothing. `poses` are those of the bodies.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     std::span<const Pose> poses, double margin);
+                                     std::span<const Pose> poses, double margin,
+                                     const Foresight* foresight = nullptr);
 
   private:
     // The bounding box of one finite shape.
@@ -45,7 +47,7 @@ class BroadPhase {
     };
 
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
-               double margin);
+               double margin, const Foresight* foresight);
     bool has_same_shapes() const;
     bool uses_grid() const;
     void update_candidates();

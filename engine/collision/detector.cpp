@@ -15,6 +15,20 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
     return std::min(size_a, size_b);
 }
 
+// Takes out those points beyond the margin that the step does not bring together.
+void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
+    const double room = margin + thrown * touch.size;
+    int kept = 0;
+    for (int i = 0; i < manifold.count; ++i) {
+        const ContactPoint& point = manifold.storage[static_cast<std::size_t>(i)];
+        const bool closes =
+            point.gap < margin ||
+            point.gap < room + foresight.closing(touch.body_a, touch.body_b, manifold.normal, point.position);
+        if (closes) manifold.storage[static_cast<std::size_t>(kept++)] = point;
+    }
+    manifold.count = kept;
+}
+
 }  // namespace
 
 void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch) {
@@ -35,20 +49,24 @@ void combine_surfaces(std::span<const Collider> colliders, Touch& touch) {
 }
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     const Detection& detection) {
+                                     const Detection& detection, const Foresight* foresight) {
     poses_.clear();
     for (const Body& body : bodies) poses_.push_back(pose_of(body));
 
     touches_.clear();
     points_.clear();
-    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin)) {
+    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight)) {
         Touch& touch = touches_.emplace_back();
         name_pair(pair, colliders, bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
+        combine_surfaces(colliders, touch);
+        const double margin = detection.margin * touch.size;
+        const bool foreseen = foresight && touch.restitution <= 0.0;
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
-                colliders[static_cast<std::size_t>(pair.b)].shape, pose_b, detection.margin * touch.size,
-                manifold_);
+                colliders[static_cast<std::size_t>(pair.b)].shape, pose_b,
+                foreseen ? margin + foresight->path(pair.a) + foresight->path(pair.b) : margin, manifold_);
+        if (foreseen) keep_closing_points(touch, margin, *foresight, manifold_);
         if (manifold_.count == 0) {
             touches_.pop_back();
             continue;
@@ -58,7 +76,6 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
         touch.doubtful = manifold_.other_gap + detection.permitted * touch.size >= 0.0;
         touch.points = manifold_.points();  // as many; where they are is said below, when all have been found
         points_.insert(points_.end(), touch.points.begin(), touch.points.end());
-        combine_surfaces(colliders, touch);
     }
     std::span<const ContactPoint> left = points_;
     for (Touch& touch : touches_) {

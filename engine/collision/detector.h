@@ -48,9 +48,10 @@ struct Detection {
 
 class Detector {
   public:
-    // All touches in ascending order of the pair. The result is good until the next call, and may be changed.
+    // All touches in ascending order of the pair; with `foresight` also points that the step may bring together.
+    // The result is good until the next call, and may be changed.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                               const Detection& detection);
+                               const Detection& detection, const Foresight* foresight = nullptr);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
 

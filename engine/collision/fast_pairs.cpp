@@ -37,11 +37,6 @@ bool is_plane(const Outlook& outlook, std::size_t collider) {
 
 }  // namespace
 
-double path_of(const Collider& collider, double speed, double rate, double dt) {
-    const auto* box = std::get_if<Box>(&collider.shape);
-    return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns in itself
-}
-
 // Writes how the collider moves, and what through.
 void FastPairs::sweep(const Outlook& outlook, std::size_t collider) {
     const Body& body = body_of(outlook, collider);

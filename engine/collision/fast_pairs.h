@@ -1,18 +1,15 @@
 // The pairs of colliders that may meet within a step although their margins do not reach each other: at least one
-// is so fast that it moves by more than its margin in the step.
+// is so fast that the sweep has to look (sweep.h).
 #pragma once
 
 #include "engine/collision/broad_phase.h"
+#include "engine/collision/foresight.h"
 #include "engine/motion.h"
 
 #include <span>
 #include <vector>
 
 namespace pushfactor::engine::collision {
-
-// How far a point of `collider` comes at most in `dt` [s] with the body's `speed` [m/s] and `rate` of turning
-// [rad/s].
-double path_of(const Collider& collider, double speed, double rate, double dt);
 
 // How its bodies move in the coming step.
 struct Outlook {

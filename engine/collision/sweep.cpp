@@ -12,14 +12,10 @@ double margin_of(const Collider& collider, const Sweep::Step& step) {
 
 // By the velocities before the step: what rests on something is not fast because of its weight. The largest inverse
 // moment bounds the rate of turning.
-bool is_fast(const Collider& collider, const Body& body, const Sweep::Step& step) {
+double free_path(const Collider& collider, const Body& body, const Sweep::Step& step) {
     const double rate = body.angular_momentum.norm() * body.inverse_inertia.maxCoeff();
-    return path_of(collider, velocity(body).norm(), rate, step.dt) > margin_of(collider, step);
+    return path_of(collider, velocity(body).norm(), rate, step.dt);
 }
-
-// What a force or a torque would move by so much of its size within the step could go through something, or end
-// deep inside. Far more than the margin: the weight alone takes a small body beyond that.
-constexpr double dangerous = 0.25;
 
 // Whether the external forces of the step bring the collider into that danger.
 bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity, const Sweep::Step& step) {
@@ -27,16 +23,16 @@ bool is_pressed(const Collider& collider, const Body& body, const Vector3& veloc
     return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
 }
 
-// What is_pressed() asks of a body that is not fast, for certain where the answer is no. In squares, because every
-// body is asked in every step.
-bool could_be_pressed(const Collider& collider, const Body& body, const Sweep::Step& step) {
+// What is_pressed() asks of a body that its velocity alone takes so far [m], for certain where the answer is no. In
+// squares, because every body is asked in every step.
+bool could_be_pressed(const Collider& collider, const Body& body, double path, const Sweep::Step& step) {
     double acceleration =
         body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // squared, of any point
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
         const double turning = body.inverse_inertia.maxCoeff();
         acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
     }
-    const double room = (dangerous - step.detection.margin) * size_of(collider.shape) / (step.dt * step.dt);
+    const double room = (dangerous * size_of(collider.shape) - path) / (step.dt * step.dt);
     return room <= 0.0 || 2.0 * acceleration > room * room;  // (x + y)^2 <= 2 (x^2 + y^2)
 }
 
@@ -53,14 +49,20 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
     if (excess > 0.0) velocity_of_body -= excess * normal;
 }
 
-// Whether the constraint force makes the body move otherwise than foreseen, by more than its margin, and fast.
-bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
+// How far the body moves that the constraint force makes move otherwise than foreseen; nothing where both are less
+// than `least` [m].
+double thrown_path(const Collider& collider, const Body& body, const Vector6& force, double least,
+                   const Sweep::Step& step) {
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
-    const double margin = margin_of(collider, step);
-    if (path_of(collider, speed, rate, step.dt) <= margin) return false;
+    const double otherwise = path_of(collider, speed, rate, step.dt);
+    if (otherwise <= least) return 0.0;
     const Motion motion = motion_of(body, step.dt, force);
-    return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > margin;
+    return std::min(otherwise, path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt));
+}
+
+bool bounces(const Collider& collider) {
+    return collider.restitution > 0.0;
 }
 
 // How near two bodies have to come for having met, as a fraction of the size.
@@ -129,13 +131,17 @@ Moving Sweep::moving(int collider, const Step& step) const {
 
 bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
     fast_.clear();
+    dangerous_.clear();
+    const bool any_bounces = std::any_of(step.colliders.begin(), step.colliders.end(), bounces);
     bool any = false, any_pressed = false;
     for (const Collider& collider : step.colliders) {
         const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
-        fast_.push_back(is_fast(collider, body, step));
+        const double path = free_path(collider, body, step);
+        dangerous_.push_back(path > dangerous * size_of(collider.shape));
+        fast_.push_back(dangerous_.back() || (any_bounces && path > margin_of(collider, step)));
         any = any || fast_.back();
-        if (any_pressed || fast_.back()) continue;
-        any_pressed = could_be_pressed(collider, body, step) &&
+        if (any_pressed || dangerous_.back()) continue;
+        any_pressed = could_be_pressed(collider, body, path, step) &&
                       is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
     if (!any_pressed) return any;
@@ -155,19 +161,32 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
     for (std::size_t i = 0; i < fast_.size(); ++i) {
         const Collider& collider = step.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
-        fast_[i] = fast_[i] || is_pressed(collider, step.bodies[body], freely_[body], step);
+        if (dangerous_[i] || !is_pressed(collider, step.bodies[body], freely_[body], step)) continue;
+        fast_[i] = dangerous_[i] = true;
     }
 }
 
 bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
     fast_.clear();
+    dangerous_.clear();
+    const bool any_bounces = std::any_of(step.colliders.begin(), step.colliders.end(), bounces);
     bool any = false;
     for (const Collider& collider : step.colliders) {
         const auto body = static_cast<std::size_t>(collider.body);
-        fast_.push_back(changed[body] && is_thrown(collider, step.bodies[body], forces[body], step));
+        const double much = dangerous * size_of(collider.shape);
+        const double least = any_bounces ? margin_of(collider, step) : much;
+        const double path =
+            changed[body] ? thrown_path(collider, step.bodies[body], forces[body], least, step) : 0.0;
+        dangerous_.push_back(path > much);
+        fast_.push_back(path > least);
         any = any || fast_.back();
     }
     return any;
+}
+
+bool Sweep::is_swept(const Pair& pair, const Step& step) const {
+    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
 }
 
 // Adds the touch of a pair that meets, with the motions of the moment.
@@ -205,6 +224,7 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
+        if (!is_swept(pair, step)) continue;
         for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
         const double margin = touching ? step.detection.margin * touch->size : 0.0;
@@ -245,7 +265,7 @@ std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<co
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
-        if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
+        if (is_swept(pair, step) && !is_known(pair)) add_meeting(pair, step, unforeseen_);
     }
     const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
     for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);

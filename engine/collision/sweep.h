@@ -62,7 +62,11 @@ class Sweep {
     Outcome add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
     Moving moving(int collider, const Step& step) const;
 
-    std::vector<bool> fast_;       // by collider
+    // Whether the pair is one that rows of the margin's kind would not do for.
+    bool is_swept(const Pair& pair, const Step& step) const;
+
+    std::vector<bool> fast_;       // by collider: moves by more than the margin, where something bounces
+    std::vector<bool> dangerous_;  // by collider: could go through something, or end deep inside
     std::vector<Vector3> freely_;  // m/s by body, the velocities that forces and touches leave to pressed ones
     FastPairs fast_pairs_;
     Passing passing_;

@@ -66,7 +66,7 @@ const std::vector<Case> cases{
     {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}}, 20},
     {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}}, 40},
     {"pendulum-wave", {}, 40},
-    {"pendulum-wave", {{"integrator", "rattle4"}, {"tolerance", "1e-12"}}, 40},
+    {"pendulum-wave", {{"scheme", "rattle4"}, {"tolerance", "1e-12"}}, 40},
     {"chain", {{"end-mass", "1000"}, {"substeps", "auto"}}, 61},
     {"chain", {{"links", "5"}, {"preset", "paper"}}, 61},
     {"bridge", {}, 20},

@@ -38,7 +38,7 @@ TEST_CASE("one command makes all figures and a page that shows them from disk") 
     }
     for (const char* figure :
          {"figure_05", "figure_06", "figure_07", "figure_08", "figure_09", "figure_10", "figure_11",
-          "push_against_beta", "intersecting_motion", "pendulum_energy", "stack_forces"}) {
+          "push_against_beta", "push_pump", "intersecting_motion", "pendulum_energy", "stack_forces"}) {
         INFO(figure);
         CHECK(page.find(std::string("<img src=\"") + figure + ".png\"") != std::string::npos);
     }

@@ -55,7 +55,7 @@ struct Step {
     void solve(solvers::Solver& by, Columns* first_guess = nullptr,
                const solvers::Termination& termination = usual) {
         for (const Island& island : islands.all()) {
-            solver.solve(by, termination, frozen.system, island, Budget::Take::rest, first_guess, lambda, forces);
+            solver.solve(by, termination, frozen.system, island, {Budget::Take::rest}, first_guess, lambda, forces);
         }
     }
     double residual() const { return natural_residual(frozen.system, lambda); }
@@ -210,7 +210,7 @@ TEST_CASE("a solver that never ends is asked for no more iterations than there a
     Step step(frozen);
     const Island& island = step.islands.all().front();
     for (int look = 0; look < 3; ++look) {
-        step.solver.solve(endless, usual, frozen.system, island, Budget::Take::half, nullptr, step.lambda,
+        step.solver.solve(endless, usual, frozen.system, island, {Budget::Take::half}, nullptr, step.lambda,
                           step.forces);
     }
     CHECK(asked == 13 + 6 + 3);

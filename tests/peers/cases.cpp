@@ -8,7 +8,7 @@ std::vector<Case> cases(const std::string& scenes) {
     const Ours original{"--preset paper", "--preset paper", false};
     const Ours divided{"--substeps auto", "--substeps auto", false};
     const Ours four{"--substeps 4", "--substeps 4", false};
-    const Ours rattle{"--integrator rattle", "--integrator rattle", true};
+    const Ours rattle{"--scheme rattle", "--scheme rattle", true};
     return {
         {"stack",
          "Five cubes fall onto each other, up to 2 cm off, 60 s",

@@ -64,17 +64,16 @@ std::vector<Method> integrators() {
         {"beta 1, no kick", {{"start-kick", "off"}}, "dt", "vermilion", solid, filled_circle, 1},
         {"beta 1, half kick", {}, "dt", "blue", solid, filled_circle, 2},
         {"single-frame, half kick", {{"distance-push", "single-frame"}}, "dt", "blue", dashed, filled_square, 1},
-        {"rattle", {{"integrator", "rattle"}}, "dt", "green", solid, filled_triangle, 2},
-        {"rattle4", {{"integrator", "rattle4"}}, "dt", "orange", solid, filled_triangle, 4},
-        {"rattle6", {{"integrator", "rattle6"}}, "dt", "violet", solid, filled_triangle, 6},
+        {"rattle", {{"scheme", "rattle"}}, "dt", "green", solid, filled_triangle, 2},
+        {"rattle4", {{"scheme", "rattle4"}}, "dt", "orange", solid, filled_triangle, 4},
+        {"rattle6", {{"scheme", "rattle6"}}, "dt", "violet", solid, filled_triangle, 6},
     };
 }
 
 // Of bodies that nothing touches. rattle would be the half kick again.
 std::vector<Method> free_motions() {
-    const auto composed = [](const char* integrator, const char* colour, double order, int moves) {
-        Method method{integrator,     {{"integrator", integrator}, {"start-kick", "off"}}, "dt", colour, solid,
-                      filled_triangle};
+    const auto composed = [](const char* scheme, const char* colour, double order, int moves) {
+        Method method{scheme, {{"scheme", scheme}, {"start-kick", "off"}}, "dt", colour, solid, filled_triangle};
         method.order = order;
         method.moves = moves;
         return method;

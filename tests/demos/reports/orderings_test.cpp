@@ -132,7 +132,7 @@ TEST_CASE("swinging bars: the step decides and not the solver, and composed step
     CHECK(coarse.error < late.error);
     CHECK(coarse.work < 0.5 * late.work);
 
-    const Cost fourth = swing("1/60", {{"integrator", "rattle4"}});
+    const Cost fourth = swing("1/60", {{"scheme", "rattle4"}});
     CHECK(fourth.error < fine.error);
     CHECK(fourth.work < 4.0 * fine.work);
     const Cost finest = swing("1/960", {});

@@ -1,4 +1,4 @@
-// --integrator on the scenes: the wave against its reference, and what is refused.
+// --scheme on the scenes: the wave against its reference, and what is refused.
 #include "demos/scenes/ball_on_bar.h"
 #include "engine/invalid_input.h"
 #include "tests/catch.h"
@@ -14,9 +14,9 @@ using tests::simulate;
 
 namespace {
 
-double wave_error(Integrator integrator, Rational dt, double seconds) {
+double wave_error(Scheme scheme, Rational dt, double seconds) {
     Settings settings = tests::solved_exactly(preset_settings("default"));
-    settings.integrator = integrator;
+    settings.scheme = scheme;
     settings.dt = dt;
     Run run(simulate("pendulum-wave", settings, {{"count", "10"}}));
     run.advance(seconds);
@@ -27,22 +27,22 @@ double wave_error(Integrator integrator, Rational dt, double seconds) {
 }  // namespace
 
 TEST_CASE("the wave shows orders 2, 4 and 6 against the two-angle reference") {
-    const auto order = [](Integrator integrator) {
-        return std::log2(wave_error(integrator, {1, 60}, 10) / wave_error(integrator, {1, 120}, 10));
+    const auto order = [](Scheme scheme) {
+        return std::log2(wave_error(scheme, {1, 60}, 10) / wave_error(scheme, {1, 120}, 10));
     };
-    CHECK(order(Integrator::rattle) == Approx(2.0).epsilon(0.05));
-    CHECK(order(Integrator::rattle4) == Approx(4.0).epsilon(0.05));
-    CHECK(order(Integrator::rattle6) == Approx(6.0).epsilon(0.05));
+    CHECK(order(Scheme::rattle) == Approx(2.0).epsilon(0.05));
+    CHECK(order(Scheme::rattle4) == Approx(4.0).epsilon(0.05));
+    CHECK(order(Scheme::rattle6) == Approx(6.0).epsilon(0.05));
 }
 
 TEST_CASE("with the default tolerances the composed integrators follow the wave for a minute") {
     Settings settings = preset_settings("default");
-    settings.integrator = Integrator::rattle4;
+    settings.scheme = Scheme::rattle4;
     Run suzuki(simulate("pendulum-wave", settings));
     suzuki.advance(60);
     CHECK(suzuki.measured("angle_error_rms_deg") < 1e-4);             // measured 7.6e-5
     CHECK(std::abs(suzuki.measured("energy_loss_of_swing")) < 1e-7);  // measured -6.4e-9
-    settings.integrator = Integrator::rattle6;
+    settings.scheme = Scheme::rattle6;
     settings.dt = Rational{1, 90};
     Run yoshida(simulate("pendulum-wave", settings));
     yoshida.advance(60);
@@ -51,7 +51,7 @@ TEST_CASE("with the default tolerances the composed integrators follow the wave 
 
 TEST_CASE("the push of distances does not matter to rattle") {
     Settings settings = preset_settings("default");
-    settings.integrator = Integrator::rattle;
+    settings.scheme = Scheme::rattle;
     const auto place = [](const Settings& chosen) {
         auto simulation = simulate("pendulum-wave", chosen, {{"count", "3"}});
         tests::advance(simulation, 1.0);
@@ -62,34 +62,34 @@ TEST_CASE("the push of distances does not matter to rattle") {
     CHECK(place(settings) == place(other));
 }
 
-TEST_CASE("integrators other than euler are refused where they do not fit, in one line") {
-    const auto contacts = tests::run_program("run stack --integrator rattle");
+TEST_CASE("schemes of bars are refused where they do not fit, in one line") {
+    const auto contacts = tests::run_program("run stack --scheme rattle");
     CHECK(contacts.status == 2);
-    CHECK_THAT(contacts.err, Catch::Contains("--integrator rattle: must be euler for a scene with contacts\n"));
-    const auto kick = tests::run_program("run pendulum-wave --integrator rattle4 --start-kick on");
+    CHECK_THAT(contacts.err, Catch::Contains("--scheme rattle: must be auto or whole for a scene with contacts\n"));
+    const auto kick = tests::run_program("run pendulum-wave --scheme rattle4 --start-kick on");
     CHECK(kick.status == 2);
-    CHECK_THAT(kick.err, Catch::Contains("--start-kick on: must be off or auto with --integrator rattle4\n"));
-    CHECK(tests::run_program("run pendulum-wave --integrator rattle5").status == 2);
+    CHECK_THAT(kick.err, Catch::Contains("--start-kick on: must be off or auto with --scheme rattle4\n"));
+    CHECK(tests::run_program("run pendulum-wave --scheme rattle5").status == 2);
 
     SceneDescription scene;
     scene.bodies.push_back({.name = "ball", .shape = SphereShape{0.1}, .mass = 1.0});
     scene.distances.push_back({.a = {"world", {0, 1, 0}}, .b = {"ball"}, .acts = engine::Distance::Acts::pulls});
     Settings settings = preset_settings("default");
-    settings.integrator = Integrator::rattle6;
+    settings.scheme = Scheme::rattle6;
     CHECK_THROWS_WITH(build_scene(scene, settings),
-                      "--integrator rattle6: must be euler for a scene with ropes or struts");
+                      "--scheme rattle6: must be auto or whole for a scene with ropes or struts");
     scene.distances[0] = {.a = {"world", {0, 1, 0}}, .b = {"ball"}, .max_force = 3.0};
     CHECK_THROWS_WITH(build_scene(scene, settings),
-                      "--integrator rattle6: must be euler for a scene with bars that yield");
+                      "--scheme rattle6: must be auto or whole for a scene with bars that yield");
 }
 
-TEST_CASE("a run with another integrator is the same again from its own scene file") {
+TEST_CASE("a run with another scheme is the same again from its own scene file") {
     const tests::Folder folder;
     const auto made =
         tests::shell(folder,
-                     "pushfactor scene pendulum-wave --count 3 --integrator rattle4 > wave.json && "
+                     "pushfactor scene pendulum-wave --count 3 --scheme rattle4 > wave.json && "
                      "pushfactor run wave.json --seconds 1 | grep state_hash && "
-                     "pushfactor run pendulum-wave --count 3 --integrator rattle4 --seconds 1 | grep state_hash");
+                     "pushfactor run pendulum-wave --count 3 --scheme rattle4 --seconds 1 | grep state_hash");
     CHECK(made.status == 0);
     const auto middle = made.out.find('\n');
     REQUIRE(middle != std::string::npos);

@@ -1,0 +1,81 @@
+// Not in the paper: a push that is not solved well works against gravity.
+#include "demos/families/family.h"
+#include "demos/figures/figure.h"
+#include "demos/figures/workshop.h"
+#include "demos/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pushfactor::demos::figures {
+
+namespace {
+
+struct Way {
+    const char* column;
+    engine::PushKind push;
+    bool apart;  // in small steps, the push by itself at the end
+};
+constexpr std::array ways{Way{"none_j", engine::PushKind::none, false},
+                          Way{"persistent_j", engine::PushKind::persistent, false},
+                          Way{"single_frame_j", engine::PushKind::single_frame, false},
+                          Way{"apart_j", engine::PushKind::single_frame, true}};
+constexpr std::array sweeps{8, 16, 32, 64, 128};  // of a step
+constexpr double seconds = 2.0;
+
+SceneDescription wall() {
+    const families::Choice choice{.given = {{"rows", "16"}, {"columns", "12"}, {"gap", "0"}, {"friction", "0.5"}}};
+    return draw_member(*families::find_family("wall"), choice).prospect.scene;
+}
+
+// The largest rise of kinetic and potential energy above the start [J].
+double rise(const SceneDescription& scene, const Way& way, int of_a_step) {
+    Settings settings;
+    settings.solver = "pgs";
+    settings.iterations = of_a_step;
+    settings.contacts.kind = way.push;
+    settings.scheme = way.apart ? Scheme::small_steps : Scheme::whole;
+    if (way.apart) settings.small_steps = {.steps = of_a_step / 2, .sweeps = 2};
+    Simulation run(build_scene(scene, settings), settings);
+    const auto energy = [&] { return run.sample().kinetic_energy + run.sample().potential_energy; };
+    const double start = energy();
+    double largest = 0.0;
+    while (run.sample().time < seconds) {
+        run.advance();
+        largest = std::max(largest, energy() - start);
+    }
+    return largest;
+}
+
+}  // namespace
+
+Plate push_pump(Workshop& workshop, const Figure& figure) {
+    Table table{.columns = {"sweeps_a_step"}, .rows = {}};
+    for (const Way& way : ways) table.columns.push_back(way.column);
+    const SceneDescription scene = wall();
+    for (const int of_a_step : sweeps) {
+        auto& row = table.rows.emplace_back();
+        row.push_back(of_a_step);
+        for (const Way& way : ways) row.push_back(rise(scene, way, of_a_step));
+    }
+    const auto at = [&](std::size_t row, std::size_t way) { return *table.rows[row][way + 1]; };
+    Plate plate;
+    plate.caption = fmt::format(
+        "The most by which the energy of a wall of {} bricks rises above its start within {:.0f} s, against the "
+        "sweeps of "
+        "a step. A push that too few sweeps have solved lifts bricks by more than they overlap, and gravity makes "
+        "speed "
+        "of the height: with {} sweeps {:.3g} J where it stays in the momenta, {:.3g} J for a single frame as the "
+        "paper "
+        "has it. Without a push it is {:.2g} J; with small steps, and the push by itself at the end of them, "
+        "{:.2g} J.",
+        scene.bodies.size() - 1, seconds, sweeps[1], at(1, 1), at(1, 2), at(1, 0), at(1, 3));
+    workshop.plot(table, std::string(figure.name), 1.6, plate);
+    plate.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
+                      "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"};
+    return plate;
+}
+
+}  // namespace pushfactor::demos::figures

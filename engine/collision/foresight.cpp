@@ -1,0 +1,44 @@
+#include "engine/collision/foresight.h"
+
+#include <algorithm>
+
+namespace pushfactor::engine::collision {
+
+double path_of(const Collider& collider, double speed, double rate, double dt) {
+    const auto* box = std::get_if<Box>(&collider.shape);
+    return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns in itself
+}
+
+void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt) {
+    bodies_ = bodies;
+    dt_ = dt;
+    paths_.clear();
+    for (const Collider& collider : colliders) {
+        const Body& body = bodies[static_cast<std::size_t>(collider.body)];
+        if (body.is_static()) {
+            paths_.push_back(0.0);
+            continue;
+        }
+        const double momentum =
+            std::max(body.linear_momentum.norm(), (body.linear_momentum + dt * body.force).norm());
+        // The largest inverse moment bounds the rate of turning.
+        const double rate =
+            (body.angular_momentum.norm() + dt * body.torque.norm()) * body.inverse_inertia.maxCoeff();
+        const double size = size_of(collider.shape);
+        const double path = path_of(collider, body.inverse_mass * momentum, rate, dt);
+        paths_.push_back(std::min(path, dangerous * size) + thrown * size);
+    }
+}
+
+double Foresight::closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const {
+    const auto path_along = [&](int index, const Vector3& direction) {
+        const Body& body = bodies_[static_cast<std::size_t>(index)];
+        if (body.is_static()) return 0.0;
+        const Motion motion = motion_of(body, dt_);
+        return std::max(
+            0.0, dt_ * direction.dot(motion.velocity + motion.angular_velocity.cross(point - body.position)));
+    };
+    return path_along(body_a, normal) + path_along(body_b, -normal);
+}
+
+}  // namespace pushfactor::engine::collision

@@ -1,0 +1,104 @@
+#include "engine/energy_account.h"
+
+#include "engine/diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Calls `visit(bodies, depth, force)` with each contact row: m, N.
+template <typename Visit>
+void each_contact(const World& world, const Visit& visit) {
+    const std::span<const ConstraintRow> rows = world.rows();
+    const Columns& lambda = world.lambda();
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        if (rows[j].label.kind != RowKind::contact) continue;
+        visit(std::pair{rows[j].body_a, rows[j].body_b}, -rows[j].label.gap,
+              lambda(static_cast<Eigen::Index>(j), lambda.cols() - 1));
+    }
+}
+
+// What running surfaces give to the bodies that rub on them [J].
+double work_of_belts(const World& world) {
+    const std::span<const ConstraintRow> rows = world.rows();
+    const Columns& lambda = world.lambda();
+    double work = 0.0;
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        if (rows[j].label.kind != RowKind::friction) continue;
+        work += lambda(static_cast<Eigen::Index>(j), lambda.cols() - 1) * rows[j].push.lasting;
+    }
+    return work * world.system().dt;
+}
+
+}  // namespace
+
+double EnergyAccount::energy(std::span<const Body> bodies, double dt) const {
+    const double rising = -0.5 * dt * gravity_.dot(linear_momentum(bodies));
+    return kinetic_energy(bodies) + potential_energy(bodies, gravity_) - std::max(0.0, rising);
+}
+
+void EnergyAccount::open(std::span<const Body> bodies, double dt) {
+    *this = EnergyAccount(gravity_);
+    start_ = latest_ = energy(bodies, dt);
+}
+
+void EnergyAccount::begin(std::span<const Body> bodies) {
+    before_.assign(bodies.begin(), bodies.end());
+}
+
+void EnergyAccount::end(const World& world, double dt) {
+    if (!world.rows().empty()) {
+        if (!noted_) note_overlaps(world);
+        push_ += work_of_removing(world);
+    }
+    noted_ = true;
+    gain_ = latest_ - start_ - external_ - push_;
+    external_ += external_work_of(world, dt);
+    latest_ = energy(world.bodies, dt);
+}
+
+void EnergyAccount::note_overlaps(const World& world) {
+    each_contact(world, [&](const Bodies& bodies, double depth, double) {
+        if (depth <= 0.0) return;
+        Overlap& overlap = overlaps_[bodies];
+        overlap.depth = std::max(overlap.depth, depth);
+    });
+}
+
+// Up to the beginning of the last step, with the forces of the step before it.
+double EnergyAccount::work_of_removing(const World& world) {
+    if (overlaps_.empty()) return 0.0;
+    std::map<Bodies, Overlap> now;
+    each_contact(world, [&](const Bodies& bodies, double depth, double force) {
+        if (!overlaps_.contains(bodies)) return;
+        Overlap& overlap = now[bodies];
+        overlap.depth = std::max(overlap.depth, depth);
+        overlap.force += force;
+    });
+    double work = 0.0;
+    for (auto& [bodies, overlap] : overlaps_) {
+        const Overlap& seen = now[bodies];
+        work += overlap.force * std::max(0.0, overlap.depth - seen.depth);
+        overlap = {std::min(overlap.depth, seen.depth), seen.force};
+    }
+    return work;
+}
+
+// At the velocity in the middle of the step, as momenta have it.
+double EnergyAccount::external_work_of(const World& world, double dt) const {
+    double work = world.rows().empty() ? 0.0 : work_of_belts(world);
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        const Body &before = before_[i], &after = world.bodies[i];
+        if (before.is_static()) continue;
+        const Vector3 force = after.force - gravity_ / after.inverse_mass;
+        const Vector3 moved = 0.5 * dt * (velocity(before) + velocity(after));
+        const Vector3 turned = 0.5 * dt * (angular_velocity(before) + angular_velocity(after));
+        work += force.dot(moved) + after.torque.dot(turned);
+    }
+    return work;
+}
+
+}  // namespace pushfactor::engine
