@@ -164,6 +164,14 @@ Setting setting(const std::string& name, const std::vector<std::string>& cases, 
     return result;
 }
 
+Setting reference_for_piles(int iterations) {
+    const std::string count = std::to_string(iterations);
+    Setting result =
+        setting("multipoint, never sleeps, " + count + " iterations", {"piles"}, {.iterations = iterations});
+    result.reference = "Bullet " + count;
+    return result;
+}
+
 }  // namespace
 
 std::vector<Setting> bullet_settings() {
@@ -181,6 +189,8 @@ std::vector<Setting> bullet_settings() {
                  "parting"},
                 {.substeps = 4}),
         setting("continuous collision detection", {"plate-50", "plate-200"}, {.swept = true}),
+        reference_for_piles(25),
+        reference_for_piles(10),
     };
 }
 

@@ -2,7 +2,9 @@
 
 namespace pushfactor::tests::peers {
 
-std::vector<Case> cases(const std::string& scenes) {
+namespace {
+
+std::vector<Case> narrow_cases(const std::string& scenes) {
     const auto file = [&](const std::string& name) { return "'" + scenes + "/" + name + ".json'"; };
     const Ours shipped{"as shipped", "", false};
     const Ours original{"--preset paper", "--preset paper", false};
@@ -71,8 +73,16 @@ std::vector<Case> cases(const std::string& scenes) {
          through,
          {shipped}},
         {"plate-200", "The same at 200 m/s", file("plate-200"), 60, through, {shipped}},
-        {"funnel", "Twenty balls in a funnel, 20 s", "funnel", 1200, heap, {shipped}},
+        {"funnel", "Twenty balls in a funnel, 20 s", "funnel", 1200, heap, {shipped}, last_seconds},
     };
+}
+
+}  // namespace
+
+std::vector<Case> cases(const std::string& scenes) {
+    std::vector<Case> all = narrow_cases(scenes);
+    for (const Case& pile : pile_cases()) all.push_back(pile);
+    return all;
 }
 
 }  // namespace pushfactor::tests::peers

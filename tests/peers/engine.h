@@ -26,13 +26,14 @@ enum class Joint { distance, rigid_arm };
 struct Setting {
     std::string engine;  // with its version
     std::string name;
-    std::vector<std::string> cases;  // the cases that this setting is for
+    std::vector<std::string> cases;  // the cases and groups that this setting is for; none: all without a group
     Joint joint = Joint::distance;
     int substeps = 1;
     // By how much of an engine's own step the velocities lie before the positions: a half for x += dt v with the
     // new v, none for a Runge-Kutta method.
     double velocity_lag = 0.5;
     std::function<std::unique_ptr<World>(const Scene&)> build;
+    std::string reference = {};  // its short name where the others are given as ratios to it
 };
 
 // What a run leaves: states at 0, 1, ... steps, and the CPU time of each step, us.

@@ -1,9 +1,10 @@
 // peers PROGRAM SCENES OUT [CASE...]: the same scenes in this engine and in others. See tests/compare.
 #include "tests/peers/cases.h"
 #include "tests/peers/program.h"
-#include "tests/peers/table.h"
+#include "tests/peers/ratios.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <time.h>
 
 #include <algorithm>
@@ -41,34 +42,43 @@ Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
     return run;
 }
 
-// The measures of the first run, which all repeat, and the median of what differs: the clock.
+// The measures of the first run, which all repeat, and the medians of what differs: the cost.
 template <typename Once>
 Values measured(const Case& of, const Scene& scene, const Once& once) {
     Values result;
-    std::vector<double> clock;
+    std::vector<Values> costs;
     const auto begin = std::chrono::steady_clock::now();
     do {
-        const Values values = of.measure(scene, once());
-        if (clock.empty()) result = values;
-        clock.push_back(values.back().number);
-    } while (clock.size() < repeats &&
+        const Run run = once();
+        if (costs.empty()) result = of.measure(scene, run);
+        costs.push_back(of.cost(run));
+    } while (costs.size() < repeats &&
              std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(enough_s));
-    std::sort(clock.begin(), clock.end());
-    result.back().number = clock[clock.size() / 2];
+    for (std::size_t i = 0; i < costs.front().size(); ++i) {
+        const auto less = [i](const Values& a, const Values& b) { return a[i].number < b[i].number; };
+        std::sort(costs.begin(), costs.end(), less);
+        result.push_back(costs[costs.size() / 2][i]);
+    }
     return result;
 }
 
+bool among(const std::vector<std::string>& names, const std::string& name) {
+    return std::count(names.begin(), names.end(), name) > 0;
+}
+
 bool meant_for(const Setting& setting, const Case& of) {
-    return setting.cases.empty() || std::count(setting.cases.begin(), setting.cases.end(), of.name) > 0;
+    if (setting.cases.empty()) return of.group.empty();
+    return among(setting.cases, of.name) || among(setting.cases, of.group);
 }
 
 std::vector<Line> compare(const Program& program, const std::vector<Setting>& settings, const Case& of) {
-    const Scene scene = scene_of(program, of.arguments);
+    const std::string arguments = of.family ? family_file(program, of.name, of.arguments) : of.arguments;
+    const Scene scene = scene_of(program, arguments);
     std::vector<Line> lines;
     for (const Ours& ours : of.ours) {
         std::cerr << of.name << ": " << program.version << ", " << ours.name << '\n';
         lines.push_back({program.version.substr(0, program.version.find(',')), ours.name, measured(of, scene, [&] {
-                             return run_program(program, of.arguments + " " + ours.arguments, scene.movable.size(),
+                             return run_program(program, arguments + " " + ours.arguments, scene.movable.size(),
                                                 of.steps, ours.whole_steps);
                          })});
     }
@@ -76,20 +86,27 @@ std::vector<Line> compare(const Program& program, const std::vector<Setting>& se
         if (!meant_for(setting, of)) continue;
         std::cerr << of.name << ": " << setting.engine << ", " << setting.name << '\n';
         lines.push_back({setting.engine, setting.name,
-                         measured(of, scene, [&] { return run_peer(setting, scene, of.steps); })});
+                         measured(of, scene, [&] { return run_peer(setting, scene, of.steps); }),
+                         setting.reference});
     }
+    append_ratios(of, lines);
     return lines;
 }
 
+// Those whose name or group is among `names`; without names those without a group.
 std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& names) {
-    std::string known;
-    for (const Case& of : all) known += " " + of.name;
-    for (const std::string& name : names) {
-        if (std::none_of(all.begin(), all.end(), [&](const Case& of) { return of.name == name; }))
-            throw std::invalid_argument(fmt::format("CASE {}: must be one of{}", name, known));
+    std::vector<std::string> known;
+    for (const Case& of : all) {
+        if (!of.group.empty() && !among(known, of.group)) known.push_back(of.group);
+        known.push_back(of.name);
     }
-    if (!names.empty())
-        std::erase_if(all, [&](const Case& of) { return std::count(names.begin(), names.end(), of.name) == 0; });
+    for (const std::string& name : names) {
+        if (!among(known, name))
+            throw std::invalid_argument(fmt::format("CASE {}: must be one of {}", name, fmt::join(known, " ")));
+    }
+    std::erase_if(all, [&](const Case& of) {
+        return names.empty() ? !of.group.empty() : !among(names, of.name) && !among(names, of.group);
+    });
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include "tests/peers/measures.h"
 
 #include "tests/peers/exact.h"
+#include "tests/peers/mechanics.h"
 
 #include <fmt/format.h>
 
@@ -18,35 +19,6 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t last(const Run& run) {
     return run.states.size() - 1;
-}
-
-bool finite(const Run& run) {
-    return std::all_of(run.states.begin(), run.states.end(), [](const std::vector<State>& states) {
-        return std::all_of(states.begin(), states.end(), [](const State& s) {
-            return s.position.allFinite() && s.velocity.allFinite() && s.orientation.coeffs().allFinite();
-        });
-    });
-}
-
-Vector3 angular_momentum(const Body& body, const State& s) {
-    return s.orientation * inertia(body).cwiseProduct(s.orientation.conjugate() * s.angular_velocity);
-}
-
-double kinetic(const Scene& scene, const std::vector<State>& states) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        const State& s = states[i];
-        sum += 0.5 * scene.movable[i].mass * s.velocity.squaredNorm();
-        sum += 0.5 * s.angular_velocity.dot(angular_momentum(scene.movable[i], s));
-    }
-    return sum;
-}
-
-double potential(const Scene& scene, const std::vector<State>& states) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < states.size(); ++i)
-        sum -= scene.movable[i].mass * scene.gravity.dot(states[i].position);
-    return sum;
 }
 
 // At the time of the positions, which lies between the velocities of this state and of the next.
@@ -164,13 +136,6 @@ double link_error(const Scene& scene, const Run& run, const std::vector<State>& 
 
 }  // namespace
 
-double median_step(const Run& run, std::size_t from) {
-    if (run.step_us.size() <= from) return unknown;
-    std::vector<double> times(run.step_us.begin() + static_cast<std::ptrdiff_t>(from), run.step_us.end());
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
-}
-
 Values standing(const Scene& scene, const Run& run) {
     const std::string end = outcome(scene, run);
     const bool stands = end == "stands";
@@ -187,7 +152,6 @@ Values standing(const Scene& scene, const Run& run) {
     values.push_back({"largest speed in the last second, m/s",
                       finite(run) ? largest(run, last(run) - second, fastest) : unknown,
                       {}});
-    values.push_back({"CPU, us a step", median_step(run, 0), {}});
     return values;
 }
 
@@ -211,8 +175,7 @@ Values parting(const Scene& scene, const Run& run) {
             {"highest above its place at rest, m", known ? above : unknown, {}},
             {"penetration in the last second, mm",
              end == "stands" ? largest(run, last(run) - second, depth) : unknown,
-             {}},
-            {"CPU, us a step", median_step(run, 0), {}}};
+             {}}};
 }
 
 Values chain(const Scene& scene, const Run& run) {
@@ -235,8 +198,7 @@ Values chain(const Scene& scene, const Run& run) {
     return {{"joint", 0.0, run.joint == Joint::distance ? "distance" : "ball joint, rigid arm"},
             {"largest link error, %", known ? 100.0 * error : unknown, known ? "" : "not finite"},
             {"largest gain of energy, %", known ? percent(gain, swing) : unknown, {}},
-            {"loss at the end, %", percent(loss, swing), {}},
-            {"CPU, us a step", median_step(run, 0), {}}};
+            {"loss at the end, %", percent(loss, swing), {}}};
 }
 
 Values wave(const Scene& scene, const Run& run) {
@@ -263,8 +225,7 @@ Values wave(const Scene& scene, const Run& run) {
     return {{"joint", 0.0, run.joint == Joint::distance ? "distance" : "ball joint, rigid arm"},
             {"angle error, rms, degrees", degrees * std::sqrt(squares / samples), {}},
             {"largest, degrees", degrees * most, {}},
-            {"loss of energy, %", percent(begin - energy(scene, run, last(run) - 1), swing), {}},
-            {"CPU, us a step", median_step(run, 0), {}}};
+            {"loss of energy, %", percent(begin - energy(scene, run, last(run) - 1), swing), {}}};
 }
 
 Values turning(const Scene& scene, const Run& run) {
@@ -284,16 +245,15 @@ Values turning(const Scene& scene, const Run& run) {
     return {{"largest energy error, %", percent(energy_error, begin), {}},
             {"largest error of angular momentum, %", percent(momentum_error, momentum.norm()), {}},
             {"attitude error after 1 s, degrees", attitude_error(1.0), {}},
-            {"after 10 s, degrees", attitude_error(10.0), {}},
-            {"CPU, us a step", median_step(run, 0), {}}};
+            {"after 10 s, degrees", attitude_error(10.0), {}}};
 }
 
 Values through(const Scene& scene, const Run& run) {
     const std::vector<State>& states = run.states.back();
     const auto beyond =
         std::count_if(states.begin(), states.end(), [](const State& s) { return s.position.x() > 0.0; });
-    return {{"through", static_cast<double>(beyond), fmt::format("{} of {}", beyond, scene.movable.size())},
-            {"CPU, us a step", median_step(run, 0), {}}};
+    return Values{
+        Value{"through", static_cast<double>(beyond), fmt::format("{} of {}", beyond, scene.movable.size())}};
 }
 
 Values heap(const Scene& scene, const Run& run) {
@@ -301,12 +261,10 @@ Values heap(const Scene& scene, const Run& run) {
     const std::size_t settled = last(run) - second;
     const auto depth = [&](const std::vector<State>& states) { return 1e3 * depth_of_spheres(scene, states); };
     const auto moving = [&](const std::vector<State>& states) { return kinetic(scene, states); };
-    return {
-        {"kinetic energy in the last second, J", known ? largest(run, settled, moving) : unknown, {}},
-        {"largest speed, m/s", known ? largest(run, settled, fastest) : unknown, {}},
-        {"largest penetration, mm", known ? largest(run, 0, depth) : unknown, {}},
-        {"in the last second, mm", known ? largest(run, settled, depth) : unknown, {}},
-        {"CPU, us a settled step", median_step(run, run.step_us.size() > 300 ? run.step_us.size() - 300 : 0), {}}};
+    return {{"kinetic energy in the last second, J", known ? largest(run, settled, moving) : unknown, {}},
+            {"largest speed, m/s", known ? largest(run, settled, fastest) : unknown, {}},
+            {"largest penetration, mm", known ? largest(run, 0, depth) : unknown, {}},
+            {"in the last second, mm", known ? largest(run, settled, depth) : unknown, {}}};
 }
 
 }  // namespace pushfactor::tests::peers

@@ -38,10 +38,7 @@ Values turning(const Scene& scene, const Run& run);
 // How many balls that flew along x are beyond x = 0.
 Values through(const Scene& scene, const Run& run);
 
-// Spheres on planes: the last second, and the cost of a step in the last five.
+// Spheres on planes: the last second.
 Values heap(const Scene& scene, const Run& run);
-
-// CPU time of a step, us: median over the steps from `from` on.
-double median_step(const Run& run, std::size_t from);
 
 }  // namespace pushfactor::tests::peers

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -39,13 +42,19 @@ std::vector<double> column(const std::string& file, const std::string& name) {
     return result;
 }
 
+// time, body, then the numbers of a state. Not by cells(): a long run of a pile has millions of lines.
 State read_state(const std::string& line) {
-    const std::vector<std::string> row = cells(line);
-    const auto at = [&](std::size_t i) { return std::stod(row.at(i)); };
-    return {{at(2), at(3), at(4)},
-            Quaternion(at(5), at(6), at(7), at(8)),
-            {at(9), at(10), at(11)},
-            {at(12), at(13), at(14)}};
+    constexpr std::size_t skipped = 2;
+    std::array<double, skipped + 13> row{};
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    for (double& number : row) {
+        const auto [next, problem] = std::from_chars(at, end, number);
+        if (problem != std::errc()) throw std::runtime_error("trajectory: a line cannot be read: " + line);
+        at = next + (next < end ? 1 : 0);
+    }
+    const auto vector = [&](std::size_t i) { return Vector3(row[i], row[i + 1], row[i + 2]); };
+    return {vector(2), Quaternion(row[5], row[6], row[7], row[8]), vector(9), vector(12)};
 }
 
 std::vector<std::vector<State>> read_states(const std::string& file, std::size_t bodies, std::size_t steps) {
@@ -82,17 +91,28 @@ Scene scene_of(const Program& program, const std::string& arguments) {
     return read_scene(file);
 }
 
+std::string family_file(const Program& program, const std::string& name, const std::string& arguments) {
+    const std::string file = fmt::format("'{}/{}.json'", program.folder, name);
+    if (call(program, fmt::format("family {} > {}", arguments, file)) != 0)
+        throw std::runtime_error("pushfactor family " + arguments + ": failed");
+    return file;
+}
+
 Run run_program(const Program& program, const std::string& arguments, std::size_t bodies, std::size_t steps,
                 bool whole_steps) {
     const std::string trajectory = program.folder + "/trajectory.csv";
     const std::string steps_file = program.folder + "/steps.csv";
     const int status =
-        call(program, fmt::format("run {} --seconds {} --timing --trajectory '{}' --csv '{}' --summary '{}' 2>&1",
-                                  arguments, steps / 60, trajectory, steps_file, program.folder + "/summary.json"));
+        call(program, fmt::format("run {} --seconds {} --timing --trajectory '{}' --csv '{}' --summary '{}' 2>'{}'",
+                                  arguments, steps / 60, trajectory, steps_file, program.folder + "/summary.json",
+                                  program.folder + "/warnings.txt"));
     constexpr int non_finite = 5;
-    if (status != 0 && status != non_finite) throw std::runtime_error("pushfactor run " + arguments + ": failed");
+    if (status != 0 && status != non_finite)
+        throw std::runtime_error(
+            fmt::format("pushfactor run {}: failed, see {}/warnings.txt", arguments, program.folder));
     Run run;
     run.states = read_states(trajectory, bodies, steps);
+    std::filesystem::remove(trajectory);  // of a pile: hundreds of megabytes
     run.step_us = column(steps_file, "step_us");
     run.velocity_lag.assign(steps + 1, whole_steps ? 0.0 : 0.5);
     const std::vector<double> substeps = column(steps_file, "substeps");

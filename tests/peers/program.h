@@ -17,6 +17,9 @@ Program find_program(const std::string& path, const std::string& folder);
 // Writes the scene of `arguments` (name and parameters, or a file) as JSON and reads it.
 Scene scene_of(const Program& program, const std::string& arguments);
 
+// Writes the scene that `family` prints for `arguments` into the folder and returns what run and scene take for it.
+std::string family_file(const Program& program, const std::string& name, const std::string& arguments);
+
 // `bodies`: number of movable bodies; `whole_steps`: momenta belong to the time of the positions (rattle).
 // Where the program stops with a non-finite state, the states from there on are not numbers.
 Run run_program(const Program& program, const std::string& arguments, std::size_t bodies, std::size_t steps,

@@ -75,6 +75,13 @@ Scene read_scene(const std::string& file) {
             scene.movable.push_back(read_body(body));
         }
     }
+    // An option of the file that comes before the bodies' own friction.
+    const Json options = json.value("options", Json::object());
+    if (options.contains("friction")) {
+        for (std::vector<Body>* bodies : {&scene.fixed, &scene.movable}) {
+            for (Body& body : *bodies) body.friction = options.at("friction");
+        }
+    }
     for (const Json& link : json.value("distance_constraints", Json::array()))
         scene.links.push_back(read_link(link, places));
     return scene;

@@ -12,7 +12,8 @@ namespace {
 std::string cell(const Value& value) {
     if (!value.text.empty()) return value.text;
     if (!std::isfinite(value.number)) return "-";
-    return fmt::format("{:.3g}", value.number);
+    const double size = std::abs(value.number);
+    return size >= 1e3 && size < 1e7 ? fmt::format("{:.0f}", value.number) : fmt::format("{:.3g}", value.number);
 }
 
 }  // namespace

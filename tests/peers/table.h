@@ -10,6 +10,7 @@ namespace pushfactor::tests::peers {
 struct Line {
     std::string engine, setting;
     Values values;
+    std::string reference = {};  // as in Setting
 };
 
 void write_markdown(std::ostream& out, const Case& of, const std::vector<Line>& lines);
