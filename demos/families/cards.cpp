@@ -112,10 +112,10 @@ Family card_house() {
 Family dominoes() {
     return {"dominoes",
             "A row of dominoes of 1 m, the first of which tips over.",
-            "Topples: a domino that falls hits the next one high up, and harder than the first was tipped.",
+            "Topples: each has passed its balance before it hits the next one, and falls on.",
             {{{"count", "N", "number of dominoes", 0, 3, 200, true}, 3, 10, Draw::by_decades},
-             {{"spacing", "M", "from one to the next, m", 0, 0.3, 0.7}, 0.3, 0.7},
-             {{"thickness", "M", "of a domino, m", 0, 0.08, 0.2}, 0.08, 0.2},
+             {{"spacing", "M", "from one to the next, m", 0, 0.35, 0.7}, 0.35, 0.7},
+             {{"thickness", "M", "of a domino, m", 0, 0.05, 0.12}, 0.05, 0.12},
              {{"friction", "MU", "friction coefficient", 0, 0.4, 0.8}, 0.4, 0.8}},
             describe_dominoes};
 }

@@ -14,10 +14,15 @@ namespace {
 
 constexpr int most_draws = 1000;  // until a member is small enough
 
-// A seed of its own for each parameter (splitmix64), so that none depends on how many numbers another one takes.
-int seed_of(int seed, std::size_t index, int attempt) {
-    std::uint64_t z = static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U + index * 0xd1342543de82ef95U +
-                      static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
+// A seed of its own for each parameter of each family (FNV-1a and splitmix64), so that none depends on what is
+// drawn for another one.
+int seed_of(int seed, std::string_view family, std::string_view parameter, int attempt) {
+    std::uint64_t z = 0xcbf29ce484222325U;
+    for (const std::string_view text : {family, parameter}) {
+        for (const char c : text) z = (z ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    }
+    z += static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
+         static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return static_cast<int>((z ^ (z >> 31)) & 0x7fffffffU);
@@ -45,20 +50,19 @@ double drawn(const FamilyParameter& parameter, bool small, int seed) {
 Member draw(const Family& family, const Choice& choice, int attempt) {
     Member member{.family = &family, .seed = choice.seed, .values = {}, .prospect = {}};
     ParameterValues values{std::span<const Parameter>()};
-    for (std::size_t i = 0; i < family.parameters.size(); ++i) {
-        const FamilyParameter& parameter = family.parameters[i];
+    for (const FamilyParameter& parameter : family.parameters) {
         const auto given = std::find_if(choice.given.begin(), choice.given.end(),
                                         [&](const auto& pair) { return pair.first == parameter.range.name; });
-        const std::string text = given != choice.given.end()
-                                     ? given->second
-                                     : to_text(drawn(parameter, choice.small, seed_of(choice.seed, i, attempt)));
+        const int seed = seed_of(choice.seed, family.name, parameter.range.name, attempt);
+        const std::string text =
+            given != choice.given.end() ? given->second : to_text(drawn(parameter, choice.small, seed));
         if (!values.set(parameter.range, text)) {
             throw std::invalid_argument(std::string(parameter.range.name) + " " + text + ": must be " +
                                         parameter.range.allowed());
         }
         member.values.emplace_back(parameter.range.name, to_text(values.number(parameter.range.name)));
     }
-    Random random(choice.seed);
+    Random random(seed_of(choice.seed, family.name, "", 0));
     member.prospect = family.describe(values, random);
     member.prospect.scene.name = std::string(family.name) + "-" + std::to_string(choice.seed);
     member.prospect.scene.contacts = true;
