@@ -19,7 +19,7 @@ using scenes::Random;
 
 // How a member ends.
 //   stands   no body leaves its place
-//   rests    everything comes to rest, somewhere; balls may roll on
+//   rests    everything comes to rest, somewhere
 //   slides   some bodies leave their places without falling over
 //   topples  some bodies fall over
 enum class Ends { stands, rests, slides, topples };
@@ -41,6 +41,7 @@ struct Prospect {
     Ends ends = Ends::stands;
     double rest_by = 3.0;                // s; the scene runs for another second
     std::vector<std::string> leaving{};  // bodies that slide or topple
+    bool stirred = false;                // balls roll about for as long as they like, and into what rests
 };
 
 struct Family {

@@ -89,13 +89,15 @@ Prospect describe_boxes(const ParameterValues& values, Random& random) {
 }
 
 Prospect describe_mixed(const ParameterValues& values, Random& random) {
-    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+    Prospect prospect = pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
         if (i % 3 == 1) return add_mixed_box(scene, i, place, mu, random);
         const double mass = random.in(0.5, 5.0);
         if (i % 3 == 2) return add_cube(scene, i, place, mass, mu, random);
         const double radius = random.in(0.15, 0.3);
         add_ball(scene, name_of_body(i), radius, mass, place(i), mu);
     });
+    prospect.stirred = true;
+    return prospect;
 }
 
 // Cubes below, and rods above them that come down with a speed.
@@ -156,7 +158,7 @@ Family boxes() {
 Family mixed() {
     return {"mixed",
             "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
-            "Boxes come to rest; balls may roll on over the ground for ever.",
+            "Comes to rest but for balls, which may roll for ever and push boxes.",
             {count, layers, friction},
             describe_mixed};
 }

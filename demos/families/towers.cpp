@@ -31,7 +31,7 @@ Prospect describe_round(const ParameterValues& values, Random&) {
     const double mu = values.number("friction");
     const int planks = values.whole("planks");
     SceneDescription scene = on_ground(mu);
-    // Neighbours are 3 cm apart at their inner corners.
+    // Neighbours do not touch: their inner corners are 3 cm tan(pi / planks) apart.
     const double radius = 0.015 + 0.5 * plank.z() + 0.5 * plank.x() / std::tan(std::numbers::pi / planks);
     for (int ring = 0; ring < values.whole("rings"); ++ring) {
         for (int i = 0; i < planks; ++i) {

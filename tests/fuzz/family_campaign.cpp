@@ -54,7 +54,7 @@ struct Line {
             if (!measured.holds()) ++fail[p];
             if (!judgement.error.empty() || static_cast<Property>(p) == Property::finite) continue;
             // Least and most do not mix: the worst of what stands is shown where a family does both.
-            if (static_cast<Property>(p) == Property::ends && (!measured.asked || measured.at_least)) continue;
+            if (!measured.asked || measured.at_least) continue;
             worst[p] = std::max(worst[p].value_or(0.0), measured.value);
         }
     }

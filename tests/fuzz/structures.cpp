@@ -93,7 +93,7 @@ class Watch {
         judgement[Property::energy] = {gain_ / (scale_.weight * scale_.length), most_energy};
         judgement[Property::overlap] = {deepest_ / scale_.edge,
                                         stands ? most_overlap_standing : most_overlap_moving};
-        judgement[Property::rest] = {fastest_ / scale_.speed, most_speed};
+        judgement[Property::rest] = {fastest_ / scale_.speed, most_speed, false, !prospect_.stirred};
         judgement[Property::ends] = {stands ? most_movement() : least_leaving(), stands ? most_moved : least_moved,
                                      !stands, prospect_.ends != Ends::rests};
         const double worst = work_.empty() ? 0.0 : *std::max_element(work_.begin(), work_.end());

@@ -6,7 +6,7 @@
 //             thousandth of a body would take; no member begins with an overlap that has to be pushed apart
 //   overlap   the deepest of any step
 //   rest      the fastest body in the last second, which begins when mechanics says that the member rests; balls
-//             among boxes do not count, as they may roll for ever
+//             among boxes do not count, as they may roll for ever; not asked where they stir the boxes
 //   ends      how far the body moved that moved most where all stand; where some slide, how far the one of them
 //   moved
 //             that moved least; where some topple, how far the one of them turned that turned least [rad]
