@@ -47,8 +47,8 @@ Prospect ball_above_ground(double speed) {
 
 }  // namespace
 
-TEST_CASE(
-    "ten small members of every family stay above ground, gain no energy, come to rest and end as they must") {
+TEST_CASE("ten small members of every family stay above ground, gain no energy, come to rest and end as they must",
+          "[long]") {
     const auto families = static_cast<long>(demos::families::families().size());
     const auto judged =
         judge_members({.members = members_each * families, .small = true}, [](long) { return true; });
