@@ -1,6 +1,7 @@
 #include "demos/command_line.h"
 
 #include "demos/errors.h"
+#include "demos/families/family.h"
 #include "demos/simulation_options.h"
 #include "demos/suggest.h"
 #include "demos/version.h"
@@ -108,6 +109,21 @@ void add_scene(CLI::App& app, Words& words) {
     add_simulation(app, words);
 }
 
+void add_family(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    app.add_option("NAME", request.families, "name of a family [all are listed]");
+    add_given(app, request.given, "seed", "N", "of what is drawn at random [1]", "Options");
+    std::set<std::string_view> seen;
+    for (const families::Family& family : families::families()) {
+        for (const families::FamilyParameter& parameter : family.parameters) {
+            const Parameter& range = parameter.range;
+            if (!seen.insert(range.name).second) continue;
+            add_given(app, request.given, range.name, range.placeholder, range.help,
+                      "Parameters (see `pushfactor family` for which family has which) [at random]");
+        }
+    }
+}
+
 void add_run(CLI::App& app, Words& words) {
     add_scene(app, words);
     add_outputs(app, words.request);
@@ -169,6 +185,8 @@ constexpr std::array commands{
                  add_list},
     CommandWords{Request::Command::scene, "scene", "prints a scene as a JSON file that run and render accept",
                  add_scene},
+    CommandWords{Request::Command::family, "family",
+                 "families of scenes; with a name prints a member, drawn at random, as a scene file", add_family},
     CommandWords{Request::Command::run, "run", "physics only: CSV files and a summary", add_run},
     CommandWords{Request::Command::render, "render", "PNG frames or stills, without a display", add_render},
     CommandWords{Request::Command::figures, "figures",
@@ -208,6 +226,9 @@ Request::Command command_of(const CLI::App& app) {
 void check_scenes(const Request& request) {
     using enum Request::Command;
     const bool one = request.command == run || request.command == scene;
+    if (request.families.size() > 1) {
+        throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(request.families, " ")));
+    }
     if ((one || request.command == render) && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }

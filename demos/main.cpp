@@ -26,6 +26,9 @@ int carry_out(const Request& request) {
         case Request::Command::scene:
             commands::scene(request);
             break;
+        case Request::Command::family:
+            commands::family(request);
+            break;
         case Request::Command::run:
             commands::run(request);
             break;

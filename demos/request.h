@@ -10,11 +10,12 @@
 namespace pushfactor::demos {
 
 struct Request {
-    enum class Command { list, scene, run, render, figures, report };
+    enum class Command { list, scene, family, run, render, figures, report };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
-    GivenOptions given;  // simulation, scene parameters and frames
+    std::vector<std::string> families;  // names; all are listed when empty
+    GivenOptions given;                 // simulation, parameters of scene or family, and frames
     // Paths; "-" is standard output.
     std::optional<std::string> csv, trajectory, rows, summary, save_state;
     std::optional<std::string> out;    // folder for frames, figures or reports

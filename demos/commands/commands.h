@@ -7,6 +7,7 @@ namespace pushfactor::demos::commands {
 
 void list(const Request& request);
 void scene(const Request& request);
+void family(const Request& request);
 void run(const Request& request);
 void render(const Request& request);
 void figures(const Request& request);

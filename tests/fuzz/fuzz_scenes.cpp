@@ -1,10 +1,11 @@
-// Judges random scenes, or the scene files that it is given. Exit status: 0 all hold, 1 interrupted, 2 wrong usage,
-// 3 some fail, 4 a failure could not be written.
+// Judges random scenes, members of the families, or the scene files that it is given. Exit status: 0 all hold, 1
+// interrupted, 2 wrong usage, 3 some fail, 4 a failure could not be written.
 #include "demos/errors.h"
 #include "demos/output_file.h"
 #include "demos/progress.h"
 #include "demos/scene_file.h"
 #include "tests/fuzz/campaign.h"
+#include "tests/fuzz/family_campaign.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::filesystem::path out = "out/fuzz";
     std::vector<std::filesystem::path> files;
+    FamilyRequest families;
 };
 
 void report(const Failure& failure, const std::filesystem::path& folder) {
@@ -59,6 +61,37 @@ int fuzz(const Options& options) {
     return campaign.judged < options.scenes ? demos::run_failed : demos::done;
 }
 
+void report(const JudgedMember& judged, const Options& options) {
+    demos::make_folder(options.out);
+    const demos::SceneDescription scene = as_judged(judged.member, options.families.preset);
+    const std::filesystem::path file = options.out / (scene.name + ".json");
+    demos::write_file(file, demos::scene_file_text(scene));
+    fmt::print("{}: {}\n  {}\n", scene.name, failures_of(judged.judgement), judged.member.command());
+}
+
+int judge_families(const Options& options) {
+    const FamilyRequest& request = options.families;
+    if (!request.only.empty() && !demos::families::find_family(request.only)) {
+        throw demos::UsageError(
+            fmt::format("--family {}: must be a family (see `pushfactor family`)", request.only));
+    }
+    demos::note_interrupts();
+    demos::ProgressBar bar("members", request.members);
+    const std::vector<JudgedMember> judged = judge_members(request, [&](long done) {
+        bar.show(done);
+        return !is_interrupted();
+    });
+    bool all_hold = true;
+    for (const JudgedMember& one : judged) {
+        if (one.judgement.holds()) continue;
+        all_hold = false;
+        report(one, options);
+    }
+    fmt::print("{}", family_table(judged));
+    if (!all_hold) return demos::check_failed;
+    return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
+}
+
 bool holds(const std::filesystem::path& file) {
     const Verdict verdict = judge(demos::read_scene_file(file));
     const std::string text =
@@ -71,6 +104,7 @@ bool holds(const std::filesystem::path& file) {
 
 int run(const Options& options) {
     try {
+        if (options.families.members > 0) return judge_families(options);
         if (options.files.empty()) return fuzz(options);
         const auto failing = std::count_if(options.files.begin(), options.files.end(),
                                            [](const auto& file) { return !holds(file); });
@@ -96,11 +130,21 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--seed", options.seed, "seed of the first; the next has the next")->capture_default_str();
     app.add_option("--out", options.out, "folder for scenes that fail")->capture_default_str();
+    FamilyRequest& families = options.families;
+    app.add_option("--families", families.members, "judge so many members of the families instead")
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--family", families.only, "of this one alone [all in turn]");
+    app.add_option("--preset", families.preset, "under which members are judged")
+        ->check(CLI::IsMember({"default", "exact", "paper"}))
+        ->capture_default_str();
+    app.add_option("--most-bodies", families.most_bodies, "that a member has")->capture_default_str();
+    app.add_flag("--small", families.small, "small members, as in the tests");
     app.add_option("FILE", options.files, "scene files to judge instead");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? demos::done : demos::bad_usage;
     }
+    families.first_seed = static_cast<int>(options.seed);
     return run(options);
 }

@@ -7,9 +7,10 @@ namespace pushfactor::demos::reports::stability {
 
 std::vector<Chapter> chapters(bool quick) {
     std::vector<Chapter> all{
-        heavy_on_light(), heights(), steps(),   sizes_and_places(), overlaps(),       thin(),   impacts(),
-        passing(),        turning(), bounces(), slopes(),           directions(),     slab(),   rolls(),
-        hovering(),       seams(),   chains(),  ball_joints(),      redundant_bars(), little(), refusals()};
+        heavy_on_light(), heights(),        steps(),   sizes_and_places(), overlaps(), thin(),
+        structures(),     impacts(),        passing(), turning(),          bounces(),  slopes(),
+        directions(),     slab(),           rolls(),   hovering(),         seams(),    chains(),
+        ball_joints(),    redundant_bars(), little(),  refusals()};
     if (!quick) return all;
     for (Chapter& chapter : all) std::erase_if(chapter.cases, [](const Case& one) { return !one.quick; });
     std::erase_if(all, [](const Chapter& chapter) { return chapter.cases.empty(); });

@@ -20,7 +20,8 @@ struct Check {
     double scale = 1.0;
 };
 
-// What one preset is known to do.
+// What one preset is known to do. Where its outcome is not the wanted one, bars are judged only if `reached` says
+// something.
 struct Expected {
     std::string preset;
     std::string outcome;  // as in a summary; or non-finite, refused, failed

@@ -15,6 +15,9 @@ Chapter overlaps();
 // Cards, planks and rods that stand.
 Chapter thin();
 
+// Members of the families: towers, walls, cards, piles.
+Chapter structures();
+
 // What is fast, turns or bounces.
 Chapter impacts();
 Chapter passing();

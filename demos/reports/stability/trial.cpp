@@ -104,8 +104,8 @@ Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<do
                 verdict.met || better_or_equal(*verdict.value, *expected_.reached[index], check.at_least);
         }
     }
-    // Where another outcome than the wanted one is expected, the bars cannot be.
-    if (expected_.outcome != one_.wanted) verdict.holds = true;
+    // Where another outcome than the wanted one is expected, the bars cannot be, unless it says what is reached.
+    if (expected_.outcome != one_.wanted && expected_.reached.empty()) verdict.holds = true;
     return verdict;
 }
 

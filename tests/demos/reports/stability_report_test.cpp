@@ -103,6 +103,10 @@ TEST_CASE("a case holds when its outcome is the expected or the wanted one and i
     one.wanted = "rest";
     CHECK(!judged(one, {.preset = "default", .outcome = "rest"}).holds);
     CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
+    one.checks = {{.measure = "max_penetration_m", .bar = 1.0, .target = 2.0}};  // |0 - 2|
+    CHECK(judged(one, {.preset = "default", .outcome = "creep"}).holds);
+    CHECK(judged(one, {.preset = "default", .outcome = "creep", .reached = {2.5}}).holds);
+    CHECK(!judged(one, {.preset = "default", .outcome = "creep", .reached = {1.5}}).holds);
 }
 
 TEST_CASE("a bar that is missed holds up to what is known to be reached, on either side") {

@@ -1,0 +1,134 @@
+#include "tests/fuzz/family_campaign.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <span>
+#include <thread>
+
+namespace pushfactor::tests {
+
+namespace {
+
+using demos::families::Family;
+
+std::vector<const Family*> wanted_families(const std::string& only) {
+    std::vector<const Family*> wanted;
+    for (const Family& family : demos::families::families()) {
+        if (only.empty() || family.name == only) wanted.push_back(&family);
+    }
+    return wanted;
+}
+
+// The members of a request by number.
+class Members {
+  public:
+    explicit Members(const FamilyRequest& request) : request_(request), families_(wanted_families(request.only)) {}
+
+    demos::families::Member operator()(long i) const {
+        const auto count = static_cast<long>(families_.size());
+        return draw_member(*families_[static_cast<std::size_t>(i % count)],
+                           {.seed = request_.first_seed + static_cast<int>(i / count),
+                            .small = request_.small,
+                            .most_bodies = request_.most_bodies});
+    }
+
+  private:
+    const FamilyRequest& request_;
+    std::vector<const Family*> families_;
+};
+
+struct Line {
+    long members = 0, hold = 0;
+    std::array<long, property_names.size()> fail{};
+    std::array<std::optional<double>, property_names.size()> worst{};
+
+    void add(const Judgement& judgement) {
+        ++members;
+        if (judgement.holds()) ++hold;
+        for (std::size_t p = 0; p < property_names.size(); ++p) {
+            const Measured& measured = judgement.of[p];
+            if (!measured.holds()) ++fail[p];
+            if (!judgement.error.empty() || static_cast<Property>(p) == Property::finite) continue;
+            // Least and most do not mix: the worst of what stands is shown where a family does both.
+            if (!measured.asked || measured.at_least) continue;
+            worst[p] = std::max(worst[p].value_or(0.0), measured.value);
+        }
+    }
+
+    std::string text(std::string_view name) const {
+        std::string line = fmt::format("{:<14}{:>8}{:>6}", name, members, hold);
+        for (std::size_t p = 1; p < property_names.size(); ++p) {
+            line += worst[p] ? fmt::format("{:>10.3g}", *worst[p]) : fmt::format("{:>10}", "-");
+        }
+        line += "  ";
+        for (std::size_t p = 0; p < property_names.size(); ++p) {
+            if (fail[p] > 0) line += fmt::format(" {} {}", property_names[p], fail[p]);
+        }
+        return line + "\n";
+    }
+};
+
+}  // namespace
+
+std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on) {
+    const Members members(request);
+    std::vector<std::optional<JudgedMember>> found(static_cast<std::size_t>(request.members));
+    std::atomic<long> next = 0, done = 0;
+    std::atomic<bool> stopped = false;
+    {
+        std::vector<std::jthread> workers;
+        for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k) {
+            workers.emplace_back([&] {
+                for (long i = next++; i < request.members && !stopped; i = next++) {
+                    JudgedMember judged{.member = members(i), .judgement = {}};
+                    judged.judgement = judge_member(judged.member, request.preset);
+                    found[static_cast<std::size_t>(i)] = std::move(judged);
+                    ++done;
+                }
+            });
+        }
+        while (done < request.members && go_on(done)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        stopped = true;
+    }
+    std::vector<JudgedMember> all;
+    for (std::optional<JudgedMember>& judged : found) {
+        if (judged) all.push_back(std::move(*judged));
+    }
+    return all;
+}
+
+std::string family_table(const std::vector<JudgedMember>& judged) {
+    std::string text = fmt::format("{:<14}{:>8}{:>6}", "family", "members", "hold");
+    for (const std::string_view name : std::span(property_names).subspan(1)) text += fmt::format("{:>10}", name);
+    text += "   fail\n";
+    Line all;
+    for (const Family& family : demos::families::families()) {
+        Line line;
+        for (const JudgedMember& one : judged) {
+            if (one.member.family == &family) line.add(one.judgement);
+        }
+        for (const JudgedMember& one : judged) {
+            if (one.member.family == &family) all.add(one.judgement);
+        }
+        if (line.members > 0) text += line.text(family.name);
+    }
+    return text + all.text("all");
+}
+
+std::string failures_of(const Judgement& judgement) {
+    if (!judgement.error.empty()) return judgement.error;
+    std::string text;
+    for (std::size_t p = 0; p < property_names.size(); ++p) {
+        const Measured& measured = judgement.of[p];
+        if (measured.holds()) continue;
+        text += fmt::format("{}{} {:.3g}, must be {} {}", text.empty() ? "" : "; ", property_names[p],
+                            measured.value, measured.at_least ? "at least" : "at most", measured.bar);
+    }
+    return text;
+}
+
+}  // namespace pushfactor::tests

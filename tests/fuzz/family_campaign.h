@@ -1,0 +1,36 @@
+// Many members of the families, judged on all cores.
+#pragma once
+
+#include "tests/fuzz/structures.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::tests {
+
+struct FamilyRequest {
+    long members = 0;  // the families in turn
+    int first_seed = 1;
+    std::string preset = "default";
+    std::string only{};  // a family; all without
+    bool small = false;
+    std::size_t most_bodies = 150;
+};
+
+struct JudgedMember {
+    demos::families::Member member;
+    Judgement judgement;
+};
+
+// In the order in which they are drawn. `go_on` is asked now and then in the calling thread, with the number of
+// members judged so far; when it says no, those at work are finished and returned.
+std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on);
+
+// A line for each family: members, how many hold, which properties fail how often, the worst of each property.
+std::string family_table(const std::vector<JudgedMember>& judged);
+
+// The failing properties of a member with their numbers and bars.
+std::string failures_of(const Judgement& judgement);
+
+}  // namespace pushfactor::tests
