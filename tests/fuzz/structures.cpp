@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace pushfactor::tests {
@@ -32,7 +33,7 @@ constexpr double usual_work = 1e4, least_work = 3e5;
 double volume(const BodyDescription& body) {
     if (const auto* box = std::get_if<demos::BoxShape>(&body.shape)) return box->size.prod();
     const double radius = std::get<demos::SphereShape>(body.shape).radius;
-    return 4.0 / 3.0 * M_PI * radius * radius * radius;
+    return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
 double shortest_edge(const BodyDescription& body) {
