@@ -9,26 +9,30 @@ namespace {
 
 // What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
 // one takes some 20 to 50; in a moving heap hundreds.
-constexpr double most_in_sweeps = 120.0;
+constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0;
 constexpr double income_in_sweeps = 60.0;
 // Small islands have more, in multiply-adds: a stack of 15 that lands may take two million once. By bodies, up to a
 // number of them.
-constexpr double most_per_body = 1.5e5;
+constexpr double most_per_body = 3e5;
 constexpr double income_per_body = 3e4;
 constexpr double small_island = 200.0;
+// A few bodies that meet in the air need little for their answer, or have none that is worth it.
+constexpr double stacked = 5.0;
 // A failure takes this part of the account for itself and as much again for every failure just before it, up to
 // this many.
-constexpr double most_failures = 9.0;
+constexpr double most_failures = 5.0;
 
 // Multiply-adds of a sweep.
 double sweep_of(const Island& island) {
     return 24.0 * island.columns * island.rows;
 }
 double at_least(const Island& island, double per_body) {
-    return per_body * std::min(1.0 * island.movable(), small_island);
+    const double bodies = island.movable();
+    return per_body * std::min(bodies, small_island) * std::min(1.0, bodies / stacked);
 }
-double most_of(const Island& island) {
-    return std::max(most_in_sweeps * sweep_of(island), at_least(island, most_per_body));
+double most_of(const Island& island, Budget::Outlook outlook) {
+    const double sweeps = outlook == Budget::Outlook::standing ? most_where_it_stands : most_in_sweeps;
+    return std::max(sweeps * sweep_of(island), at_least(island, most_per_body));
 }
 double income_of(const Island& island) {
     return std::max(income_in_sweeps * sweep_of(island), at_least(island, income_per_body));
@@ -61,19 +65,21 @@ const Budget::Spent& Budget::most_spent(const Island& island) const {
     return *most;
 }
 
-solvers::Termination Budget::limits(const Island& island, solvers::Termination usual, Take take) const {
+solvers::Termination Budget::limits(const Island& island, solvers::Termination usual, Take take,
+                                    Outlook outlook) const {
     const Spent& so_far = most_spent(island);
     const int left = usual.iterations - so_far.iterations;
     usual.iterations = take == Take::exact_only ? 0 : std::max(1, take == Take::half ? (left + 1) / 2 : left);
     usual.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
-    const double in_account = most_of(island) - debt.work;
+    const double in_account = most_of(island, outlook) - debt.work;
+    usual.lasts = outlook == Outlook::standing;
     // After a failure only a full account will do.
     usual.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
     return usual;
 }
 
-void Budget::spent(const Island& island, const solvers::SolveCount& count) {
+void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlook outlook) {
     if (count.iterations == 0) return;
     const auto bodies = static_cast<double>(island.movable());
     Spent so_far = most_spent(island);
@@ -82,7 +88,7 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count) {
     debt.work += count.exact_work;
     if (count.gave_up && count.exact_work > 0.0) {
         const double failures = std::min(most_failures, debt.failures / bodies);
-        debt.work += std::exp2(failures) * most_of(island);
+        debt.work += std::exp2(failures) * most_of(island, outlook);
         debt.failures = bodies * std::min(most_failures, failures + 1.0);
     } else if (count.exact) {
         debt.failures = 0.0;

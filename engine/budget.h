@@ -6,7 +6,8 @@
 //   by
 //     body because islands part and meet. Every solve of a step pays in what some sweeps cost, an exact method pays
 //     for what it does, and it may take half of what is there. After a failure nothing is there for a while, twice
-//     as long each time.
+//     as long each time. Where an island stands the account is larger: a tower that begins without forces takes
+//     hundreds of sweeps' worth once, and nothing from then on.
 //
 // In multiply-adds, which are the same on every machine. Not from the paper.
 #pragma once
@@ -39,9 +40,14 @@ class Budget {
 
     enum class Take { half, rest, exact_only };
 
+    // What an exact answer is good for: an island that moves needs another one in the next step, one that stands
+    // may keep it for good.
+    enum class Outlook { moving, standing };
+
     // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for
     // exact answers only.
-    solvers::Termination limits(const Island& island, solvers::Termination usual, Take take) const;
+    solvers::Termination limits(const Island& island, solvers::Termination usual, Take take,
+                                Outlook outlook = Outlook::moving) const;
 
     // Iterations of the step that are left.
     int iterations_left(const Island& island, const solvers::Termination& usual) const {
@@ -49,7 +55,7 @@ class Budget {
     }
 
     // Takes note of what it took.
-    void spent(const Island& island, const solvers::SolveCount& count);
+    void spent(const Island& island, const solvers::SolveCount& count, Outlook outlook = Outlook::moving);
 
     std::span<const Debt> debts() const { return debts_; }  // by body; empty before the first step
     void set_debts(std::span<const Debt> debts) { debts_.assign(debts.begin(), debts.end()); }

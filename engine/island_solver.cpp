@@ -68,8 +68,11 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
         find_forces(system, island, lambda, forces);
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
-        const auto take = is_for_small_steps(larger(outcome.residuals)) ? Budget::Take::exact_only : allowed.take;
-        const auto termination = budget_.limits(island, warm_start_.termination(island, usual), take);
+        const bool exact_only = is_for_small_steps(larger(outcome.residuals));
+        if (exact_only) outcome.outlook = allowed.outlook;
+        const auto termination =
+            budget_.limits(island, warm_start_.termination(island, usual),
+                           exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
         if (larger(outcome.residuals) > termination.tolerance_high) {
             outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
@@ -86,7 +89,8 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
                                                    std::span<const Body> bodies, const Island& island,
                                                    Columns& lambda, ConstraintForces& forces) {
     Outcome outcome = outcome_of(island);
-    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
+    const SmallSteps::Division division =
+        small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
     solvers::SolveCount count = small_steps.solve(system, bodies, island, division, lambda, forces);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;
@@ -133,7 +137,7 @@ solvers::SolveCount IslandSolver::find_better(solvers::Solver& solver, const sol
 
 void IslandSolver::note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count) {
     warm_start_.solved(island, count, outcome.outdated);
-    budget_.spent(island, count);
+    budget_.spent(island, count, outcome.outlook);
     for (const int body : island.bodies) outcomes_[static_cast<std::size_t>(body)] = outcome;
 }
 

@@ -14,6 +14,8 @@ constexpr SmallSteps::Division loading{.steps = 16, .sweeps = 4};
 constexpr SmallSteps::Division falling{.steps = 8, .sweeps = 2};
 // A body falls while it is faster than so many steps of its external force make it.
 constexpr double fast = 3.0;
+// An island stands while at most one of so many bodies moves.
+constexpr int stirred = 20;
 
 // Share of the speed that external forces give in a step.
 constexpr double settled = 1e-4;
@@ -32,6 +34,15 @@ constexpr int few = 6;
 // Rows that hold bodies apart, or points at a distance; the others are friction and bars that yield.
 bool holds_place(const Bounds& bounds) {
     return bounds.of_row < 0 && (std::isinf(bounds.c_min) || std::isinf(bounds.c_max));
+}
+
+// How many bodies are faster than so many steps of their external force make them.
+int faster_than(double steps, double dt, std::span<const Body> bodies, const Island& island) {
+    const double reached = steps * dt;
+    return static_cast<int>(std::count_if(island.bodies.begin(), island.bodies.end(), [&](int body) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        return own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
+    }));
 }
 
 const ConstraintRow& row_of(const SystemEquation& system, int row) {
@@ -83,16 +94,14 @@ double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const 
     return settled * dt * fastest;
 }
 
+bool SmallSteps::stands(double dt, std::span<const Body> bodies, const Island& island) {
+    return stirred * faster_than(1.0, dt, bodies, island) <= island.movable();
+}
+
 SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island,
                                              double residual) const {
     if (division_) return *division_;
-    int moving = 0;
-    const double reached = fast * dt;
-    for (const int body : island.bodies) {
-        const Body& own = bodies[static_cast<std::size_t>(body)];
-        moving += own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
-    }
-    if (2 * moving > island.movable()) return falling;
+    if (2 * faster_than(fast, dt, bodies, island) > island.movable()) return falling;
     return residual > unheld / settled * settled_speed(dt, bodies, island) ? loading : standing;
 }
 

@@ -59,6 +59,9 @@ class SmallSteps {
     // travel, and when they are done the forces can be kept.
     static double settled_speed(double dt, std::span<const Body> bodies, const Island& island);
 
+    // Whether nearly all of its bodies are slower than one step of gravity makes them.
+    static bool stands(double dt, std::span<const Body> bodies, const Island& island);
+
     // What suits the island, whose guess has this residual [m/s]: many where more of its bodies rest than move,
     // with more sweeps while the forces are far from what holds them.
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;

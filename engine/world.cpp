@@ -153,7 +153,10 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
 
 void World::solve(const Island& island, Columns* first_guess, Work& work) {
     IslandSolver::Allowed allowed;
-    if (small_steps) allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
+    if (small_steps) {
+        allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
+        if (SmallSteps::stands(system_.dt, bodies, island)) allowed.outlook = Budget::Outlook::standing;
+    }
     work.add(island,
              island_solver_.solve(*solver, termination, system_, island, allowed, first_guess, lambda_, forces_));
     if (outcome_of(island).unfinished) take_small_steps(island, work);

@@ -17,13 +17,12 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 
 // Takes out those points beyond the margin that the step does not bring together.
 void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
-    const double room = margin + thrown * touch.size;
     int kept = 0;
     for (int i = 0; i < manifold.count; ++i) {
         const ContactPoint& point = manifold.storage[static_cast<std::size_t>(i)];
         const bool closes =
             point.gap < margin ||
-            point.gap < room + foresight.closing(touch.body_a, touch.body_b, manifold.normal, point.position);
+            point.gap < margin + foresight.closing(touch.body_a, touch.body_b, manifold.normal, point.position);
         if (closes) manifold.storage[static_cast<std::size_t>(kept++)] = point;
     }
     manifold.count = kept;

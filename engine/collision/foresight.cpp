@@ -19,26 +19,29 @@ void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const 
             paths_.push_back(0.0);
             continue;
         }
-        const double momentum =
-            std::max(body.linear_momentum.norm(), (body.linear_momentum + dt * body.force).norm());
-        // The largest inverse moment bounds the rate of turning.
-        const double rate =
-            (body.angular_momentum.norm() + dt * body.torque.norm()) * body.inverse_inertia.maxCoeff();
         const double size = size_of(collider.shape);
-        const double path = path_of(collider, body.inverse_mass * momentum, rate, dt);
-        paths_.push_back(std::min(path, dangerous * size) + thrown * size);
+        // The largest inverse moment bounds the rate of turning.
+        const double turning = body.inverse_inertia.maxCoeff();
+        const double speed = velocity(body).norm(), rate = body.angular_momentum.norm() * turning;
+        if (path_of(collider, speed, rate, dt) > dangerous * size) {
+            paths_.push_back(0.0);
+            continue;
+        }
+        const double with_force = body.inverse_mass * (body.linear_momentum + dt * body.force).norm();
+        const double path =
+            path_of(collider, std::max(speed, with_force), rate + dt * body.torque.norm() * turning, dt);
+        paths_.push_back(std::min(path, dangerous * size));
     }
 }
 
 double Foresight::closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const {
-    const auto path_along = [&](int index, const Vector3& direction) {
+    const auto speed_along = [&](int index) {
         const Body& body = bodies_[static_cast<std::size_t>(index)];
         if (body.is_static()) return 0.0;
         const Motion motion = motion_of(body, dt_);
-        return std::max(
-            0.0, dt_ * direction.dot(motion.velocity + motion.angular_velocity.cross(point - body.position)));
+        return normal.dot(motion.velocity + motion.angular_velocity.cross(point - body.position));
     };
-    return path_along(body_a, normal) + path_along(body_b, -normal);
+    return std::max(0.0, dt_ * (speed_along(body_a) - speed_along(body_b)));
 }
 
 }  // namespace pushfactor::engine::collision

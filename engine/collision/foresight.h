@@ -1,6 +1,6 @@
 // How far bodies come in a step by themselves. A point that is still apart takes part in the step when that may
 // close it: its row aims at -gap/dt and does nothing while the gap is wider ("speculative contacts"), so that what
-// lands, lands at the surface, and what a solve stops has been foreseen by whoever runs into it.
+// lands, lands at the surface. What is stopped or thrown in the step is looked after when that is known (sweep.h).
 //
 // The normals are those of the start of the step, which is good enough only for bodies that move by a part of their
 // size. Faster ones are swept (sweep.h), and so is what may bounce, because it does not end its step where it
@@ -21,21 +21,16 @@ namespace pushfactor::engine::collision {
 // inside.
 inline constexpr double dangerous = 0.25;
 
-// Share of its size by which a body may be thrown into its neighbours by what hits it in the step; who is thrown
-// farther than the dangerous share is looked after when that is known (sweep.h).
-inline constexpr double thrown = 0.02;
-
 class Foresight {
   public:
     // For the coming step of `dt` [s], with the external forces of `bodies`.
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt);
 
-    // How far a point of the collider comes at most, or the dangerous share of its size if that is less, and how
-    // far it may be thrown [m].
+    // How far a point of the collider comes at most [m], but no more than the dangerous share of its size; zero for one
+    // that its velocity takes farther, which is swept.
     double path(int collider) const { return paths_[static_cast<std::size_t>(collider)]; }
 
-    // How much of a gap at `point` along `normal`, which points from body a to body b, closes at most [m] while
-    // nothing is thrown: either body may be stopped while the other goes on.
+    // How much of a gap at `point` along `normal`, which points from body a to body b, the free motions close [m].
     double closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const;
 
   private:

@@ -42,23 +42,23 @@ Vector3 velocity_with_forces(const Body& body, double dt) {
 
 // Takes from the velocity of a body what would bring it closer along `normal` than the touch allows; the other body
 // has its velocity of before, because something holds its weight in turn.
-void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double dt, Vector3& velocity_of_body) {
+void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double margin, double dt,
+             Vector3& velocity_of_body) {
     double gap = std::numeric_limits<double>::infinity();
     for (const ContactPoint& point : touch.points) gap = std::min(gap, point.gap);
+    if (gap > margin) return;
     const double excess = normal.dot(velocity_of_body - velocity(other)) - std::max(gap, 0.0) / dt;
     if (excess > 0.0) velocity_of_body -= excess * normal;
 }
 
-// How far the body moves that the constraint force makes move otherwise than foreseen; nothing where both are less
-// than `least` [m].
-double thrown_path(const Collider& collider, const Body& body, const Vector6& force, double least,
-                   const Sweep::Step& step) {
+// Whether the constraint force makes the body move otherwise than foreseen, by more than its margin, and fast.
+bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
-    const double otherwise = path_of(collider, speed, rate, step.dt);
-    if (otherwise <= least) return 0.0;
+    const double margin = margin_of(collider, step);
+    if (path_of(collider, speed, rate, step.dt) <= margin) return false;
     const Motion motion = motion_of(body, step.dt, force);
-    return std::min(otherwise, path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt));
+    return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > margin;
 }
 
 bool bounces(const Collider& collider) {
@@ -155,8 +155,9 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
     for (const Body& body : step.bodies) freely_.push_back(velocity_with_forces(body, step.dt));
     for (const Touch& touch : touches) {
         const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
-        if (!step.bodies[a].is_static()) stop_at(touch, touch.normal, step.bodies[b], step.dt, freely_[a]);
-        if (!step.bodies[b].is_static()) stop_at(touch, -touch.normal, step.bodies[a], step.dt, freely_[b]);
+        const double margin = step.detection.margin * touch.size;
+        if (!step.bodies[a].is_static()) stop_at(touch, touch.normal, step.bodies[b], margin, step.dt, freely_[a]);
+        if (!step.bodies[b].is_static()) stop_at(touch, -touch.normal, step.bodies[a], margin, step.dt, freely_[b]);
     }
     for (std::size_t i = 0; i < fast_.size(); ++i) {
         const Collider& collider = step.colliders[i];
@@ -168,17 +169,10 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
 
 bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
     fast_.clear();
-    dangerous_.clear();
-    const bool any_bounces = std::any_of(step.colliders.begin(), step.colliders.end(), bounces);
     bool any = false;
     for (const Collider& collider : step.colliders) {
         const auto body = static_cast<std::size_t>(collider.body);
-        const double much = dangerous * size_of(collider.shape);
-        const double least = any_bounces ? margin_of(collider, step) : much;
-        const double path =
-            changed[body] ? thrown_path(collider, step.bodies[body], forces[body], least, step) : 0.0;
-        dangerous_.push_back(path > much);
-        fast_.push_back(path > least);
+        fast_.push_back(changed[body] && is_thrown(collider, step.bodies[body], forces[body], step));
         any = any || fast_.back();
     }
     return any;
@@ -265,7 +259,7 @@ std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<co
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
-        if (is_swept(pair, step) && !is_known(pair)) add_meeting(pair, step, unforeseen_);
+        if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
     }
     const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
     for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);

@@ -3,8 +3,8 @@
 // about as much as a few sweeps. Where the bodies are connected like a heap it is the other way round: a
 // factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
 //
-// So, of each island: take the answer of a single row at once; solve a thread
-// exactly, and a tree if that costs no more than its sweeps; sweep a heap. A heap whose sweeps end far from the
+// So, of each island: take the answer of a single row at once; solve a thread exactly, a tree if that costs no more
+// than its sweeps, and whatever stands and may keep its answer; sweep a heap. A heap whose sweeps end far from the
 // answer gets a bounded number of exact steps on top. A pile that begins to touch looks like a thread and is none:
 // exact answers have to pay off, which the account of the island knows (budget.h); one that is cut short gives back
 // the guess that it came with, and sweeps follow. The rules look at the structure, the residual and the account,
@@ -34,6 +34,8 @@ constexpr double far = 1e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
+// Share of its guess's residual with which an answer that was cut short is worth having.
+constexpr double much_better = 0.1;
 // Share of the largest speed that a row is asked for below which an exact answer is one, though it may have
 // stopped short of the tolerance.
 constexpr double good_share = 1e-6;
@@ -48,7 +50,7 @@ class Auto {
         rows_.load(system, island, lambda);
         exact_.take(island);
         const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
-        if (is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
+        if (termination.lasts || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
         } else {
             solve_heap(island, termination, count);
@@ -67,6 +69,7 @@ class Auto {
     // Returns whether that led anywhere; else the forces are those from before.
     bool solve_exactly(const Termination& termination, SolveCount& count) {
         guess_ = rows_.rows;
+        const double guessed = termination.lasts ? rows_.residual() : 0.0;
         Effort effort(termination.credit);
         count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
         // What rows that contradict each other leave, sweeps cannot lower either.
@@ -75,6 +78,8 @@ class Auto {
         count.multiply_adds += rows_.look_work();
         if (rows_.residual() <= good_share * rows_.fastest()) return true;
         count.gave_up = true;
+        // In a heap that moves an answer that was cut short is worse to go on from than the guess.
+        if (termination.lasts && rows_.residual() <= much_better * guessed) return true;
         rows_.rows = guess_;
         rows_.follow();
         return false;

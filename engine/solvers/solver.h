@@ -25,6 +25,7 @@ struct Termination {
     double tolerance_low = 0.0;   // m/s, at most tolerance_high, but after an exact answer (warm_start.h)
     double credit = std::numeric_limits<double>::infinity();  // that they may spend where they have to pay off
     double spent = 0.0;                                       // that they have spent on these bodies in this step
+    bool lasts = false;                                       // whether an exact answer may serve for many steps
 };
 
 // What a solve took.

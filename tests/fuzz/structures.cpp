@@ -25,7 +25,7 @@ constexpr double most_energy = 1e-3;
 constexpr double most_overlap_standing = 0.1, most_overlap_moving = 0.5;
 constexpr double most_speed = 0.02;
 constexpr double most_moved = 0.05, least_moved = 0.2;
-constexpr double most_step = 20.0;
+constexpr double most_step = 20.0, most_step_standing = 200.0;
 // Multiply-adds of a usual step, a movable body: some 30 sweeps over a dozen rows; and in all, some tenths of a
 // millisecond, below which no step is a bad one.
 constexpr double usual_work = 1e4, least_work = 3e5;
@@ -68,8 +68,6 @@ class Watch {
     Watch(const Prospect& prospect, const demos::Simulation& simulation)
         : prospect_(prospect), simulation_(simulation), scale_(prospect.scene) {
         start_ = simulation.scene().world.bodies;
-        const demos::Sample& sample = simulation.sample();
-        start_energy_ = sample.kinetic_energy + sample.potential_energy;
         for (const BodyDescription& body : prospect.scene.bodies) {
             if (!body.mass) continue;
             movable_ += 1.0;
@@ -79,7 +77,7 @@ class Watch {
 
     void observe() {
         const demos::Sample& sample = simulation_.sample();
-        gain_ = std::max(gain_, sample.kinetic_energy + sample.potential_energy - start_energy_);
+        gain_ = std::max(gain_, sample.energy_gain);
         deepest_ = std::max(deepest_, sample.penetration.max);
         if (sample.count.multiply_adds > 0.0) work_.push_back(sample.count.multiply_adds);
         const bool last_second = sample.time > prospect_.rest_by;
@@ -99,7 +97,7 @@ class Watch {
                                      !stands, prospect_.ends != Ends::rests};
         const double worst = work_.empty() ? 0.0 : *std::max_element(work_.begin(), work_.end());
         judgement[Property::step] = {worst / std::max({demos::median(work_), usual_work * movable_, least_work}),
-                                     most_step};
+                                     stands ? most_step_standing : most_step};
     }
 
   private:
@@ -146,7 +144,6 @@ class Watch {
     double movable_ = 0.0;  // how many bodies
     bool balls_alone_ = true;
     std::vector<Body> start_;
-    double start_energy_ = 0.0;                                        // J
     double gain_ = 0.0, deepest_ = 0.0, below_ = 0.0, fastest_ = 0.0;  // J, m, m, m/s
     std::vector<double> work_;                                         // multiply-adds, one per step
 };
@@ -160,7 +157,6 @@ bool Judgement::holds() const {
 demos::SceneDescription as_judged(const Member& member, const std::string& preset) {
     demos::SceneDescription scene = member.prospect.scene;
     scene.options["preset"] = preset;
-    if (preset == "default") scene.options["small-steps"] = "auto";  // until that is the default
     return scene;
 }
 

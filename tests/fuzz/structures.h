@@ -2,15 +2,15 @@
 //
 //   finite    the run goes to its end with finite numbers
 //   ground    no centre is below a static plane
-//   energy    kinetic and potential energy never rise above their start by more than lifting everything by a
-//             thousandth of a body would take; no member begins with an overlap that has to be pushed apart
+//   energy    never more than was there at the start or came from outside (engine/energy_account.h), but for what
+//             lifting everything by a thousandth of a body would take
 //   overlap   the deepest of any step
 //   rest      the fastest body in the last second, which begins when mechanics says that the member rests; balls
 //             among boxes do not count, as they may roll for ever; not asked where they stir the boxes
 //   ends      how far the body moved that moved most where all stand; where some slide, how far the one of them
 //   moved
 //             that moved least; where some topple, how far the one of them turned that turned least [rad]
-//   step      the work of the worst step over that of the median one, or over that of some sweeps where the median
+//   step      (more where all stand: exact answers are found once, and kept) the work of the worst step over that of the median one, or over that of some sweeps where the median
 //             one has nothing to do
 //
 // Values are without unit. The length is L, the edge of a cube with the volume of the smallest movable body, but

@@ -89,7 +89,7 @@ TEST_CASE("the judge of families sees a wall whose push column is solved badly g
     const auto wall = member("wall", {{"rows", "15"}, {"columns", "10"}, {"gap", "0"}, {"friction", "0.5"}});
     demos::SceneDescription scene = as_judged(wall, "default");
     CHECK(judge_run(wall.prospect, scene)[Property::energy].holds());
-    scene.options["small-steps"] = "off";
+    scene.options["scheme"] = "whole";
     scene.options["solver"] = "pgs";
     const Judgement pumped = judge_run(wall.prospect, scene);
     INFO(pumped[Property::energy].value);

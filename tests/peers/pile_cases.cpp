@@ -12,7 +12,7 @@ constexpr std::size_t second = 60;  // steps
 const std::vector<Ours>& our_settings() {
     static const std::vector<Ours> settings{
         {"default", "", false},
-        {"--small-steps auto", "--small-steps auto", false},
+        {"--scheme whole", "--scheme whole", false},
     };
     return settings;
 }

@@ -2,6 +2,8 @@
 
 #include "demos/simulation_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -50,6 +52,35 @@ Method substeps_of_few() {
             "blue",
             dotted,
             filled_triangle};
+}
+
+// Sweeps of whole steps beside small steps of so many sweeps each.
+std::vector<Method> small_steps(bool quick) {
+    std::vector<Method> methods{{"whole step, from the last forces",
+                                 {{"tolerance", "0"}, {"solver", "pgs"}},
+                                 "iterations",
+                                 "blue",
+                                 solid,
+                                 filled_circle},
+                                {"whole step, no push",
+                                 {{"tolerance", "0"}, {"solver", "pgs"}, {"push", "none"}},
+                                 "iterations",
+                                 "blue",
+                                 dashed,
+                                 filled_square}};
+    for (const auto& [sweeps, colour] : {std::pair{"1", "orange"}, std::pair{"2", "green"}, std::pair{"4", "violet"}}) {
+        Method& method = methods.emplace_back(Method{fmt::format("small steps of {}", sweeps),
+                                                     {{"tolerance", "0"}, {"solver", "pgs"}, {"scheme", "small-steps"}},
+                                                     "small-steps",
+                                                     colour,
+                                                     solid,
+                                                     filled_triangle});
+        for (const char* const steps : {"2", "4", "8", "16", "32", "64"}) {
+            if (quick && std::string_view(steps).size() > 1) continue;
+            method.values.push_back(fmt::format("{}x{}", steps, sweeps));
+        }
+    }
+    return methods;
 }
 
 std::vector<Method> integrators() {
@@ -163,6 +194,14 @@ std::vector<Sweep> all_sweeps(bool quick) {
          "A cube of 1 t on one of 1 kg: the distance of their centres from where they must stand, in the last "
          "second. Solved exactly it is zero.",
          solvers(true)},
+        {"brick_wall",
+         "Wall: where the bricks stand",
+         {{"preset", "default"}, seconds("4", "2")},
+         standing_error,
+         "distance from where it was built, RMS [m]",
+         "A wall of twelve rows of bricks in bond stands where it was built: the distance of the centres from there in "
+         "the last second. Sweeps of a whole step, against n small steps of one, two or four sweeps.",
+         small_steps(quick)},
         {"chain",
          "Chain with a heavy end: constraint forces",
          {{"preset", "default"}, {"end-mass", "1000"}, {"substeps", "32"}, seconds("2", "0.5")},
@@ -215,7 +254,9 @@ std::vector<Sweep> error_sweeps(bool quick) {
     std::vector<Sweep> sweeps = all_sweeps(quick);
     for (Sweep& sweep : sweeps) {
         std::erase_if(sweep.methods, [](const Method& method) { return !available(method); });
-        for (Method& method : sweep.methods) method.values = values_of(method.knob, quick);
+        for (Method& method : sweep.methods) {
+            if (method.values.empty()) method.values = values_of(method.knob, quick);
+        }
     }
     return sweeps;
 }

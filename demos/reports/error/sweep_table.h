@@ -14,7 +14,7 @@ namespace pushfactor::demos::reports::error {
 struct Method {
     std::string name;                   // in legends
     Options differs;                    // from the preset of the sweep
-    std::string knob;                   // the option that is swept: iterations, tolerance, substeps or dt
+    std::string knob;                   // the option that is swept: iterations, tolerance, substeps, small-steps or dt
     std::string colour;                 // name in the palette
     int dash = 1;                       // gnuplot's dash type: 1 is solid
     int mark = 7;                       // gnuplot's point type

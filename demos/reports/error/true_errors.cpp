@@ -173,6 +173,31 @@ class ConvergedError : public TrueError {
     long missed_ = 0;
 };
 
+class StandingError : public TrueError {
+  public:
+    explicit StandingError(const Simulation& start)
+        : start_(start.scene().world.bodies), from_(start.settings().seconds - 1.0) {}
+
+    void observe(const Simulation& simulation) override {
+        if (simulation.sample().time <= from_) return;
+        const std::vector<engine::Body>& bodies = simulation.scene().world.bodies;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (bodies[i].is_static()) continue;
+            squares_ += (bodies[i].position - start_[i].position).squaredNorm();
+            ++count_;
+        }
+    }
+    std::vector<NamedError> result() const override {
+        return {{"moved_rms_m", count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0}};
+    }
+
+  private:
+    std::vector<engine::Body> start_;
+    double from_ = 0.0;  // s
+    double squares_ = 0.0;
+    long count_ = 0;
+};
+
 }  // namespace
 
 double PartingCube::height(long steps) const {
@@ -199,6 +224,10 @@ double weight_above(int lower, int count, double mass, double gravity) {
 
 std::unique_ptr<TrueError> rest_error(const Simulation& start) {
     return std::make_unique<RestError>(start);
+}
+
+std::unique_ptr<TrueError> standing_error(const Simulation& start) {
+    return std::make_unique<StandingError>(start);
 }
 
 std::unique_ptr<TrueError> parting_error(const Simulation& start) {

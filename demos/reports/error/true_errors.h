@@ -47,6 +47,9 @@ double weight_above(int lower, int count, double mass, double gravity);
 // and the velocities of an exact answer are unique. So each cube comes down on the place below its start.
 std::unique_ptr<TrueError> rest_error(const Simulation& start);
 
+// What stands where it was built: the distance from there, RMS over the bodies and the last second.
+std::unique_ptr<TrueError> standing_error(const Simulation& start);
+
 // Intersecting stack: distance from the closed form above, over all steps and cubes.
 std::unique_ptr<TrueError> parting_error(const Simulation& start);
 

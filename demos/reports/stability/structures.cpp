@@ -65,11 +65,10 @@ SceneDescription scene_of(const Structure& structure) {
     return scene;
 }
 
-// Under `default` in small steps, and under `exact` without.
 void add_cases(const Structure& structure, Chapter& chapter) {
     Case one{.name = structure.name,
              .own = scene_of(structure),
-             .options = {{"seconds", structure.seconds}, {"small-steps", "auto"}},  // until that is the default
+             .options = {{"seconds", structure.seconds}},
              .wanted = structure.expected.outcome == "fly" && structure.exact_checks.empty() ? "fly" : "rest",
              .checks = structure.checks,
              .expected = {structure.expected},

@@ -75,7 +75,7 @@ TEST_CASE("a stack: direct and auto reach rounding for less work than sweeps lea
 
 TEST_CASE(
     "stacks, chains and the grid: direct leaves nothing for the work of a hundred sweeps, in a landing of a "
-    "hundred cubes of three hundred") {
+    "hundred cubes of four hundred") {
     for (const auto& [name, warm] :
          {std::pair{"stack of 5, landing", true}, std::pair{"stack of 20, landing", true},
           std::pair{"stack of 100, landing", true}, std::pair{"chain of 5, end 1000 times heavier", false},
@@ -88,7 +88,7 @@ TEST_CASE(
             for (const char* sweeping : {"pgs", "jacobi", "nncg"}) {
                 INFO(sweeping);
                 const Cost sweeps = solve(problem, sweeping, warm, 100);
-                CHECK(exact.work < (name == std::string("stack of 100, landing") ? 3.0 : 1.0) * sweeps.work);
+                CHECK(exact.work < (name == std::string("stack of 100, landing") ? 4.0 : 1.0) * sweeps.work);
                 CHECK(sweeps.error > 5e-6);
             }
         }
