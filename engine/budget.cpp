@@ -16,8 +16,6 @@ constexpr double income_in_sweeps = 60.0;
 constexpr double most_per_body = 3e5;
 constexpr double income_per_body = 3e4;
 constexpr double small_island = 200.0;
-// A few bodies that meet in the air need little for their answer, or have none that is worth it.
-constexpr double stacked = 5.0;
 // A failure takes this part of the account for itself and as much again for every failure just before it, up to
 // this many.
 constexpr double most_failures = 5.0;
@@ -27,8 +25,7 @@ double sweep_of(const Island& island) {
     return 24.0 * island.columns * island.rows;
 }
 double at_least(const Island& island, double per_body) {
-    const double bodies = island.movable();
-    return per_body * std::min(bodies, small_island) * std::min(1.0, bodies / stacked);
+    return per_body * std::min(1.0 * island.movable(), small_island);
 }
 double most_of(const Island& island, Budget::Outlook outlook) {
     const double sweeps = outlook == Budget::Outlook::standing ? most_where_it_stands : most_in_sweeps;

@@ -34,8 +34,9 @@ constexpr double far = 1e-2;
 // How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
-// Share of its guess's residual with which an answer that was cut short is worth having.
-constexpr double much_better = 0.1;
+// Shares, of its guess's residual and of the largest speed that a row is asked for, with which an answer that was
+// cut short is worth having where all stand: the next step goes on from it.
+constexpr double much_better = 0.1, near = 0.02;
 // Share of the largest speed that a row is asked for below which an exact answer is one, though it may have
 // stopped short of the tolerance.
 constexpr double good_share = 1e-6;
@@ -77,9 +78,10 @@ class Auto {
         if (count.exact || count.contradicts) return true;
         count.multiply_adds += rows_.look_work();
         if (rows_.residual() <= good_share * rows_.fastest()) return true;
-        count.gave_up = true;
         // In a heap that moves an answer that was cut short is worse to go on from than the guess.
-        if (termination.lasts && rows_.residual() <= much_better * guessed) return true;
+        const double reached = rows_.residual();
+        if (termination.lasts && reached <= much_better * guessed && reached <= near * rows_.fastest()) return true;
+        count.gave_up = true;
         rows_.rows = guess_;
         rows_.follow();
         return false;

@@ -25,7 +25,7 @@ constexpr double most_energy = 1e-3;
 constexpr double most_overlap_standing = 0.1, most_overlap_moving = 0.5;
 constexpr double most_speed = 0.02;
 constexpr double most_moved = 0.05, least_moved = 0.2;
-constexpr double most_step = 20.0, most_step_standing = 200.0;
+constexpr double most_step = 40.0, most_step_standing = 200.0;
 // Multiply-adds of a usual step, a movable body: some 30 sweeps over a dozen rows; and in all, some tenths of a
 // millisecond, below which no step is a bad one.
 constexpr double usual_work = 1e4, least_work = 3e5;

@@ -10,8 +10,8 @@
 //   ends      how far the body moved that moved most where all stand; where some slide, how far the one of them
 //   moved
 //             that moved least; where some topple, how far the one of them turned that turned least [rad]
-//   step      (more where all stand: exact answers are found once, and kept) the work of the worst step over that of the median one, or over that of some sweeps where the median
-//             one has nothing to do
+//   step      the work of the worst step over that of the median one, or over that of some sweeps where the median
+//             one has nothing to do; more where all stand, whose exact answers are found once and kept
 //
 // Values are without unit. The length is L, the edge of a cube with the volume of the smallest movable body, but
 // for overlaps, which are measured by the shortest edge that there is; the speed is sqrt(g L).
