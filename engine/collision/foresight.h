@@ -26,8 +26,8 @@ class Foresight {
     // For the coming step of `dt` [s], with the external forces of `bodies`.
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt);
 
-    // How far a point of the collider comes at most [m], but no more than the dangerous share of its size; zero for one
-    // that its velocity takes farther, which is swept.
+    // How far a point of the collider comes at most [m], but no more than the dangerous share of its size; zero for
+    // one that its velocity takes farther, which is swept.
     double path(int collider) const { return paths_[static_cast<std::size_t>(collider)]; }
 
     // How much of a gap at `point` along `normal`, which points from body a to body b, the free motions close [m].

@@ -68,13 +68,15 @@ std::vector<Method> small_steps(bool quick) {
                                  "blue",
                                  dashed,
                                  filled_square}};
-    for (const auto& [sweeps, colour] : {std::pair{"1", "orange"}, std::pair{"2", "green"}, std::pair{"4", "violet"}}) {
-        Method& method = methods.emplace_back(Method{fmt::format("small steps of {}", sweeps),
-                                                     {{"tolerance", "0"}, {"solver", "pgs"}, {"scheme", "small-steps"}},
-                                                     "small-steps",
-                                                     colour,
-                                                     solid,
-                                                     filled_triangle});
+    for (const auto& [sweeps, colour] :
+         {std::pair{"1", "orange"}, std::pair{"2", "green"}, std::pair{"4", "violet"}}) {
+        Method& method =
+            methods.emplace_back(Method{fmt::format("small steps of {}", sweeps),
+                                        {{"tolerance", "0"}, {"solver", "pgs"}, {"scheme", "small-steps"}},
+                                        "small-steps",
+                                        colour,
+                                        solid,
+                                        filled_triangle});
         for (const char* const steps : {"2", "4", "8", "16", "32", "64"}) {
             if (quick && std::string_view(steps).size() > 1) continue;
             method.values.push_back(fmt::format("{}x{}", steps, sweeps));
@@ -199,7 +201,8 @@ std::vector<Sweep> all_sweeps(bool quick) {
          {{"preset", "default"}, seconds("4", "2")},
          standing_error,
          "distance from where it was built, RMS [m]",
-         "A wall of twelve rows of bricks in bond stands where it was built: the distance of the centres from there in "
+         "A wall of twelve rows of bricks in bond stands where it was built: the distance of the centres from "
+         "there in "
          "the last second. Sweeps of a whole step, against n small steps of one, two or four sweeps.",
          small_steps(quick)},
         {"chain",

@@ -12,15 +12,15 @@
 namespace pushfactor::demos::reports::error {
 
 struct Method {
-    std::string name;                   // in legends
-    Options differs;                    // from the preset of the sweep
-    std::string knob;                   // the option that is swept: iterations, tolerance, substeps, small-steps or dt
-    std::string colour;                 // name in the palette
-    int dash = 1;                       // gnuplot's dash type: 1 is solid
-    int mark = 7;                       // gnuplot's point type
-    double order = 0.0;                 // of the error in dt, 0 where nothing is known
-    int moves = 1;                      // of all bodies in an engine step: more where steps are composed
-    bool flies = false;                 // the exact answer of the method flies up, so that is no failure
+    std::string name;    // in legends
+    Options differs;     // from the preset of the sweep
+    std::string knob;    // the option that is swept: iterations, tolerance, substeps, small-steps or dt
+    std::string colour;  // name in the palette
+    int dash = 1;        // gnuplot's dash type: 1 is solid
+    int mark = 7;        // gnuplot's point type
+    double order = 0.0;  // of the error in dt, 0 where nothing is known
+    int moves = 1;       // of all bodies in an engine step: more where steps are composed
+    bool flies = false;  // the exact answer of the method flies up, so that is no failure
     std::vector<std::string> values{};  // of the knob
 };
 
