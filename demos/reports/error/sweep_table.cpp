@@ -198,7 +198,7 @@ std::vector<Sweep> all_sweeps(bool quick) {
          solvers(true)},
         {"brick_wall",
          "Wall: where the bricks stand",
-         {{"preset", "default"}, seconds("4", "2")},
+         {{"preset", "default"}, seconds("2", "2")},
          standing_error,
          "distance from where it was built, RMS [m]",
          "A wall of twelve rows of bricks in bond stands where it was built: the distance of the centres from "
