@@ -200,7 +200,7 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
-// A fixed number of iterations, and another solver, are what somebody asked for.
+// With a fixed number of iterations, or another solver than the one that decides, steps stay whole.
 bool takes_small_steps(const Settings& settings) {
     if (settings.scheme == Scheme::small_steps) return true;
     return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;

@@ -28,8 +28,8 @@ class EnergyAccount {
     void begin(std::span<const Body> bodies);
     void end(const World& world, double dt);
 
-    // J, of the state after the last step, above the start and what came from outside; below zero where energy
-    // went.
+    // J, above the start and what came from outside; below zero where energy went. Of the state before the last
+    // step: only the rows of a step say how deep its bodies lay at its beginning.
     double gain() const { return gain_; }
     double external_work() const { return external_; }  // J, of all steps: forces other than gravity, and belts
     double push_work() const { return push_; }          // J, of all steps, what overlaps of the start needed
