@@ -17,7 +17,7 @@ constexpr double fast = 3.0;
 // An island stands while at most one of so many bodies moves.
 constexpr int stirred = 20;
 
-// Share of the speed that external forces give in a step.
+// Residual with which an island has settled, as a share of the speed that external forces give in a step.
 constexpr double settled = 1e-4;
 
 // And from which on load has a long way to go: that of a tower whose forces begin at zero.
@@ -43,6 +43,16 @@ int faster_than(double steps, double dt, std::span<const Body> bodies, const Isl
         const Body& own = bodies[static_cast<std::size_t>(body)];
         return own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
     }));
+}
+
+// The largest speed that the external forces of a step give to a body [m/s].
+double fastest_by_forces(double dt, std::span<const Body> bodies, const Island& island) {
+    double fastest = 0.0;
+    for (const int body : island.bodies) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        fastest = std::max(fastest, own.inverse_mass * own.force.norm());
+    }
+    return dt * fastest;
 }
 
 const ConstraintRow& row_of(const SystemEquation& system, int row) {
@@ -86,12 +96,7 @@ bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
 }
 
 double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const Island& island) {
-    double fastest = 0.0;
-    for (const int body : island.bodies) {
-        const Body& own = bodies[static_cast<std::size_t>(body)];
-        fastest = std::max(fastest, own.inverse_mass * own.force.norm());
-    }
-    return settled * dt * fastest;
+    return settled * fastest_by_forces(dt, bodies, island);
 }
 
 bool SmallSteps::stands(double dt, std::span<const Body> bodies, const Island& island) {
@@ -102,7 +107,7 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
                                              double residual) const {
     if (division_) return *division_;
     if (2 * faster_than(fast, dt, bodies, island) > island.movable()) return falling;
-    return residual > unheld / settled * settled_speed(dt, bodies, island) ? loading : standing;
+    return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,
