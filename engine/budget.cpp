@@ -7,6 +7,8 @@ namespace pushfactor::engine {
 
 namespace {
 
+using solvers::Outlook;
+
 // What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
 // one takes some 20 to 50; in a moving heap hundreds.
 constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0;
@@ -27,8 +29,8 @@ double sweep_of(const Island& island) {
 double at_least(const Island& island, double per_body) {
     return per_body * std::min(1.0 * island.movable(), small_island);
 }
-double most_of(const Island& island, Budget::Outlook outlook) {
-    const double sweeps = outlook == Budget::Outlook::standing ? most_where_it_stands : most_in_sweeps;
+double most_of(const Island& island, Outlook outlook) {
+    const double sweeps = outlook == Outlook::standing ? most_where_it_stands : most_in_sweeps;
     return std::max(sweeps * sweep_of(island), at_least(island, most_per_body));
 }
 double income_of(const Island& island) {
@@ -70,7 +72,7 @@ solvers::Termination Budget::limits(const Island& island, solvers::Termination u
     usual.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
     const double in_account = most_of(island, outlook) - debt.work;
-    usual.lasts = outlook == Outlook::standing;
+    usual.outlook = outlook;
     // After a failure only a full account will do.
     usual.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
     return usual;

@@ -200,7 +200,9 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
         passing_.put_right(touches, {colliders_, bodies, dt, choices_.detection});
     }
     touches_ = touches;
-    if (sweep_) touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection});
+    if (sweep_) {
+        touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection}, detector_.broad_phase());
+    }
     if (friction_) find_motions(bodies);
     forces_.clear();
     own_rows_ = 0;
@@ -211,7 +213,8 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
 void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
                                      std::span<const char> changed, double dt, std::vector<ConstraintRow>& rows) {
     if (!sweep_) return;
-    const auto found = sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection});
+    const auto found =
+        sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection}, detector_.broad_phase());
     if (found.empty()) return;
     // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();

@@ -69,11 +69,13 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
         const bool exact_only = is_for_small_steps(larger(outcome.residuals));
-        if (exact_only) outcome.outlook = allowed.outlook;
+        if (exact_only || allowed.outlook == solvers::Outlook::falling) outcome.outlook = allowed.outlook;
         const auto termination =
             budget_.limits(island, warm_start_.termination(island, usual),
                            exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
-        if (larger(outcome.residuals) > termination.tolerance_high) {
+        if (exact_only && outcome.outlook == solvers::Outlook::falling) {
+            outcome.unfinished = true;
+        } else if (larger(outcome.residuals) > termination.tolerance_high) {
             outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
@@ -102,8 +104,8 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
 solvers::SolveCount IslandSolver::go_on(solvers::Solver& solver, const solvers::Termination& usual,
                                         const SystemEquation& system, const Island& island, Columns& lambda,
                                         ConstraintForces& forces) {
-    const auto termination = budget_.limits(island, usual, Budget::Take::rest);
     Outcome outcome = outcome_of(island);
+    const auto termination = budget_.limits(island, usual, Budget::Take::rest, outcome.outlook);
     const solvers::SolveCount count =
         find_better(solver, termination, system, island, nullptr, lambda, forces, outcome);
     outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;

@@ -3,6 +3,7 @@
 #include "engine/solvers/sweep.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -81,7 +82,15 @@ void each_row(const Island& island, const Visit& visit) {
 }  // namespace
 
 bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
-    if (island.movable() < few) return false;
+    return island.movable() >= few && acts_one_way(system, island);
+}
+
+bool SmallSteps::falls(double dt, std::span<const Body> bodies, const Island& island) {
+    static const double ff = getenv("PF_F") ? atof(getenv("PF_F")) : 3.0;
+    return 2 * faster_than(ff, dt, bodies, island) > island.movable();
+}
+
+bool SmallSteps::acts_one_way(const SystemEquation& system, const Island& island) {
     const auto refuses = [](const ConstraintRow& row) {
         if (row.bounds.of_row >= 0) return false;
         if (std::isinf(row.bounds.c_min) && std::isinf(row.bounds.c_max)) return true;
@@ -106,8 +115,16 @@ bool SmallSteps::stands(double dt, std::span<const Body> bodies, const Island& i
 SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island,
                                              double residual) const {
     if (division_) return *division_;
-    if (2 * faster_than(fast, dt, bodies, island) > island.movable()) return falling;
-    return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
+    static const int mode = getenv("PF_M") ? atoi(getenv("PF_M")) : 0;
+    if (mode == 0) {
+        if (falls(dt, bodies, island)) return falling;
+        return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
+    }
+    const bool st = stands(dt, bodies, island);
+    if (st) return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
+    if (mode == 1) return falling;
+    if (2 * faster_than(1.0, dt, bodies, island) > island.movable()) return falling;
+    return standing;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

@@ -55,6 +55,9 @@ class SmallSteps {
     // collision that a small step takes over from the one before happens twice.
     static bool suit(const SystemEquation& system, const Island& island);
 
+    static bool acts_one_way(const SystemEquation& system, const Island& island);
+    static bool falls(double dt, std::span<const Body> bodies, const Island& island);
+
     // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
     // travel, and when they are done the forces can be kept.
     static double settled_speed(double dt, std::span<const Body> bodies, const Island& island);

@@ -45,6 +45,7 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
                        std::span<const Pose> poses, double margin, const Foresight* foresight) {
     bounds_.clear();
     planes_.clear();
+    place_.assign(colliders.size(), -1);
     for (int i = 0; i < static_cast<int>(colliders.size()); ++i) {
         const Collider& collider = at(colliders, i);
         const auto body = static_cast<std::size_t>(collider.body);
@@ -54,6 +55,7 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
             continue;
         }
         const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
+        place_[static_cast<std::size_t>(i)] = static_cast<int>(bounds_.size());
         Bounds& box = bounds_.emplace_back();
         box.centre = pose.position;
         box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
@@ -183,11 +185,31 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
     update_candidates();
     pairs_.clear();
     for (const Candidate& candidate : candidates_) {
-        const Bounds& box = bounds_[static_cast<std::size_t>(candidate.box)];
-        const bool near = candidate.other >= 0
-                              ? overlap(box, bounds_[static_cast<std::size_t>(candidate.other)])
-                              : reaches(box, planes_[static_cast<std::size_t>(-1 - candidate.other)]);
-        if (near) pairs_.push_back(candidate.pair);
+        if (is_near(candidate)) pairs_.push_back(candidate.pair);
+    }
+    return pairs_;
+}
+
+bool BroadPhase::is_near(const Candidate& candidate) const {
+    const Bounds& box = bounds_[static_cast<std::size_t>(candidate.box)];
+    return candidate.other >= 0 ? overlap(box, bounds_[static_cast<std::size_t>(candidate.other)])
+                                : reaches(box, planes_[static_cast<std::size_t>(-1 - candidate.other)]);
+}
+
+void BroadPhase::put(int collider, const BoundingBox& box) {
+    Bounds& own = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(collider)])];
+    own.centre = box.centre;
+    own.reach = box.reach;
+}
+
+std::span<const Pair> BroadPhase::find_pairs_of(const std::vector<bool>& of) {
+    update_candidates();
+    pairs_.clear();
+    const auto is_of = [&of](int collider) { return of[static_cast<std::size_t>(collider)]; };
+    for (const Candidate& candidate : candidates_) {
+        if ((is_of(candidate.pair.a) || is_of(candidate.pair.b)) && is_near(candidate)) {
+            pairs_.push_back(candidate.pair);
+        }
     }
     return pairs_;
 }

@@ -27,6 +27,13 @@ class BroadPhase {
                                      std::span<const Pose> poses, double margin,
                                      const Foresight* foresight = nullptr);
 
+    // Puts another box in the place of a finite shape's own, until the next find_pairs().
+    void put(int collider, const BoundingBox& box);
+
+    // The pairs with one of the colliders `of` (by collider), with the boxes as they are now. Good until the next
+    // call, as those of find_pairs() are.
+    std::span<const Pair> find_pairs_of(const std::vector<bool>& of);
+
   private:
     // The bounding box of one finite shape.
     struct Bounds : BoundingBox {
@@ -56,8 +63,10 @@ class BroadPhase {
     void widen(std::size_t index);
     void add_with_planes(int index);
     void add_if_near(int index, int other);
+    bool is_near(const Candidate& candidate) const;
 
     std::vector<Bounds> bounds_;  // of the finite shapes, as they are
+    std::vector<int> place_;      // in bounds_, by collider; -1 for a plane
     std::vector<Plane> planes_;
 
     // As they were when the candidates were found.

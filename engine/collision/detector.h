@@ -54,6 +54,7 @@ class Detector {
                                const Detection& detection, const Foresight* foresight = nullptr);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
+    BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()
 
   private:
     BroadPhase broad_phase_;

@@ -22,9 +22,13 @@ struct Outlook {
 
 class FastPairs {
   public:
+    // Before the first find() of a step.
+    void begin(std::size_t colliders);
+
     // Those with at least one fast collider (`fast`, by collider), in ascending order; good until the next call.
-    // Looks only at colliders that may come near a fast one.
-    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast);
+    // `broad_phase` has the boxes of the step: around each shape, as far as it comes if it is not fast. It gets
+    // other ones for those that are, or have been in this step.
+    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast, BroadPhase& broad_phase);
 
     // Of a collider of the pairs that were found.
     const Motion& motion_of(int collider) const { return swept_[static_cast<std::size_t>(collider)].motion; }
@@ -34,26 +38,14 @@ class FastPairs {
     struct Swept {
         Motion motion;
         BoundingBox box;
-    };
-    // Around all fast colliders [m].
-    struct Region {
-        Vector3 low, high;
+        int search = -1;  // that it is of
     };
 
-    void sweep(const Outlook& outlook, std::size_t collider);
-    Region region_of_fast(const Outlook& outlook, const std::vector<bool>& fast);
-    bool may_reach(const Region& region, const Outlook& outlook, std::size_t collider) const;
-    void add(const Outlook& outlook, std::size_t collider);
+    const Swept& sweep(const Outlook& outlook, int collider);
 
-    std::vector<Swept> swept_;  // by collider, where it has been asked for
-
-    // The colliders that are looked at, as boxes on bodies of their own, for the same search as with bodies that
-    // rest.
-    std::vector<int> chosen_;
-    std::vector<Collider> boxes_;
-    std::vector<Body> box_bodies_;
-    std::vector<Pose> box_poses_;
-    BroadPhase broad_phase_;
+    int search_ = 0;               // of the step
+    std::vector<char> ever_fast_;  // in the step, by collider
+    std::vector<Swept> swept_;     // by collider, where it has been asked for
     std::vector<Pair> pairs_;
 };
 

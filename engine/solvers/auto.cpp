@@ -51,7 +51,9 @@ class Auto {
         rows_.load(system, island, lambda);
         exact_.take(island);
         const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
-        if (termination.lasts || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
+        if (termination.outlook == Outlook::falling) {
+            solve_falling(island, termination, count);
+        } else if (termination.outlook == Outlook::standing || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
         } else {
             solve_heap(island, termination, count);
@@ -70,7 +72,7 @@ class Auto {
     // Returns whether that led anywhere; else the forces are those from before.
     bool solve_exactly(const Termination& termination, SolveCount& count) {
         guess_ = rows_.rows;
-        const double guessed = termination.lasts ? rows_.residual() : 0.0;
+        const double guessed = termination.outlook == Outlook::standing ? rows_.residual() : 0.0;
         Effort effort(termination.credit);
         count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
         // What rows that contradict each other leave, sweeps cannot lower either.
@@ -80,11 +82,20 @@ class Auto {
         if (rows_.residual() <= good_share * rows_.fastest()) return true;
         // In a heap that moves an answer that was cut short is worse to go on from than the guess.
         const double reached = rows_.residual();
-        if (termination.lasts && reached <= much_better * guessed && reached <= near * rows_.fastest()) return true;
+        if (termination.outlook == Outlook::standing && reached <= much_better * guessed && reached <= near * rows_.fastest()) return true;
         count.gave_up = true;
         rows_.rows = guess_;
         rows_.follow();
         return false;
+    }
+
+    void solve_falling(const Island&, const Termination& termination, SolveCount& count) {
+        if (work_down(rows_, termination, count, sweep<columns>)) return;
+        count.multiply_adds += rows_.look_work();
+        if (rows_.residual() <= far * rows_.fastest()) return;
+        exact_.plan();
+        const bool pays = columns * least_factorisations * exact_.factorisation(rows_) <= termination.credit;
+        if (pays) solve_exactly(termination, count);
     }
 
     void solve_heap(const Island& island, const Termination& termination, SolveCount& count) {
