@@ -7,8 +7,6 @@ namespace pushfactor::engine {
 
 namespace {
 
-using solvers::Outlook;
-
 // What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
 // one takes some 20 to 50; in a moving heap hundreds.
 constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0;
@@ -21,6 +19,8 @@ constexpr double small_island = 200.0;
 // A failure takes this part of the account for itself and as much again for every failure just before it, up to
 // this many.
 constexpr double most_failures = 5.0;
+// A failure says more where the island moves: a heap that falls will have no answer in the next steps either.
+constexpr double longer_where_it_moves = 4.0;
 
 // Multiply-adds of a sweep.
 double sweep_of(const Island& island) {
@@ -29,8 +29,8 @@ double sweep_of(const Island& island) {
 double at_least(const Island& island, double per_body) {
     return per_body * std::min(1.0 * island.movable(), small_island);
 }
-double most_of(const Island& island, Outlook outlook) {
-    const double sweeps = outlook == Outlook::standing ? most_where_it_stands : most_in_sweeps;
+double most_of(const Island& island, Budget::Outlook outlook) {
+    const double sweeps = outlook == Budget::Outlook::standing ? most_where_it_stands : most_in_sweeps;
     return std::max(sweeps * sweep_of(island), at_least(island, most_per_body));
 }
 double income_of(const Island& island) {
@@ -72,7 +72,7 @@ solvers::Termination Budget::limits(const Island& island, solvers::Termination u
     usual.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
     const double in_account = most_of(island, outlook) - debt.work;
-    usual.outlook = outlook;
+    usual.lasts = outlook == Outlook::standing;
     // After a failure only a full account will do.
     usual.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
     return usual;
@@ -87,9 +87,11 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlo
     debt.work += count.exact_work;
     if (count.gave_up && count.exact_work > 0.0) {
         const double failures = std::min(most_failures, debt.failures / bodies);
-        debt.work += std::exp2(failures) * most_of(island, outlook);
+        const double longer = outlook == Outlook::moving ? longer_where_it_moves : 1.0;
+        debt.work += longer * std::exp2(failures) * most_of(island, outlook);
         debt.failures = bodies * std::min(most_failures, failures + 1.0);
     } else if (count.exact) {
+        debt.work = std::max(0.0, debt.work - income_of(island));  // it has paid off
         debt.failures = 0.0;
     }
     so_far.iterations += count.iterations - count.exact_iterations;  // whose work has an account of its own

@@ -40,10 +40,14 @@ class Budget {
 
     enum class Take { half, rest, exact_only };
 
+    // What an exact answer is good for: an island that moves needs another one in the next step, one that stands
+    // may keep it for good.
+    enum class Outlook { moving, standing };
+
     // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for
     // exact answers only.
     solvers::Termination limits(const Island& island, solvers::Termination usual, Take take,
-                                solvers::Outlook outlook = solvers::Outlook::moving) const;
+                                Outlook outlook = Outlook::moving) const;
 
     // Iterations of the step that are left.
     int iterations_left(const Island& island, const solvers::Termination& usual) const {
@@ -51,7 +55,7 @@ class Budget {
     }
 
     // Takes note of what it took.
-    void spent(const Island& island, const solvers::SolveCount& count, solvers::Outlook outlook = solvers::Outlook::moving);
+    void spent(const Island& island, const solvers::SolveCount& count, Outlook outlook = Outlook::moving);
 
     std::span<const Debt> debts() const { return debts_; }  // by body; empty before the first step
     void set_debts(std::span<const Debt> debts) { debts_.assign(debts.begin(), debts.end()); }

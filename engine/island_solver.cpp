@@ -69,13 +69,14 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
         const bool exact_only = is_for_small_steps(larger(outcome.residuals));
-        if (exact_only || allowed.outlook == solvers::Outlook::falling) outcome.outlook = allowed.outlook;
+        // What has been solved to the end so far may be hit harder than that, and is worth another answer.
+        const bool stands = larger(outcome.residuals) <= allowed.stands_up_to ||
+                            (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
+        if (exact_only && stands) outcome.outlook = Budget::Outlook::standing;
         const auto termination =
             budget_.limits(island, warm_start_.termination(island, usual),
                            exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
-        if (exact_only && outcome.outlook == solvers::Outlook::falling) {
-            outcome.unfinished = true;
-        } else if (larger(outcome.residuals) > termination.tolerance_high) {
+        if (larger(outcome.residuals) > termination.tolerance_high) {
             outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
@@ -104,8 +105,8 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
 solvers::SolveCount IslandSolver::go_on(solvers::Solver& solver, const solvers::Termination& usual,
                                         const SystemEquation& system, const Island& island, Columns& lambda,
                                         ConstraintForces& forces) {
+    const auto termination = budget_.limits(island, usual, Budget::Take::rest);
     Outcome outcome = outcome_of(island);
-    const auto termination = budget_.limits(island, usual, Budget::Take::rest, outcome.outlook);
     const solvers::SolveCount count =
         find_better(solver, termination, system, island, nullptr, lambda, forces, outcome);
     outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;

@@ -38,7 +38,7 @@ class IslandSolver {
         bool in_small_steps = false;  // whether it has gone through the step in small ones
         bool exhausted = false;       // whether more iterations would be of no use
         Residuals residuals{};        // of the forces as they are
-        solvers::Outlook outlook = solvers::Outlook::moving;
+        Budget::Outlook outlook = Budget::Outlook::moving;
     };
 
     // What a solve may do: which iterations of those that are left. Where small steps suit the island and its guess
@@ -47,7 +47,7 @@ class IslandSolver {
     struct Allowed {
         Budget::Take take = Budget::Take::half;
         double iterates_up_to = std::numeric_limits<double>::infinity();
-        solvers::Outlook outlook = solvers::Outlook::moving;
+        double stands_up_to = 0.0;  // m/s; residual of a guess that an exact answer may serve for good, if any
     };
 
     // Before the first solve of a step.

@@ -3,7 +3,6 @@
 #include "engine/solvers/sweep.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -12,14 +11,15 @@ namespace {
 
 constexpr SmallSteps::Division standing{.steps = 16, .sweeps = 2};
 constexpr SmallSteps::Division loading{.steps = 16, .sweeps = 4};
-constexpr SmallSteps::Division falling{.steps = 8, .sweeps = 2};
-// A body falls while it is faster than so many steps of its external force make it.
-constexpr double fast = 3.0;
-// An island stands while at most one of so many bodies moves.
-constexpr int stirred = 20;
+constexpr SmallSteps::Division stirred{.steps = 8, .sweeps = 2};
+// Shares of its bodies that move, beyond which an island no longer stands, and is stirred.
+constexpr double a_few_move = 0.05, a_part_moves = 0.25;
 
 // Residual with which an island has settled, as a share of the speed that external forces give in a step.
 constexpr double settled = 1e-4;
+
+// And with which forces are missing at most, with room for roundings.
+constexpr double unbalanced = 1.1;
 
 // And from which on load has a long way to go: that of a tower whose forces begin at zero.
 constexpr double unheld = 0.1;
@@ -37,13 +37,16 @@ bool holds_place(const Bounds& bounds) {
     return bounds.of_row < 0 && (std::isinf(bounds.c_min) || std::isinf(bounds.c_max));
 }
 
-// How many bodies are faster than so many steps of their external force make them.
-int faster_than(double steps, double dt, std::span<const Body> bodies, const Island& island) {
-    const double reached = steps * dt;
+// How many bodies are faster than one step of their external force makes them.
+int moving(double dt, std::span<const Body> bodies, const Island& island) {
     return static_cast<int>(std::count_if(island.bodies.begin(), island.bodies.end(), [&](int body) {
         const Body& own = bodies[static_cast<std::size_t>(body)];
-        return own.linear_momentum.squaredNorm() > reached * reached * own.force.squaredNorm();
+        return own.linear_momentum.squaredNorm() > dt * dt * own.force.squaredNorm();
     }));
+}
+
+bool is_more_than(double share, int bodies, const Island& island) {
+    return bodies > share * island.movable();
 }
 
 // The largest speed that the external forces of a step give to a body [m/s].
@@ -82,15 +85,7 @@ void each_row(const Island& island, const Visit& visit) {
 }  // namespace
 
 bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
-    return island.movable() >= few && acts_one_way(system, island);
-}
-
-bool SmallSteps::falls(double dt, std::span<const Body> bodies, const Island& island) {
-    static const double ff = getenv("PF_F") ? atof(getenv("PF_F")) : 3.0;
-    return 2 * faster_than(ff, dt, bodies, island) > island.movable();
-}
-
-bool SmallSteps::acts_one_way(const SystemEquation& system, const Island& island) {
+    if (island.movable() < few) return false;
     const auto refuses = [](const ConstraintRow& row) {
         if (row.bounds.of_row >= 0) return false;
         if (std::isinf(row.bounds.c_min) && std::isinf(row.bounds.c_max)) return true;
@@ -108,23 +103,18 @@ double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const 
     return settled * fastest_by_forces(dt, bodies, island);
 }
 
-bool SmallSteps::stands(double dt, std::span<const Body> bodies, const Island& island) {
-    return stirred * faster_than(1.0, dt, bodies, island) <= island.movable();
+double SmallSteps::standing_speed(double dt, std::span<const Body> bodies, const Island& island) {
+    if (is_more_than(a_few_move, moving(dt, bodies, island), island)) return 0.0;
+    return unbalanced * fastest_by_forces(dt, bodies, island);
 }
 
 SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island,
                                              double residual) const {
     if (division_) return *division_;
-    static const int mode = getenv("PF_M") ? atoi(getenv("PF_M")) : 0;
-    if (mode == 0) {
-        if (falls(dt, bodies, island)) return falling;
-        return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
-    }
-    const bool st = stands(dt, bodies, island);
-    if (st) return residual > unheld * fastest_by_forces(dt, bodies, island) ? loading : standing;
-    if (mode == 1) return falling;
-    if (2 * faster_than(1.0, dt, bodies, island) > island.movable()) return falling;
-    return standing;
+    const int moves = moving(dt, bodies, island);
+    if (is_more_than(a_part_moves, moves, island)) return stirred;
+    const bool is_held = residual <= unheld * fastest_by_forces(dt, bodies, island);
+    return is_held || is_more_than(a_few_move, moves, island) ? standing : loading;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

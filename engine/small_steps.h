@@ -55,18 +55,16 @@ class SmallSteps {
     // collision that a small step takes over from the one before happens twice.
     static bool suit(const SystemEquation& system, const Island& island);
 
-    static bool acts_one_way(const SystemEquation& system, const Island& island);
-    static bool falls(double dt, std::span<const Body> bodies, const Island& island);
-
     // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
     // travel, and when they are done the forces can be kept.
     static double settled_speed(double dt, std::span<const Body> bodies, const Island& island);
 
-    // Whether nearly all of its bodies are slower than one step of gravity makes them.
-    static bool stands(double dt, std::span<const Body> bodies, const Island& island);
+    // Residual of a guess [m/s] up to which an exact answer may serve for good: no more than the external forces of
+    // the step, where nearly all bodies are slower than these make them. Zero where they are not.
+    static double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
 
-    // What suits the island, whose guess has this residual [m/s]: many where more of its bodies rest than move,
-    // with more sweeps while the forces are far from what holds them.
+    // What suits the island, whose guess has this residual [m/s]: many where nearly all of its bodies rest, with
+    // more sweeps while the forces are far from what holds them, and few where it is stirred.
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which

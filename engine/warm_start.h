@@ -38,6 +38,14 @@ class WarmStart {
         return usual;
     }
 
+    // Whether nearly all of its bodies were in islands that were solved to rounding in the last step.
+    bool was_mostly_exact(const Island& island) const {
+        const auto exact = std::count_if(island.bodies.begin(), island.bodies.end(), [this](int body) {
+            return memory_[static_cast<std::size_t>(body)].exact;
+        });
+        return static_cast<double>(exact) >= mostly * island.movable();
+    }
+
     // Whether `island` begins the step with forces that were kept, all or some, and has not been solved in it.
     bool begins_with_kept(const Island& island) const {
         bool kept = false;
@@ -102,6 +110,8 @@ class WarmStart {
     // How many upper tolerances a kept guess misses by where a new force acts. Those of stacks that come to rest
     // miss by at most 3.
     static constexpr double new_force = 30.0;
+
+    static constexpr double mostly = 0.95;
 
     // Of the step, the same for all bodies of an island.
     struct Record {

@@ -5,7 +5,6 @@
 #include "engine/world.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cassert>
 
 namespace pushfactor::engine {
@@ -156,10 +155,7 @@ void World::solve(const Island& island, Columns* first_guess, Work& work) {
     IslandSolver::Allowed allowed;
     if (small_steps) {
         allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
-        if (SmallSteps::stands(system_.dt, bodies, island)) allowed.outlook = solvers::Outlook::standing;
-        else if (SmallSteps::falls(system_.dt, bodies, island) && SmallSteps::acts_one_way(system_, island)) {
-            allowed.outlook = solvers::Outlook::falling;
-        }
+        allowed.stands_up_to = SmallSteps::standing_speed(system_.dt, bodies, island);
     }
     work.add(island,
              island_solver_.solve(*solver, termination, system_, island, allowed, first_guess, lambda_, forces_));

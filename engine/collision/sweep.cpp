@@ -1,7 +1,6 @@
 #include "engine/collision/sweep.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace pushfactor::engine::collision {
 
@@ -56,8 +55,7 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
-    static const double tt = getenv("PF_T") ? atof(getenv("PF_T")) : 1.0;
-    const double margin = tt * margin_of(collider, step);
+    const double margin = margin_of(collider, step);
     if (path_of(collider, speed, rate, step.dt) <= margin) return false;
     const Motion motion = motion_of(body, step.dt, force);
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > margin;

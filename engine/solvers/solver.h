@@ -11,11 +11,6 @@
 
 namespace pushfactor::engine::solvers {
 
-// What an exact answer is good for: an island that falls on something needs another one in the next step, and the
-// rows of that one are others; one that moves may go on with the same rows; one that stands may keep its answer for
-// good.
-enum class Outlook { falling, moving, standing };
-
 // When to stop (6.2.3). While the natural-map residual of the guess is at most `tolerance_high` nothing needs to be
 // solved, which the caller of a solver finds out; a solver works until the residual is at most `tolerance_low` or
 // the iterations are used up. Tolerances of zero give the paper's fixed number of iterations.
@@ -30,7 +25,7 @@ struct Termination {
     double tolerance_low = 0.0;   // m/s, at most tolerance_high, but after an exact answer (warm_start.h)
     double credit = std::numeric_limits<double>::infinity();  // that they may spend where they have to pay off
     double spent = 0.0;                                       // that they have spent on these bodies in this step
-    Outlook outlook = Outlook::moving;
+    bool lasts = false;                                       // whether an exact answer may serve for many steps
 };
 
 // What a solve took.

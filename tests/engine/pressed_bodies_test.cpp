@@ -122,8 +122,8 @@ TEST_CASE("what rests under its weight is not swept, however small") {
         const collision::Detection detection{.margin = 0.01, .permitted = 0.0022};
         const auto& touches = detector.detect(scene.colliders, scene.world.bodies, detection);
         REQUIRE(touches.size() >= 4);
-        const auto refined =
-            sweep.refine(touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection});
+        const auto refined = sweep.refine(
+            touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection}, detector.broad_phase());
         INFO("size " << size);
         CHECK(refined.data() == touches.data());
     }
@@ -178,5 +178,6 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
         follow(moving(0), moving(1), ContactScene::dt, {.tolerance = 2e-5, .margin = 2e-3, .permitted = 4e-4});
     CHECK(!course.meeting);
     CHECK(!course.decided);
-    CHECK(sweep.refine(touches, {scene.colliders, bodies, ContactScene::dt, detection}).size() == 1);
+    const collision::Sweep::Step step{scene.colliders, bodies, ContactScene::dt, detection};
+    CHECK(sweep.refine(touches, step, detector.broad_phase()).size() == 1);
 }
