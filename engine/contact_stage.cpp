@@ -211,7 +211,8 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
 }
 
 void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
-                                     std::span<const char> changed, double dt, std::vector<ConstraintRow>& rows) {
+                                     std::span<const NewForce> changed, double dt,
+                                     std::vector<ConstraintRow>& rows) {
     if (!sweep_) return;
     const auto found =
         sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection}, detector_.broad_phase());

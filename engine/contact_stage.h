@@ -52,7 +52,7 @@ class ContactStage : public ConstraintSource {
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
     void append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
-                           std::span<const char> changed, double dt, std::vector<ConstraintRow>& rows) override;
+                           std::span<const NewForce> changed, double dt, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }

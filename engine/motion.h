@@ -24,4 +24,8 @@ inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_f
             world_inverse_inertia(body) * (body.angular_momentum + dt * torque)};
 }
 
+// Whether a body has got another constraint force, and how: as part of an answer for the whole step, or in small
+// steps, which stir a heap by more than any answer would be worth for a small part of a size.
+enum class NewForce : char { none, of_answer, of_small_steps };
+
 }  // namespace pushfactor::engine

@@ -4,6 +4,7 @@
 
 #include "engine/body.h"
 #include "engine/constraint_row.h"
+#include "engine/motion.h"
 
 #include <span>
 #include <vector>
@@ -28,9 +29,9 @@ class ConstraintSource {
     // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first
     // column [N and N m, one per body], as found with the rows so far; none when nothing is missing. Called again
     // while other sources or this one append some. Since the last call, and in the first one since append_rows(),
-    // only bodies with `changed` (one per body) have got other forces.
+    // only the bodies that `changed` (one per body) names have got other forces.
     virtual void append_unforeseen(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/,
-                                   std::span<const char> /*changed*/, double /*dt*/,
+                                   std::span<const NewForce> /*changed*/, double /*dt*/,
                                    std::vector<ConstraintRow>& /*rows*/) {}
 
     // The forces that the next step should begin with, one for each row that the source has appended in this step,

@@ -70,7 +70,8 @@ void World::append_unforeseen(double dt) {
 
 World::Work World::solve_and_look(double dt) {
     Work work = solve_islands();
-    changed_.assign(bodies.size(), 1);
+    changed_.assign(bodies.size(), NewForce::of_answer);
+    for (const Island& island : islands_.all()) note_changed(island);
     bool finished = false;
     for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
@@ -86,6 +87,11 @@ World::Work World::solve_and_look(double dt) {
         }
     }
     return work;
+}
+
+void World::note_changed(const Island& island) {
+    const NewForce kind = outcome_of(island).in_small_steps ? NewForce::of_small_steps : NewForce::of_answer;
+    for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = kind;
 }
 
 World::Work World::solve_islands() {
@@ -108,23 +114,23 @@ World::Work World::solve_islands_again(std::size_t first_new_row) {
     guess(first_new_row, lambda_);
     first_guess_.resize(lambda_.rows(), lambda_.cols());
     guess(0, first_guess_);
-    changed_.assign(bodies.size(), 0);
+    changed_.assign(bodies.size(), NewForce::none);
     Work work;
     for (const Island& island : islands_.all()) {
         if (!has_row_from(island, first_new_row)) continue;
         solve(island, &first_guess_, work);
-        for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
+        note_changed(island);
     }
     return work;
 }
 
 World::Work World::finish_islands() {
-    changed_.assign(bodies.size(), 0);
+    changed_.assign(bodies.size(), NewForce::none);
     Work work;
     for (const Island& island : islands_.all()) {
         if (!island_solver_.can_go_on(island, termination)) continue;
         work.add(island, island_solver_.go_on(*solver, termination, system_, island, lambda_, forces_));
-        for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
+        note_changed(island);
     }
     return work;
 }

@@ -112,6 +112,7 @@ class World {
     void guess(std::size_t first_row, Columns& lambda) const;
     void solve(const Island& island, Columns* first_guess, Work& work);
     void take_small_steps(const Island& island, Work& work);
+    void note_changed(const Island& island);
     // Solves all islands from the guesses of their rows and writes forces_.
     Work solve_islands();
     // Solves the islands with new rows once more, these rows from their guesses and the others from what has been
@@ -140,7 +141,7 @@ class World {
     Islands islands_;
     IslandSolver island_solver_;
     Columns lambda_, first_guess_;
-    std::vector<char> changed_;  // one per body, whether the last solves may have given it another force
+    std::vector<NewForce> changed_;                    // one per body, what the last solves may have given it
     std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row
     std::vector<Lambda> endings_;  // of rows whose islands were in small steps, the forces of the last one
     ConstraintForces forces_;

@@ -51,14 +51,18 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
     if (excess > 0.0) velocity_of_body -= excess * normal;
 }
 
-// Whether the constraint force makes the body move otherwise than foreseen, by more than its margin, and fast.
-bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const Sweep::Step& step) {
+// Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
+// dangerously where it comes from small steps.
+bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
+               const Sweep::Step& step) {
+    if (kind == NewForce::none) return false;
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
-    const double margin = margin_of(collider, step);
-    if (path_of(collider, speed, rate, step.dt) <= margin) return false;
+    const double limit =
+        kind == NewForce::of_small_steps ? dangerous * size_of(collider.shape) : margin_of(collider, step);
+    if (path_of(collider, speed, rate, step.dt) <= limit) return false;
     const Motion motion = motion_of(body, step.dt, force);
-    return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > margin;
+    return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
 }
 
 bool bounces(const Collider& collider) {
@@ -167,12 +171,12 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
     }
 }
 
-bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step) {
+bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step) {
     fast_.clear();
     bool any = false;
     for (const Collider& collider : step.colliders) {
         const auto body = static_cast<std::size_t>(collider.body);
-        fast_.push_back(changed[body] && is_thrown(collider, step.bodies[body], forces[body], step));
+        fast_.push_back(is_thrown(collider, step.bodies[body], forces[body], changed[body], step));
         any = any || fast_.back();
     }
     return any;
@@ -254,8 +258,8 @@ bool Sweep::is_known(const Pair& pair) const {
     return std::binary_search(seen_.begin(), seen_.end(), pair);
 }
 
-std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const char> changed, const Step& step,
-                                   BroadPhase& broad_phase) {
+std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
+                                   const Step& step, BroadPhase& broad_phase) {
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};

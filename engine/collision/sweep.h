@@ -15,6 +15,7 @@
 #include "engine/collision/fast_pairs.h"
 #include "engine/collision/passing.h"
 #include "engine/collision/swept.h"
+#include "engine/motion.h"
 
 #include <deque>
 #include <span>
@@ -32,11 +33,11 @@ class Sweep {
     std::span<const Touch> refine(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
 
     // The touches that are missing when the constraint `forces` act too [N and N m, one per body]: of pairs that
-    // neither refine() nor look() has had in this step. Only bodies with `changed` (one per body) have got other
-    // forces since the last of those calls. In ascending order of the pair; good until the next call, but for the
-    // points and bodies that they refer to, which are good until the next refine().
-    std::span<const Touch> look(std::span<const Vector6> forces, std::span<const char> changed, const Step& step,
-                                BroadPhase& broad_phase);
+    // neither refine() nor look() has had in this step. Only the bodies that `changed` (one per body) names have
+    // got other forces since the last of those calls. In ascending order of the pair; good until the next call, but
+    // for the points and bodies that they refer to, which are good until the next refine().
+    std::span<const Touch> look(std::span<const Vector6> forces, std::span<const NewForce> changed,
+                                const Step& step, BroadPhase& broad_phase);
 
   private:
     // What touches refer to.
@@ -55,7 +56,7 @@ class Sweep {
 
     bool any_fast(std::span<const Touch> touches, const Step& step);
     void find_pressed(std::span<const Touch> touches, const Step& step);
-    bool any_thrown(std::span<const Vector6> forces, std::span<const char> changed, const Step& step);
+    bool any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step);
     void refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
     bool is_known(const Pair& pair) const;
     // How the pair goes on; the touch of one that meets is added to `touches`.

@@ -65,11 +65,17 @@ class Auto {
 
   private:
     void solve_thread(const Termination& termination, SolveCount& count) {
+        if (!pays_off(termination) || !solve_exactly(termination, count)) {
+            work_down(rows_, termination, count, sweep<columns>);
+        }
+    }
+
+    bool pays_off(const Termination& termination) {
+        if (!(termination.credit > 0.0)) return false;
         exact_.plan();
         const double factorisation = columns * exact_.factorisation(rows_);
-        const bool pays = least_factorisations * factorisation <= termination.credit &&
-                          factorisation <= most_sweeps_a_factorisation * rows_.pass_work();
-        if (!pays || !solve_exactly(termination, count)) work_down(rows_, termination, count, sweep<columns>);
+        return least_factorisations * factorisation <= termination.credit &&
+               factorisation <= most_sweeps_a_factorisation * rows_.pass_work();
     }
 
     // Returns whether that led anywhere; else the forces are those from before.
