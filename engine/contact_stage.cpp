@@ -291,6 +291,8 @@ void ContactStage::store_forces() {
     for (const collision::Touch& touch : touches_) {
         for (; next != unforeseen.end() && next->touch->pair < touch.pair; ++next) store(*next);
         store({&touch, force});
+        // Of a pair that was found twice, the points that it began with.
+        if (next != unforeseen.end() && next->touch->pair == touch.pair) ++next;
         force += touch.points.size();
     }
     for (; next != unforeseen.end(); ++next) store(*next);

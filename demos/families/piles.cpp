@@ -33,12 +33,16 @@ class Places {
         return {(in_layer % across_ - middle) * pitch, 0.6 + layer * pitch, (row - middle) * pitch};
     }
 
-    // Time to fall from the top, twice, and what a heap takes to settle [s].
-    double rest_by(int bodies) const { return 5.0 + 2.0 * std::sqrt(2.0 * (*this)(bodies - 1).y() / gravity); }
-
   private:
     int across_;
 };
+
+// What a heap takes to settle, twice the time to fall from `height` [m], and what slides off with the speed that a
+// body has after it, and with a `speed` of its own [s].
+double rest_by(double height, double mu, double speed = 0.0) {
+    const double falls = std::sqrt(2.0 * height / gravity);
+    return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / mu;
+}
 
 std::string name_of_body(int i) {
     return "body " + std::to_string(i + 1);
@@ -73,7 +77,7 @@ Prospect pile(const ParameterValues& values, const Add& add) {
     const Places place(values);
     const int bodies = values.whole("count");
     for (int i = 0; i < bodies; ++i) add(scene, i, place, values.number("friction"));
-    return dropped(std::move(scene), place.rest_by(bodies));
+    return dropped(std::move(scene), rest_by(place(bodies - 1).y(), values.number("friction")));
 }
 
 Prospect describe_cubes(const ParameterValues& values, Random& random) {
@@ -119,7 +123,7 @@ Prospect describe_rods(const ParameterValues& values, Random& random) {
         rod.velocity = Vector3(0, -speed, 0);
     }
     const double height = scene.bodies.back().position.y();
-    return dropped(std::move(scene), 5.0 + 2.0 * std::sqrt(2.0 * height / gravity));
+    return dropped(std::move(scene), rest_by(height, mu, speed));
 }
 
 Prospect describe_funnel(const ParameterValues& values, Random& random) {

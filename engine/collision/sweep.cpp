@@ -1,5 +1,7 @@
 #include "engine/collision/sweep.h"
 
+#include "engine/collision/pair_table.h"
+
 #include <algorithm>
 
 namespace pushfactor::engine::collision {
@@ -51,15 +53,18 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
     if (excess > 0.0) velocity_of_body -= excess * normal;
 }
 
+// The share of its size by which small steps may move a body otherwise than foreseen.
+constexpr double stirred = 0.1;
+
 // Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
-// dangerously where it comes from small steps.
+// more than that where it comes from small steps.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
                const Sweep::Step& step) {
     if (kind == NewForce::none) return false;
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const double limit =
-        kind == NewForce::of_small_steps ? dangerous * size_of(collider.shape) : margin_of(collider, step);
+        kind == NewForce::of_small_steps ? stirred * size_of(collider.shape) : margin_of(collider, step);
     if (path_of(collider, speed, rate, step.dt) <= limit) return false;
     const Motion motion = motion_of(body, step.dt, force);
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
@@ -71,6 +76,9 @@ bool bounces(const Collider& collider) {
 
 // How near two bodies have to come for having met, as a fraction of the size.
 constexpr double met = 1e-4;
+
+// By how much deeper a pair with rows may end the step, as a fraction of the size.
+constexpr double deep = 0.05;
 
 bool before(const Touch& touch, const Pair& pair) {
     return touch.pair < pair;
@@ -203,19 +211,40 @@ Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vecto
     if (touch.restitution > 0.0) keep_meeting_points(*meeting, a, b, step.dt - meeting->time);
     const bool doubtful = permitted > 0.0 && meeting->manifold.other_gap + permitted >= 0.0;
     if (meeting->time > 0.0) wind_back(*meeting, a, b);
-    if (meeting->time > 0.0 || doubtful) {  // what keeps them apart is looked for among all touches
-        const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
-        const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
-        found_.bodies.push_back(
-            {moved_to(body_a, meeting->pose_a), moved_to(body_b, meeting->pose_b), meeting->time});
-        touch.meeting = &found_.bodies.back();
-    }
-    Manifold& manifold = meeting->manifold;
+    if (meeting->time > 0.0 || doubtful) keep_bodies(*meeting, step, touch);  // what keeps them apart is looked for
+    keep_points(meeting->manifold, a, step, touch);
+    touches.push_back(touch);
+    return Outcome::meets;
+}
+
+void Sweep::keep_bodies(const Meeting& meeting, const Step& step, Touch& touch) {
+    const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
+    const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
+    found_.bodies.push_back({moved_to(body_a, meeting.pose_a), moved_to(body_b, meeting.pose_b), meeting.time});
+    touch.meeting = &found_.bodies.back();
+}
+
+void Sweep::keep_points(Manifold& manifold, const Moving& a, const Step& step, Touch& touch) {
     if (step.detection.reduce_to_four_points) reduce_to_four(manifold, a.start.rotation);
     touch.normal = manifold.normal;
     touch.points = found_.keep(manifold.points());
+}
+
+// Adds another touch of a pair that has one, but is turned by its rows so that it ends the step deep in each other
+// all the same: with the points and the normal of that end.
+void Sweep::add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches) {
+    if (first.restitution > 0.0) return;
+    const Moving a = moving(first.pair.a, step);
+    const Moving b = moving(first.pair.b, step);
+    Touch touch = first;
+    Meeting end{.time = step.dt, .pose_a = pose_at(a, step.dt), .pose_b = pose_at(b, step.dt), .manifold = {}};
+    collide(a.shape, end.pose_a, b.shape, end.pose_b, step.detection.margin * touch.size, end.manifold);
+    const double before = std::min(0.0, smallest_gap(first.points));
+    if (end.manifold.count == 0 || smallest_gap(end.manifold.points()) >= before - deep * touch.size) return;
+    wind_back(end, a, b);
+    keep_bodies(end, step, touch);
+    keep_points(end.manifold, a, step, touch);
     touches.push_back(touch);
-    return Outcome::meets;
 }
 
 void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase) {
@@ -252,10 +281,9 @@ std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step&
     return known_;
 }
 
-bool Sweep::is_known(const Pair& pair) const {
-    const auto known = std::lower_bound(known_.begin(), known_.end(), pair, before);
-    if (known != known_.end() && known->pair == pair) return true;
-    return std::binary_search(seen_.begin(), seen_.end(), pair);
+const Touch* Sweep::known(const Pair& pair) const {
+    const auto touch = std::lower_bound(known_.begin(), known_.end(), pair, before);
+    return touch != known_.end() && touch->pair == pair ? &*touch : nullptr;
 }
 
 std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
@@ -264,7 +292,12 @@ std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<co
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
     for (const Pair& pair : fast_pairs_.find(outlook, fast_, broad_phase)) {
-        if (!is_known(pair)) add_meeting(pair, step, unforeseen_);
+        if (std::binary_search(seen_.begin(), seen_.end(), pair)) continue;
+        if (const Touch* touch = known(pair)) {
+            add_turned(*touch, step, unforeseen_);
+        } else {
+            add_meeting(pair, step, unforeseen_);
+        }
     }
     const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
     for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);

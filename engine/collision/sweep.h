@@ -33,9 +33,10 @@ class Sweep {
     std::span<const Touch> refine(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
 
     // The touches that are missing when the constraint `forces` act too [N and N m, one per body]: of pairs that
-    // neither refine() nor look() has had in this step. Only the bodies that `changed` (one per body) names have
-    // got other forces since the last of those calls. In ascending order of the pair; good until the next call, but
-    // for the points and bodies that they refer to, which are good until the next refine().
+    // refine() has not had, or that end the step deeper in each other although it has; of each pair once in a step.
+    // Only the bodies that `changed` (one per body) names have got other forces since the last of those calls. In
+    // ascending order of the pair; good until the next call, but for the points and bodies that they refer to,
+    // which are good until the next refine().
     std::span<const Touch> look(std::span<const Vector6> forces, std::span<const NewForce> changed,
                                 const Step& step, BroadPhase& broad_phase);
 
@@ -58,10 +59,13 @@ class Sweep {
     void find_pressed(std::span<const Touch> touches, const Step& step);
     bool any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step);
     void refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
-    bool is_known(const Pair& pair) const;
+    const Touch* known(const Pair& pair) const;  // of the last refine(), null if there is none
     // How the pair goes on; the touch of one that meets is added to `touches`.
     enum class Outcome { meets, passes, undecided };
     Outcome add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches);
+    void add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches);
+    void keep_bodies(const Meeting& meeting, const Step& step, Touch& touch);
+    void keep_points(Manifold& manifold, const Moving& a, const Step& step, Touch& touch);
     Moving moving(int collider, const Step& step) const;
 
     // Whether the pair is one that rows of the margin's kind would not do for.
