@@ -129,6 +129,13 @@ double Measurements::lowest_place(std::size_t i) const {
     return standing_ ? std::min(start, standing_->rest_heights[i]) : start;
 }
 
+void IslandCount::add(const Sample& sample) {
+    kept += sample.count.islands_kept;
+    swept += sample.count.islands_swept;
+    exact += sample.count.islands_exact;
+    in_small_steps += sample.count.islands_in_small_steps;
+}
+
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
     latest_ = positions_of(simulation.scene().world);
@@ -141,6 +148,7 @@ void Measurements::observe(const Simulation& simulation) {
     if (sample.cpu_us) cpu_us_.push_back(*sample.cpu_us);
     substeps_.add(sample);
     unsolved_.add(sample);
+    islands_.add(sample);
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());

@@ -57,6 +57,13 @@ struct UnsolvedSteps {
     void add(const Sample& sample);
 };
 
+// What was done with the islands, over all steps of a run.
+struct IslandCount {
+    long kept = 0, swept = 0, exact = 0, in_small_steps = 0;
+
+    void add(const Sample& sample);
+};
+
 class Measurements {
   public:
     explicit Measurements(const Simulation& simulation);  // at the start of the run
@@ -80,6 +87,7 @@ class Measurements {
     double max_kinetic_energy_last_second() const;                  // J
     const SubstepCount& substeps() const { return substeps_; }
     const UnsolvedSteps& unsolved() const { return unsolved_; }
+    const IslandCount& islands() const { return islands_; }
     std::vector<std::pair<std::string, double>> of_scene() const;  // what the scene is about
     std::vector<double> heights() const;                           // m, movable bodies at the end
 
@@ -119,6 +127,7 @@ class Measurements {
     std::vector<double> residuals_, cpu_us_;
     SubstepCount substeps_;
     UnsolvedSteps unsolved_;
+    IslandCount islands_;
 };
 
 // The middle of the sorted values, the mean of the two middle ones for an even number; 0 for none.

@@ -36,6 +36,13 @@ Json substeps_of(const SubstepCount& count) {
     return json;
 }
 
+Json islands_of(const IslandCount& count) {
+    return {{"kept", count.kept},
+            {"swept", count.swept},
+            {"exact", count.exact},
+            {"in_small_steps", count.in_small_steps}};
+}
+
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -65,6 +72,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["unsolved_steps"] = unsolved.count;
     summary["first_unsolved_step"] = unsolved.first ? Json(unsolved.first->step) : Json(nullptr);
     summary["contradicting_steps"] = unsolved.contradicting;
+    summary["islands"] = islands_of(measured.islands());
     summary["energy_initial_j"] = measured.initial_energy();
     summary["energy_final_j"] = measured.final_energy();
     summary["energy_gain_j"] = measured.energy_gain();

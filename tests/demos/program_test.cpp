@@ -150,6 +150,7 @@ TEST_CASE("a summary holds the fields that design and README promise") {
                               "unsolved_steps",
                               "first_unsolved_step",
                               "contradicting_steps",
+                              "islands",
                               "energy_initial_j",
                               "energy_final_j",
                               "energy_gain_j",
