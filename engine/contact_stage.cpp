@@ -201,7 +201,7 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
     }
     touches_ = touches;
     if (sweep_) {
-        touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection}, detector_.broad_phase());
+        touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection}, detector_);
     }
     if (friction_) find_motions(bodies);
     forces_.clear();
@@ -214,8 +214,7 @@ void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<con
                                      std::span<const NewForce> changed, double dt,
                                      std::vector<ConstraintRow>& rows) {
     if (!sweep_) return;
-    const auto found =
-        sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection}, detector_.broad_phase());
+    const auto found = sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection}, detector_);
     if (found.empty()) return;
     // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();

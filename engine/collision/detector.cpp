@@ -28,6 +28,15 @@ void keep_closing_points(const Touch& touch, double margin, const Foresight& for
     manifold.count = kept;
 }
 
+// Whether the step may close the gap between two boxes that are beside each other.
+bool may_meet(const Pair& pair, std::span<const Collider> colliders, double margin, const Foresight& foresight,
+              const Manifold& manifold) {
+    if (std::isinf(manifold.gap_beside)) return false;
+    const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
+    const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
+    return manifold.gap_beside < margin + foresight.most_closing(a, b, manifold.normal);
+}
+
 }  // namespace
 
 void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch) {
@@ -54,6 +63,7 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
 
     touches_.clear();
     points_.clear();
+    beside_.clear();
     for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight)) {
         Touch& touch = touches_.emplace_back();
         name_pair(pair, colliders, bodies, touch);
@@ -67,6 +77,7 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
                 foreseen ? margin + foresight->path(pair.a) + foresight->path(pair.b) : margin, manifold_);
         if (foreseen) keep_closing_points(touch, margin, *foresight, manifold_);
         if (manifold_.count == 0) {
+            if (foreseen && may_meet(pair, colliders, margin, *foresight, manifold_)) beside_.push_back(pair);
             touches_.pop_back();
             continue;
         }

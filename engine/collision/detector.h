@@ -56,12 +56,17 @@ class Detector {
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
     BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()
 
+    // Pairs without a touch whose motion may bring them together all the same: they are beside each other now, so
+    // that no point of one faces the other. In ascending order, of the last detect(); none without foresight.
+    std::span<const Pair> beside() const { return beside_; }
+
   private:
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
     std::vector<ContactPoint> points_;  // of all touches, in their order
-    Manifold manifold_;                 // of the pair at hand
+    std::vector<Pair> beside_;
+    Manifold manifold_;  // of the pair at hand
 };
 
 }  // namespace pushfactor::engine::collision

@@ -1,5 +1,8 @@
 #include "engine/collision/fast_pairs.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pushfactor::engine::collision {
 
 namespace {
@@ -69,6 +72,19 @@ std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<
         if (any_plane || overlap(a.box, b.box)) pairs_.push_back(pair);
     }
     return pairs_;
+}
+
+std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<bool>& fast,
+                                      std::span<const Pair> more, BroadPhase& broad_phase) {
+    const std::span<const Pair> found = find(outlook, fast, broad_phase);
+    if (more.empty()) return found;
+    for (const Pair& pair : more) {
+        sweep(outlook, pair.a);
+        sweep(outlook, pair.b);
+    }
+    merged_.clear();
+    std::set_union(found.begin(), found.end(), more.begin(), more.end(), std::back_inserter(merged_));
+    return merged_;
 }
 
 }  // namespace pushfactor::engine::collision

@@ -30,6 +30,10 @@ class FastPairs {
     // other ones for those that are, or have been in this step.
     std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast, BroadPhase& broad_phase);
 
+    // The same, and the pairs `more` (ascending) among them.
+    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast, std::span<const Pair> more,
+                               BroadPhase& broad_phase);
+
     // Of a collider of the pairs that were found.
     const Motion& motion_of(int collider) const { return swept_[static_cast<std::size_t>(collider)].motion; }
 
@@ -46,7 +50,7 @@ class FastPairs {
     int search_ = 0;               // of the step
     std::vector<char> ever_fast_;  // in the step, by collider
     std::vector<Swept> swept_;     // by collider, where it has been asked for
-    std::vector<Pair> pairs_;
+    std::vector<Pair> pairs_, merged_;
 };
 
 }  // namespace pushfactor::engine::collision

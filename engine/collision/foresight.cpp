@@ -44,4 +44,14 @@ double Foresight::closing(int body_a, int body_b, const Vector3& normal, const V
     return std::max(0.0, dt_ * (speed_along(body_a) - speed_along(body_b)));
 }
 
+double Foresight::most_closing(const Collider& a, const Collider& b, const Vector3& normal) const {
+    const auto reach = [&](const Collider& collider, const Vector3& direction) {
+        const Body& body = bodies_[static_cast<std::size_t>(collider.body)];
+        if (body.is_static()) return 0.0;
+        const Motion motion = motion_of(body, dt_);
+        return dt_ * direction.dot(motion.velocity) + path_of(collider, 0.0, motion.angular_velocity.norm(), dt_);
+    };
+    return reach(a, normal) + reach(b, -normal);
+}
+
 }  // namespace pushfactor::engine::collision

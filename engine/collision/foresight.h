@@ -33,6 +33,9 @@ class Foresight {
     // How much of a gap at `point` along `normal`, which points from body a to body b, the free motions close [m].
     double closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const;
 
+    // The most that these motions close of any gap between two colliders along `normal` [m].
+    double most_closing(const Collider& a, const Collider& b, const Vector3& normal) const;
+
   private:
     std::span<const Body> bodies_;
     double dt_ = 0.0;

@@ -247,11 +247,12 @@ void Sweep::add_turned(const Touch& first, const Step& step, std::vector<Touch>&
     touches.push_back(touch);
 }
 
-void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase) {
+void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector) {
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_, broad_phase)) {
-        if (!is_swept(pair, step)) continue;
+    const std::span<const Pair> beside = detector.beside();
+    for (const Pair& pair : fast_pairs_.find(outlook, fast_, beside, detector.broad_phase())) {
+        if (!is_swept(pair, step) && !std::binary_search(beside.begin(), beside.end(), pair)) continue;
         for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
         const double margin = touching ? step.detection.margin * touch->size : 0.0;
@@ -269,14 +270,14 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, BroadP
     passing_.take_out_held(refined_, step);
 }
 
-std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase) {
+std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step, Detector& detector) {
     found_.clear();
     seen_.clear();
     fast_pairs_.begin(step.colliders.size());
     known_ = touches;
-    if (!any_fast(touches, step)) return known_;
+    if (!any_fast(touches, step) && detector.beside().empty()) return known_;
     refined_.clear();
-    refine_fast(touches, step, broad_phase);
+    refine_fast(touches, step, detector);
     known_ = refined_;
     return known_;
 }
@@ -287,11 +288,11 @@ const Touch* Sweep::known(const Pair& pair) const {
 }
 
 std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
-                                   const Step& step, BroadPhase& broad_phase) {
+                                   const Step& step, Detector& detector) {
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_, broad_phase)) {
+    for (const Pair& pair : fast_pairs_.find(outlook, fast_, detector.broad_phase())) {
         if (std::binary_search(seen_.begin(), seen_.end(), pair)) continue;
         if (const Touch* touch = known(pair)) {
             add_turned(*touch, step, unforeseen_);

@@ -27,10 +27,10 @@ class Sweep {
   public:
     using Step = Passing::Step;
 
-    // `touches` as the detector found them, where fast pairs are concerned put right: those that meet in the coming
-    // step added or with all the points that take part, and those that only pass each other left out. In ascending
-    // order of the pair; good until the next call.
-    std::span<const Touch> refine(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
+    // `touches` as `detector` found them, where fast pairs are concerned, and those beside each other, put right:
+    // those that meet in the coming step added or with all the points that take part, and those that only pass each
+    // other left out. In ascending order of the pair; good until the next call.
+    std::span<const Touch> refine(std::span<const Touch> touches, const Step& step, Detector& detector);
 
     // The touches that are missing when the constraint `forces` act too [N and N m, one per body]: of pairs that
     // refine() has not had, or that end the step deeper in each other although it has; of each pair once in a step.
@@ -38,7 +38,7 @@ class Sweep {
     // ascending order of the pair; good until the next call, but for the points and bodies that they refer to,
     // which are good until the next refine().
     std::span<const Touch> look(std::span<const Vector6> forces, std::span<const NewForce> changed,
-                                const Step& step, BroadPhase& broad_phase);
+                                const Step& step, Detector& detector);
 
   private:
     // What touches refer to.
@@ -58,7 +58,7 @@ class Sweep {
     bool any_fast(std::span<const Touch> touches, const Step& step);
     void find_pressed(std::span<const Touch> touches, const Step& step);
     bool any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step);
-    void refine_fast(std::span<const Touch> touches, const Step& step, BroadPhase& broad_phase);
+    void refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector);
     const Touch* known(const Pair& pair) const;  // of the last refine(), null if there is none
     // How the pair goes on; the touch of one that meets is added to `touches`.
     enum class Outcome { meets, passes, undecided };

@@ -122,8 +122,8 @@ TEST_CASE("what rests under its weight is not swept, however small") {
         const collision::Detection detection{.margin = 0.01, .permitted = 0.0022};
         const auto& touches = detector.detect(scene.colliders, scene.world.bodies, detection);
         REQUIRE(touches.size() >= 4);
-        const auto refined = sweep.refine(
-            touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection}, detector.broad_phase());
+        const auto refined =
+            sweep.refine(touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection}, detector);
         INFO("size " << size);
         CHECK(refined.data() == touches.data());
     }
@@ -179,5 +179,5 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
     CHECK(!course.meeting);
     CHECK(!course.decided);
     const collision::Sweep::Step step{scene.colliders, bodies, ContactScene::dt, detection};
-    CHECK(sweep.refine(touches, step, detector.broad_phase()).size() == 1);
+    CHECK(sweep.refine(touches, step, detector).size() == 1);
 }
