@@ -21,6 +21,9 @@ constexpr double settled = 1e-4;
 // And with which forces are missing at most, with room for roundings.
 constexpr double unbalanced = 1.1;
 
+// And with which bodies hit each other: more than load that is not held can build up in some steps.
+constexpr double hit = 3.0;
+
 // And from which on load has a long way to go: that of a tower whose forces begin at zero.
 constexpr double unheld = 0.1;
 
@@ -111,10 +114,12 @@ double SmallSteps::standing_speed(double dt, std::span<const Body> bodies, const
 SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island,
                                              double residual) const {
     if (division_) return *division_;
+    const double by_forces = fastest_by_forces(dt, bodies, island);
+    if (residual <= unheld * by_forces) return standing;
     const int moves = moving(dt, bodies, island);
-    if (is_more_than(a_part_moves, moves, island)) return stirred;
-    const bool is_held = residual <= unheld * fastest_by_forces(dt, bodies, island);
-    return is_held || is_more_than(a_few_move, moves, island) ? standing : loading;
+    const bool is_hit = residual > hit * by_forces && is_more_than(a_few_move, moves, island);
+    if (!is_hit) return loading;
+    return is_more_than(a_part_moves, moves, island) ? stirred : standing;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

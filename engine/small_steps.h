@@ -63,8 +63,8 @@ class SmallSteps {
     // the step, where nearly all bodies are slower than these make them. Zero where they are not.
     static double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
 
-    // What suits the island, whose guess has this residual [m/s]: many where nearly all of its bodies rest, with
-    // more sweeps while the forces are far from what holds them, and few where it is stirred.
+    // What suits the island, whose guess has this residual [m/s]: many small steps, with more sweeps while the
+    // forces are far from what holds it, and few where bodies that move hit each other.
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which

@@ -1,5 +1,6 @@
 // The pairs of colliders that may meet within a step although their margins do not reach each other: at least one
-// is so fast that the sweep has to look (sweep.h).
+// is so fast that the sweep has to look (sweep.h). They come from the broad phase of the step, with other boxes for
+// what is fast.
 #pragma once
 
 #include "engine/collision/broad_phase.h"

@@ -5,8 +5,12 @@
 // pass ("ghost collisions"). The gap of such a point is the path that is left along the normal, so that its row
 // aims at -gap/dt like that of every point that is still apart: the bodies end the step touching.
 //
+// So does a pair of slower boxes that are beside each other when the step begins: none of their points face each
+// other then, but sliding past each other some of them may meet.
+//
 // What a collision of the same step throws is swept with the motion that it is thrown with, once the step is
-// solved: when it would meet something that has no rows, these come too, and what they act on is solved again.
+// solved: when it would meet something that has no rows, these come too, and what they act on is solved again. And
+// when its own rows turn a body deep into what it touches, the pair gets the points of the end of the step as well.
 //
 // Not from the paper, which has no continuous collision detection.
 #pragma once
