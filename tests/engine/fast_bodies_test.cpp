@@ -230,7 +230,7 @@ TEST_CASE("what an impact turns does not end the step deep in what turned it") {
         deepest = std::max(deepest, scene.watch(30).penetration);
     }
     INFO(deepest);
-    CHECK(deepest < 0.03);  // 0.052 without the points of the end, 0.054 without pairs beside each other
+    CHECK(deepest < 0.03);  // 0.054 m without pairs beside each other
 }
 
 TEST_CASE("where no body is fast the touches are handed on untouched") {
