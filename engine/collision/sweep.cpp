@@ -54,7 +54,7 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
 }
 
 // The share of its size by which small steps may move a body otherwise than foreseen.
-constexpr double stirred = 0.1;
+constexpr double loose = 0.1;
 
 // Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
 // more than that where it comes from small steps.
@@ -64,7 +64,7 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const double limit =
-        kind == NewForce::of_small_steps ? stirred * size_of(collider.shape) : margin_of(collider, step);
+        kind == NewForce::of_small_steps ? loose * size_of(collider.shape) : margin_of(collider, step);
     if (path_of(collider, speed, rate, step.dt) <= limit) return false;
     const Motion motion = motion_of(body, step.dt, force);
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
