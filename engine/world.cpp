@@ -70,7 +70,7 @@ void World::append_unforeseen(double dt) {
 
 World::Work World::solve_and_look(double dt) {
     Work work = solve_islands();
-    changed_.assign(bodies.size(), NewForce::of_answer);
+    changed_.assign(bodies.size(), NewForce::none);
     for (const Island& island : islands_.all()) note_changed(island);
     bool finished = false;
     for (int look = 0; look < most_looks; ++look) {

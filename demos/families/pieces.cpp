@@ -46,6 +46,11 @@ Quaternion random_orientation(scenes::Random& random) {
     return q.normalized();
 }
 
+double rest_by(double height, double friction, double speed) {
+    const double falls = std::sqrt(2.0 * height / gravity);
+    return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / friction;
+}
+
 void look_at_all(SceneDescription& scene) {
     Eigen::AlignedBox3d around;
     for (const BodyDescription& body : scene.bodies) {

@@ -25,6 +25,10 @@ engine::Quaternion inclined(double angle);
 // Every orientation is as likely.
 engine::Quaternion random_orientation(scenes::Random& random);
 
+// When what falls from `height` [m] rests [s]: what a heap takes to settle, twice the time to fall, and the time
+// that something slides that has got the speed of that fall and the `speed` [m/s] of what was thrown.
+double rest_by(double height, double friction, double speed = 0.0);
+
 // A camera that has all movable bodies in its picture.
 void look_at_all(SceneDescription& scene);
 

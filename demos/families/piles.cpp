@@ -37,13 +37,6 @@ class Places {
     int across_;
 };
 
-// What a heap takes to settle, twice the time to fall from `height` [m], and what slides off with the speed that a
-// body has after it, and with a `speed` of its own [s].
-double rest_by(double height, double mu, double speed = 0.0) {
-    const double falls = std::sqrt(2.0 * height / gravity);
-    return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / mu;
-}
-
 std::string name_of_body(int i) {
     return "body " + std::to_string(i + 1);
 }

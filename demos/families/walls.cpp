@@ -53,8 +53,8 @@ Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
              values.number("friction"))
         .velocity = Vector3(0, 0, -values.number("speed"));
     look_at_all(scene);
-    return {
-        .scene = std::move(scene), .ends = Ends::rests, .rest_by = 5.0 + 2.0 * std::sqrt(2.0 * height / gravity)};
+    const double rests = rest_by(height, values.number("friction"), values.number("speed"));
+    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rests};
 }
 
 }  // namespace

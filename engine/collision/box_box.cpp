@@ -289,7 +289,7 @@ void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
     }
     const double much = 0.1 * std::max(a.half_size.minCoeff(), b.half_size.minCoeff());  // overlap, m
     manifold.other_gap = largest_of_others(axes, pose_a, pose_b, much, manifold.normal);
-    if (manifold.count == 0) manifold.gap_beside = axes.largest();
+    manifold.separation = axes.largest();
 }
 
 void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,

@@ -32,9 +32,13 @@ bool reaches(const BoundingBox& box, const Plane& plane) {
     return !(plane.up.dot(box.centre - plane.point) >= plane.up.cwiseAbs().dot(box.reach));
 }
 
-bool holds(const BoundingBox& wide, const BoundingBox& box) {
+// A wide box that was made for something fast is far too wide when that has come to rest.
+constexpr double far_too_wide = 3.0;
+
+bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
     const auto along = [&](int axis) {
-        return std::abs(box.centre[axis] - wide.centre[axis]) + box.reach[axis] <= wide.reach[axis];
+        return std::abs(box.centre[axis] - wide.centre[axis]) + box.reach[axis] <= wide.reach[axis] &&
+               wide.reach[axis] <= far_too_wide * (box.reach[axis] + slack);
     };
     return along(0) && along(1) && along(2);
 }
@@ -89,7 +93,7 @@ void BroadPhase::update_candidates() {
     }
     left_.clear();
     for (std::size_t i = 0; i < wide_.size(); ++i) {
-        if (!holds(wide_[i], bounds_[i])) left_.push_back(static_cast<int>(i));
+        if (!holds(wide_[i], bounds_[i], bounds_[i].slack)) left_.push_back(static_cast<int>(i));
     }
     if (left_.empty()) return;
     put_again_ += left_.size();

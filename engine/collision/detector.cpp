@@ -31,10 +31,10 @@ void keep_closing_points(const Touch& touch, double margin, const Foresight& for
 // Whether the step may close the gap between two boxes that are beside each other.
 bool may_meet(const Pair& pair, std::span<const Collider> colliders, double margin, const Foresight& foresight,
               const Manifold& manifold) {
-    if (std::isinf(manifold.gap_beside)) return false;
+    if (std::isinf(manifold.separation)) return false;
     const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
     const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
-    return manifold.gap_beside < margin + foresight.most_closing(a, b, manifold.normal);
+    return manifold.separation < margin + foresight.most_closing(a, b, manifold.normal);
 }
 
 }  // namespace

@@ -49,17 +49,17 @@ const FastPairs::Swept& FastPairs::sweep(const Outlook& outlook, int collider) {
 }
 
 void FastPairs::begin(std::size_t colliders) {
-    search_ = 0;
-    ever_fast_.assign(colliders, 0);
-    swept_.assign(colliders, {});
+    ++step_;
+    fast_in_.resize(colliders);
+    swept_.resize(colliders);
 }
 
 std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<bool>& fast,
                                       BroadPhase& broad_phase) {
     ++search_;
     for (std::size_t i = 0; i < fast.size(); ++i) {
-        if (fast[i]) ever_fast_[i] = 1;
-        if (!ever_fast_[i] || is_plane(outlook, i)) continue;
+        if (fast[i]) fast_in_[i] = step_;
+        if (fast_in_[i] != step_ || is_plane(outlook, i)) continue;
         const int collider = static_cast<int>(i);
         broad_phase.put(collider, sweep(outlook, collider).box);
     }

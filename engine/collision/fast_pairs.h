@@ -43,14 +43,14 @@ class FastPairs {
     struct Swept {
         Motion motion;
         BoundingBox box;
-        int search = -1;  // that it is of
+        long search = 0;  // that it is of
     };
 
     const Swept& sweep(const Outlook& outlook, int collider);
 
-    int search_ = 0;               // of the step
-    std::vector<char> ever_fast_;  // in the step, by collider
-    std::vector<Swept> swept_;     // by collider, where it has been asked for
+    long step_ = 0, search_ = 0;  // the last ones
+    std::vector<long> fast_in_;   // by collider, the last step in which it was fast
+    std::vector<Swept> swept_;    // by collider, where it has been asked for
     std::vector<Pair> pairs_, merged_;
 };
 

@@ -26,8 +26,9 @@ struct Manifold {
     // or where the overlap along all of them is deep.
     double other_gap = -std::numeric_limits<double>::infinity();
 
-    // m along the normal, of boxes of which no point of one faces the other within the margin; else infinity.
-    double gap_beside = std::numeric_limits<double>::infinity();
+    // m, the separation of two boxes along the normal, which is less than the gap of their points where these do
+    // not face each other; infinity for other shapes, and for boxes that are farther apart than the margin.
+    double separation = std::numeric_limits<double>::infinity();
 
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
     std::span<const ContactPoint> points() const& { return {storage.data(), static_cast<std::size_t>(count)}; }

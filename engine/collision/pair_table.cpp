@@ -54,7 +54,7 @@ void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pos
              Manifold& manifold) {
     manifold.count = 0;
     manifold.other_gap = -std::numeric_limits<double>::infinity();
-    manifold.gap_beside = std::numeric_limits<double>::infinity();
+    manifold.separation = std::numeric_limits<double>::infinity();
     if (const Collide function = pair_table[a.index()][b.index()]) {
         function(a, pose_a, b, pose_b, margin, manifold);
     }

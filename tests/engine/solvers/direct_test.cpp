@@ -151,8 +151,8 @@ TEST_CASE("auto sweeps once where no two rows share a body, is exact on threads,
     // A stack while it lands, which 25 sweeps leave far from the answer.
     CHECK(of_step("stack", "auto", 0.55).residual < 1e-9);
     CHECK(of_step("stack", "pgs", 0.55).residual > 1e-4);
-    // A heap is swept, in small steps: 8 of 2 sweeps, the last with more. What is spent on top is bounded.
+    // A heap is swept, in small steps, and what is spent on top is bounded.
     const demos::Sample heap = of_step("funnel", "auto", 3.0);
-    CHECK(heap.count.sweeps >= 16);
+    CHECK(heap.count.islands_in_small_steps > 0);
     CHECK(heap.count.multiply_adds <= 5.0 * of_step("funnel", "pgs", 3.0).count.multiply_adds);
 }
