@@ -72,7 +72,7 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
         // What has been solved to the end so far may be hit harder than that, and is worth another answer.
         const bool stands = larger(outcome.residuals) <= allowed.stands_up_to ||
                             (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
-        if (exact_only && stands) outcome.outlook = Budget::Outlook::standing;
+        if (stands) outcome.outlook = Budget::Outlook::standing;
         const auto termination =
             budget_.limits(island, warm_start_.termination(island, usual),
                            exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
