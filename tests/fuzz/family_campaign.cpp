@@ -59,16 +59,18 @@ struct Line {
         }
     }
 
-    std::string text(std::string_view name) const {
-        std::string line = fmt::format("{:<14}{:>8}{:>6}", name, members, hold);
+    std::vector<std::string> fields(std::string_view name) const {
+        std::vector<std::string> all{std::string(name), std::to_string(members), std::to_string(hold)};
         for (std::size_t p = 1; p < property_names.size(); ++p) {
-            line += worst[p] ? fmt::format("{:>10.3g}", *worst[p]) : fmt::format("{:>10}", "-");
+            all.push_back(worst[p] ? fmt::format("{:.3g}", *worst[p]) : "-");
         }
-        line += "  ";
+        std::string failing;
         for (std::size_t p = 0; p < property_names.size(); ++p) {
-            if (fail[p] > 0) line += fmt::format(" {} {}", property_names[p], fail[p]);
+            if (fail[p] == 0) continue;
+            failing += fmt::format("{}{} {}", failing.empty() ? "" : " ", property_names[p], fail[p]);
         }
-        return line + "\n";
+        all.push_back(failing);
+        return all;
     }
 };
 
@@ -101,22 +103,32 @@ std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std:
     return all;
 }
 
-std::string family_table(const std::vector<JudgedMember>& judged) {
-    std::string text = fmt::format("{:<14}{:>8}{:>6}", "family", "members", "hold");
-    for (const std::string_view name : std::span(property_names).subspan(1)) text += fmt::format("{:>10}", name);
-    text += "   fail\n";
+std::vector<std::vector<std::string>> family_lines(const std::vector<JudgedMember>& judged) {
+    std::vector<std::vector<std::string>> lines(1, {"family", "members", "hold"});
+    for (const std::string_view name : std::span(property_names).subspan(1)) lines[0].emplace_back(name);
+    lines[0].emplace_back("fail");
     Line all;
     for (const Family& family : demos::families::families()) {
         Line line;
         for (const JudgedMember& one : judged) {
-            if (one.member.family == &family) line.add(one.judgement);
+            if (one.member.family != &family) continue;
+            line.add(one.judgement);
+            all.add(one.judgement);
         }
-        for (const JudgedMember& one : judged) {
-            if (one.member.family == &family) all.add(one.judgement);
-        }
-        if (line.members > 0) text += line.text(family.name);
+        if (line.members > 0) lines.push_back(line.fields(family.name));
     }
-    return text + all.text("all");
+    lines.push_back(all.fields("all"));
+    return lines;
+}
+
+std::string family_table(const std::vector<JudgedMember>& judged) {
+    std::string text;
+    for (const std::vector<std::string>& fields : family_lines(judged)) {
+        text += fmt::format("{:<14}{:>8}{:>6}", fields[0], fields[1], fields[2]);
+        for (std::size_t p = 3; p + 1 < fields.size(); ++p) text += fmt::format("{:>10}", fields[p]);
+        text += fmt::format("   {}\n", fields.back());
+    }
+    return text;
 }
 
 std::string failures_of(const Judgement& judgement) {

@@ -27,8 +27,10 @@ struct JudgedMember {
 // members judged so far; when it says no, those at work are finished and returned.
 std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on);
 
-// A line for each family: members, how many hold, which properties fail how often, the worst of each property.
-std::string family_table(const std::vector<JudgedMember>& judged);
+// A line for each family: members, how many hold, the worst of each property, which fail how often. The first is
+// the heading, the last that of all together.
+std::vector<std::vector<std::string>> family_lines(const std::vector<JudgedMember>& judged);
+std::string family_table(const std::vector<JudgedMember>& judged);  // the same as text
 
 // The failing properties of a member with their numbers and bars.
 std::string failures_of(const Judgement& judgement);

@@ -6,6 +6,7 @@
 #include "demos/scene_file.h"
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/family_campaign.h"
+#include "tests/fuzz/family_page.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ struct Options {
     std::filesystem::path out = "out/fuzz";
     std::vector<std::filesystem::path> files;
     FamilyRequest families;
+    bool page = false;
 };
 
 void report(const Failure& failure, const std::filesystem::path& folder) {
@@ -88,6 +90,7 @@ int judge_families(const Options& options) {
         report(one, options);
     }
     fmt::print("{}", family_table(judged));
+    if (options.page) write_family_page(judged, request, options.out);
     if (!all_hold) return demos::check_failed;
     return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
 }
@@ -138,6 +141,7 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"default", "exact", "paper"}))
         ->capture_default_str();
     app.add_option("--most-bodies", families.most_bodies, "that a member has")->capture_default_str();
+    app.add_flag("--page", options.page, "and write a page with pictures of the worst member of each family");
     app.add_flag("--small", families.small, "small members, as in the tests");
     app.add_option("FILE", options.files, "scene files to judge instead");
     try {

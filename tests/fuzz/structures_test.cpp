@@ -1,7 +1,9 @@
 // Small members of every family do what mechanics says; and what judges them can see when they do not.
 #include "demos/scene_file.h"
 #include "tests/catch.h"
-#include "tests/fuzz/family_campaign.h"
+#include "tests/demos/program.h"
+#include "tests/fuzz/family_page.h"
+#include "tests/texts.h"
 
 #include <map>
 #include <set>
@@ -109,4 +111,24 @@ TEST_CASE("the judge of families sees what flies through the ground, what does n
 
     prospect.scene.options["dt"] = "none";
     CHECK(!judge_run(prospect, prospect.scene)[Property::finite].holds());
+}
+
+TEST_CASE("the page of a campaign shows the worst member of each family, and lists those that end elsewhere") {
+    FamilyRequest request{.members = 2, .only = "overhang", .small = true};
+    std::vector<JudgedMember> judged = judge_members(request, [](long) { return true; });
+    REQUIRE(judged.size() == 2);
+    judged[1].judgement[Property::ends] = {.value = 7.25, .bar = 0.05};
+    const Folder folder;
+    write_family_page(judged, request, folder.path());
+    const std::string page = read_file(folder.path() / "index.html");
+    const auto times = [&](const std::string& text) {
+        int found = 0;
+        for (auto at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
+        return found;
+    };
+    CHECK(times(judged[1].member.command()) == 2);  // as the worst and in the list
+    CHECK(times(judged[0].member.command()) == 0);
+    CHECK(times("ends 7.25, must be at most 0.05") == 2);
+    CHECK(times("1 of 2 hold") > 0);
+    CHECK(read_file(folder.path() / "overhang.png").starts_with("\x89PNG"));
 }
