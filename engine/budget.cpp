@@ -9,7 +9,7 @@ namespace {
 
 // What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
 // one takes some 20 to 50; in a moving heap hundreds.
-constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0;
+constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0, most_where_it_begins = 4000.0;
 constexpr double income_in_sweeps = 60.0;
 // Small islands have more, in multiply-adds: a stack of 15 that lands may take two million once. By bodies, up to a
 // number of them.
@@ -30,7 +30,9 @@ double at_least(const Island& island, double per_body) {
     return per_body * std::min(1.0 * island.movable(), small_island);
 }
 double most_of(const Island& island, Budget::Outlook outlook) {
-    const double sweeps = outlook == Budget::Outlook::standing ? most_where_it_stands : most_in_sweeps;
+    const double sweeps = outlook == Budget::Outlook::moving     ? most_in_sweeps
+                          : outlook == Budget::Outlook::standing ? most_where_it_stands
+                                                                 : most_where_it_begins;
     return std::max(sweeps * sweep_of(island), at_least(island, most_per_body));
 }
 double income_of(const Island& island) {
@@ -72,7 +74,7 @@ solvers::Termination Budget::limits(const Island& island, solvers::Termination u
     usual.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
     const double in_account = most_of(island, outlook) - debt.work;
-    usual.lasts = outlook == Outlook::standing;
+    usual.lasts = outlook != Outlook::moving;
     // After a failure only a full account will do.
     usual.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
     return usual;

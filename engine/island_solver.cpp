@@ -18,6 +18,12 @@ void each_force(const Island& island, const Visit& visit) {
     }
 }
 
+bool has_forces(const Island& island, const Columns& lambda) {
+    bool any = false;
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) { any = any || lambda(j, column) != 0.0; });
+    return any;
+}
+
 // An island of one column has the same forces in both.
 void copy_to_last(const Island& island, Columns& lambda) {
     if (island.columns == lambda.cols()) return;
@@ -72,7 +78,9 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
         // What has been solved to the end so far may be hit harder than that, and is worth another answer.
         const bool stands = larger(outcome.residuals) <= allowed.stands_up_to ||
                             (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
-        if (stands) outcome.outlook = Budget::Outlook::standing;
+        if (stands) {
+            outcome.outlook = has_forces(island, lambda) ? Budget::Outlook::standing : Budget::Outlook::beginning;
+        }
         const auto termination =
             budget_.limits(island, warm_start_.termination(island, usual),
                            exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);

@@ -115,7 +115,7 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
                                              double residual) const {
     if (division_) return *division_;
     const double by_forces = fastest_by_forces(dt, bodies, island);
-    if (residual <= unheld * by_forces) return standing;
+    if (residual <= unheld * by_forces) return loading;
     const int moves = moving(dt, bodies, island);
     const bool is_hit = residual > hit * by_forces && is_more_than(a_few_move, moves, island);
     if (!is_hit) return loading;
