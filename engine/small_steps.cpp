@@ -16,7 +16,7 @@ constexpr SmallSteps::Division stirred{.steps = 8, .sweeps = 2};
 constexpr double a_few_move = 0.05, a_part_moves = 0.25;
 
 // Residual with which an island has settled, as a share of the speed that external forces give in a step.
-constexpr double settled = 1e-4;
+constexpr double settled = 1e-3;
 
 // And with which forces are missing at most, with room for roundings.
 constexpr double unbalanced = 1.1;
