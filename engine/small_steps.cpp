@@ -9,8 +9,10 @@ namespace pushfactor::engine {
 
 namespace {
 
-constexpr SmallSteps::Division standing{.steps = 16, .sweeps = 2};
-constexpr SmallSteps::Division loading{.steps = 16, .sweeps = 4};
+// What stands or is at most loaded, what is hit somewhere, and what moves and is hit everywhere. With two sweeps a
+// step a tower trembles for ever.
+constexpr SmallSteps::Division carrying{.steps = 16, .sweeps = 4};
+constexpr SmallSteps::Division shaken{.steps = 16, .sweeps = 2};
 constexpr SmallSteps::Division stirred{.steps = 8, .sweeps = 2};
 // Shares of its bodies that move, beyond which an island no longer stands, and is stirred.
 constexpr double a_few_move = 0.05, a_part_moves = 0.25;
@@ -23,9 +25,6 @@ constexpr double unbalanced = 1.1;
 
 // And with which bodies hit each other: more than load that is not held can build up in some steps.
 constexpr double hit = 3.0;
-
-// And from which on load has a long way to go: that of a tower whose forces begin at zero.
-constexpr double unheld = 0.1;
 
 // The last small step, whose velocities and forces the next step begins with, has so many times the sweeps: what
 // rings in a tower dies away.
@@ -115,11 +114,10 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
                                              double residual) const {
     if (division_) return *division_;
     const double by_forces = fastest_by_forces(dt, bodies, island);
-    if (residual <= unheld * by_forces) return loading;
     const int moves = moving(dt, bodies, island);
     const bool is_hit = residual > hit * by_forces && is_more_than(a_few_move, moves, island);
-    if (!is_hit) return loading;
-    return is_more_than(a_part_moves, moves, island) ? stirred : standing;
+    if (!is_hit) return carrying;
+    return is_more_than(a_part_moves, moves, island) ? stirred : shaken;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

@@ -21,8 +21,10 @@ constexpr int first_changes = 6;
 constexpr int later_changes = 10;
 // And of those that slide on discs, which nothing but small steps may lead to the end of.
 constexpr int first_careful_changes = 12;
-// They come first where the guess is as near as this share of the largest speed that a row asks for.
+// They come first where the guess is as near as this share of the largest speed that a row asks for, and as long as
+// what the interior point method may take is left besides.
 constexpr double careful_share = 1e-2;
+constexpr double interior_factorisations = 14.0;
 constexpr int careful_changes = 40;
 constexpr auto bold = ActiveSet::Pace::bold;
 // Steps of the interior point method.
@@ -103,7 +105,9 @@ bool ExactAnswer::settle(double tolerance, Effort& effort, SolveCount& count) {
         reached =
             active_set_.solve(order, problem_, ActiveSet::Pace::careful, tolerance, changes, y_, effort, count);
     };
-    if (reached <= careful_share * asked_speed(problem_)) slide_carefully(first_careful_changes);
+    const double others = interior_factorisations * (order.general_work() + problem_.assembly_work());
+    const bool is_near = reached <= careful_share * asked_speed(problem_);
+    if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;

@@ -77,7 +77,7 @@ TEST_CASE("a wall stands in small steps without a joule too many, and stiller th
     add_wall(small, 16, 12);
     in_small_steps(small);
     const Standing stands = watch(small, 120);
-    CHECK(stands.gain <= 0.0);
+    CHECK(stands.gain < 1e-6);  // of 1e4; measured 1e-10
     CHECK(stands.moved < 0.005);
     add_wall(whole, 16, 12);
     whole.build();
