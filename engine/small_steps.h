@@ -63,8 +63,8 @@ class SmallSteps {
     // the step, where nearly all bodies are slower than these make them. Zero where they are not.
     static double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
 
-    // What suits the island, whose guess has this residual [m/s]: many small steps, with more sweeps while the
-    // forces are far from what holds it, and few where bodies that move hit each other.
+    // What suits the island, whose guess has this residual [m/s]: many small steps of many sweeps where it is to
+    // carry load, fewer sweeps where bodies hit each other, and fewer steps too where most of it moves.
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
