@@ -9,10 +9,10 @@ namespace pushfactor::engine {
 
 namespace {
 
-// What stands or is at most loaded, what is hit somewhere, and what moves and is hit everywhere. With two sweeps a
-// step a tower trembles for ever.
+// What is to carry load, which with two sweeps a step trembles for ever; what moves with little to carry, or is hit
+// somewhere; and what moves and is hit everywhere.
 constexpr SmallSteps::Division carrying{.steps = 16, .sweeps = 4};
-constexpr SmallSteps::Division shaken{.steps = 16, .sweeps = 2};
+constexpr SmallSteps::Division moving_on{.steps = 16, .sweeps = 2};
 constexpr SmallSteps::Division stirred{.steps = 8, .sweeps = 2};
 // Shares of its bodies that move, beyond which an island no longer stands, and is stirred.
 constexpr double a_few_move = 0.05, a_part_moves = 0.25;
@@ -25,6 +25,9 @@ constexpr double unbalanced = 1.1;
 
 // And with which bodies hit each other: more than load that is not held can build up in some steps.
 constexpr double hit = 3.0;
+
+// And up to which hardly any load is not held.
+constexpr double unheld = 0.1;
 
 // The last small step, whose velocities and forces the next step begins with, has so many times the sweeps: what
 // rings in a tower dies away.
@@ -115,9 +118,10 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
     if (division_) return *division_;
     const double by_forces = fastest_by_forces(dt, bodies, island);
     const int moves = moving(dt, bodies, island);
-    const bool is_hit = residual > hit * by_forces && is_more_than(a_few_move, moves, island);
-    if (!is_hit) return carrying;
-    return is_more_than(a_part_moves, moves, island) ? stirred : shaken;
+    const bool mostly = is_more_than(a_part_moves, moves, island);
+    if (residual <= unheld * by_forces) return mostly ? moving_on : carrying;
+    if (residual <= hit * by_forces || !is_more_than(a_few_move, moves, island)) return carrying;
+    return mostly ? stirred : moving_on;
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

@@ -64,7 +64,8 @@ class SmallSteps {
     static double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
 
     // What suits the island, whose guess has this residual [m/s]: many small steps of many sweeps where it is to
-    // carry load, fewer sweeps where bodies hit each other, and fewer steps too where most of it moves.
+    // carry load, fewer sweeps where most of it moves with little to carry or some is hit, and fewer steps too
+    // where most of it moves and is hit.
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which

@@ -35,6 +35,7 @@ bool reaches(const BoundingBox& box, const Plane& plane) {
 // A wide box that was made for something fast is far too wide when that has come to rest.
 constexpr double far_too_wide = 3.0;
 
+// Whether the wide box still serves for `box`, which is to be widened by `slack` [m].
 bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
     const auto along = [&](int axis) {
         return std::abs(box.centre[axis] - wide.centre[axis]) + box.reach[axis] <= wide.reach[axis] &&
