@@ -74,17 +74,12 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
         find_forces(system, island, lambda, forces);
     } else {
         outcome.residuals = measure(system, island, lambda, forces);
-        const bool exact_only = is_for_small_steps(larger(outcome.residuals));
-        // What has been solved to the end so far may be hit harder than that, and is worth another answer.
-        const bool stands = larger(outcome.residuals) <= allowed.stands_up_to ||
-                            (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
-        if (stands) {
-            outcome.outlook = has_forces(island, lambda) ? Budget::Outlook::standing : Budget::Outlook::beginning;
-        }
-        const auto termination =
-            budget_.limits(island, warm_start_.termination(island, usual),
-                           exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
-        if (larger(outcome.residuals) > termination.tolerance_high) {
+        const solvers::Termination own = warm_start_.termination(island, usual);
+        if (larger(outcome.residuals) > own.tolerance_high) {
+            const bool exact_only = is_for_small_steps(larger(outcome.residuals));
+            outcome.outlook = outlook_of(island, larger(outcome.residuals), allowed, lambda);
+            const auto termination =
+                budget_.limits(island, own, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
             outcome.outdated = is_outdated(system, island, lambda, usual);
             count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
@@ -93,6 +88,16 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     note(island, outcome, count);
     if (!fixed_number) count.multiply_adds += 12.0 * island.rows * island.columns;
     return count;
+}
+
+// What has been solved to the end so far may be hit harder than what stands usually is, and is worth another
+// answer.
+Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, const Allowed& allowed,
+                                         const Columns& lambda) const {
+    const bool stands =
+        residual <= allowed.stands_up_to || (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
+    if (!stands) return Budget::Outlook::moving;
+    return has_forces(island, lambda) ? Budget::Outlook::standing : Budget::Outlook::beginning;
 }
 
 // What they leave has no tolerance of its own: the next small step sees it.

@@ -97,6 +97,8 @@ class IslandSolver {
                       ConstraintForces& forces);
     bool is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
                      const solvers::Termination& usual) const;
+    Budget::Outlook outlook_of(const Island& island, double residual, const Allowed& allowed,
+                               const Columns& lambda) const;
     Residuals of_no_forces(const SystemEquation& system, const Island& island) const;
     void save(const Island& island, const Columns& lambda);
     solvers::SolveCount find_better(solvers::Solver& solver, const solvers::Termination& termination,
