@@ -8,9 +8,12 @@ namespace {
 
 using Row = UnitProblem::Row;
 
-// Smaller is better, until the roundings of the factors show: earlier where they are not symmetric.
+// Smaller is better, until the roundings of the factors show: earlier where they are not symmetric, and for rows
+// that no bound keeps small. Under a heavy load contacts need a small one: what it leaves of a force is what the
+// residual is, divided by it.
 constexpr double delta_symmetric = 1e-8;
 constexpr double delta_general = 1e-7;
+constexpr double delta_discs = 1e-11;
 // An error of a distance below this share of the force is none: near the end distances are smaller than it.
 constexpr double rounding = 1e-15;
 // Bounds that are nearer to each other than this share of a typical force of the problem leave nothing to solve
@@ -18,6 +21,11 @@ constexpr double rounding = 1e-15;
 constexpr double thin = 1e-9;
 // Least distance from a bound at the start, as a share of a typical force.
 constexpr double least_distance = 1e-6;
+// Share of its radius up to which forces fill a disc at the start.
+constexpr double most_of_a_disc = 0.5;
+// The least target while discs are in error: this share of that, but not more than this one of the gap.
+constexpr double target_per_error = 0.01;
+constexpr double least_sigma_in_error = 0.1;
 // A predictor that can go no further than this foresees nothing.
 constexpr double short_predictor = 0.1;
 constexpr double sigma_without_predictor = 0.3;
@@ -50,9 +58,14 @@ double InteriorPoint::typical_force(const UnitProblem& problem, const std::vecto
 void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>& y) {
     const double typical = typical_force(problem, y);
     points_.assign(y.size(), {});
+    discs_.clear();
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
         Point& point = points_[j];
+        if (row.disc != Disc::none) {
+            if (row.disc == Disc::second) start_disc(problem, y, j, typical);
+            continue;
+        }
         const Point* leader = row.leader < 0 ? nullptr : &points_[static_cast<std::size_t>(row.leader)];
         const double scale = leader ? leader->y : 1.0;
         const double low = row.low * scale, high = row.high * scale;
@@ -73,6 +86,43 @@ void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>&
         if (std::isfinite(low)) begin(point.low, point.y - low);
         if (std::isfinite(high)) begin(point.high, high - point.y);
     }
+}
+
+// Of both rows of the disc whose second row is `j`.
+void InteriorPoint::start_disc(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
+                               double typical) {
+    const Row& row = problem.rows[j];
+    const Point* leader = row.leader < 0 ? nullptr : &points_[static_cast<std::size_t>(row.leader)];
+    const double radius = row.high * (leader ? leader->y : 1.0);
+    Point &first = points_[j - 1], &second = points_[j];
+    const double share = share_in_disc(y[j - 1] * y[j - 1] + y[j] * y[j], radius);
+    first.y = share * y[j - 1];
+    second.y = share * y[j];
+    if (!(row.scale > 0.0) || !(leader ? row.high > thin : row.high > thin * typical)) return;
+    if (leader && !(leader->w > 0.0) && !(radius > thin * typical)) return;
+    const double inside = share_in_disc(first.y * first.y + second.y * second.y, most_of_a_disc * radius);
+    first.y *= inside;
+    second.y *= inside;
+    const bool follows = leader && leader->w > 0.0 &&
+                         problem.rows[static_cast<std::size_t>(row.leader)].a == row.a &&
+                         problem.rows[static_cast<std::size_t>(row.leader)].b == row.b;
+    discs_.push_back({.second = j, .per_leader = leader ? row.high : 0.0, .follows = follows, .z = typical});
+}
+
+void InteriorPoint::look_at(const UnitProblem& problem, DiscPoint& disc) const {
+    const Row &first = problem.rows[disc.second - 1], &second = problem.rows[disc.second];
+    disc.radius = second.high * bound_scale(second, y_);
+    disc.e_1 = y_[disc.second - 1] / disc.radius;
+    disc.e_2 = y_[disc.second] / disc.radius;
+    const double e = std::sqrt(disc.filled());
+    disc.d_1 = e > 0.0 ? disc.e_1 / e : 1.0;
+    disc.d_2 = e > 0.0 ? disc.e_2 / e : 0.0;
+    const auto combine = [&](double share_1, double share_2) {
+        return Jacobian{share_1 * first.unit->a + share_2 * second.unit->a,
+                        share_1 * first.unit->b + share_2 * second.unit->b};
+    };
+    disc.along = combine(disc.d_1, disc.d_2);
+    disc.across = combine(-disc.d_2, disc.d_1);
 }
 
 // Judges the forces as they are, put within their bounds; then writes what Newton's step needs.
@@ -96,6 +146,7 @@ void InteriorPoint::look(const UnitProblem& problem) {
         if (point.low.is) point.low.error = error(row.low * scale, point.y - row.low * scale, point.low.s);
         if (point.high.is) point.high.error = error(row.high * scale, row.high * scale - point.y, point.high.s);
     }
+    for (DiscPoint& disc : discs_) look_at(problem, disc);
 }
 
 // The mean complementarity after `share` of the step.
@@ -109,7 +160,23 @@ double InteriorPoint::mean_gap(double share) const {
         sum += gap(point.low) + gap(point.high);
         bounds += point.low.is + point.high.is;
     }
+    for (const DiscPoint& disc : discs_) {
+        const double e_1 = disc.e_1 + share * disc.de_1, e_2 = disc.e_2 + share * disc.de_2;
+        sum += (disc.radius + share * disc.d_radius) * (1.0 - (e_1 * e_1 + e_2 * e_2)) * (disc.z + share * disc.dz);
+        ++bounds;
+    }
     return bounds > 0 ? sum / bounds : 0.0;
+}
+
+// By how much z e is not what the rows of discs miss, in units of the gap: the mean of |r - z e| R. It is not
+// linear, so that a full step leaves some of it; and where the gap runs ahead of it, z e moves no more.
+double InteriorPoint::error_of_discs() const {
+    double sum = 0.0;
+    for (const DiscPoint& disc : discs_) {
+        sum +=
+            disc.radius * std::hypot(r_[disc.second - 1] - disc.z * disc.e_1, r_[disc.second] - disc.z * disc.e_2);
+    }
+    return discs_.empty() ? 0.0 : sum / static_cast<double>(discs_.size());
 }
 
 // The share of the step after which the first distance or multiplier is zero, at most 1.
@@ -125,6 +192,15 @@ double InteriorPoint::longest_step() const {
             limit(bound->z, bound->dz);
         }
     }
+    for (const DiscPoint& disc : discs_) {
+        limit(disc.radius, disc.d_radius);
+        limit(disc.z, disc.dz);
+        // To where |e| is 1.
+        const double a = disc.de_1 * disc.de_1 + disc.de_2 * disc.de_2;
+        const double b = disc.e_1 * disc.de_1 + disc.e_2 * disc.de_2;
+        const double way = b + std::sqrt(b * b + a * disc.free());
+        if (way > 0.0) share = std::min(share, disc.free() / way);
+    }
     return share;
 }
 
@@ -136,7 +212,8 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         Point& point = points_[j];
         if (problem.bounds_follow) pushed_[j] = *row.unit;
         if (point.w == 0.0) continue;
-        const double delta = problem.bounds_follow ? delta_general : delta_symmetric;
+        const bool in_discs = problem.has_discs && (point.low.is || point.high.is);
+        const double delta = in_discs ? delta_discs : problem.bounds_follow ? delta_general : delta_symmetric;
         // Added up so that the mirrored problem, whose bounds have changed sides, gives the same number.
         point.w = 1.0 / (delta + (point.low.ratio() + point.high.ratio()));
         point.c = 0.0;
@@ -146,6 +223,21 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         point.c = row.low * point.low.ratio() + row.high * point.high.ratio();
         pushed_[leader].a += (point.w * point.c) * row.unit->a;
         pushed_[leader].b += (point.w * point.c) * row.unit->b;
+    }
+    for (DiscPoint& disc : discs_) {
+        const double damper = disc.z / disc.radius, free = disc.free();
+        disc.w_across = 1.0 / (delta_discs + damper);
+        disc.w_along = 1.0 / (delta_discs + damper * (1.0 + disc.filled()) / free);
+        disc.c = disc.follows ? disc.per_leader * damper * 2.0 * std::sqrt(disc.filled()) / free : 0.0;
+        if (!disc.follows) continue;
+        Jacobian& pushed = pushed_[static_cast<std::size_t>(problem.rows[disc.second].leader)];
+        pushed.a += (disc.w_along * disc.c) * disc.along.a;
+        pushed.b += (disc.w_along * disc.c) * disc.along.b;
+    }
+    for (const DiscPoint& disc : discs_) {
+        const Row& row = problem.rows[disc.second];
+        matrix_.add(row.a, disc.along.a, row.b, disc.along.b, disc.w_along);
+        matrix_.add(row.a, disc.across.a, row.b, disc.across.b, disc.w_across);
     }
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const Row& row = problem.rows[j];
@@ -179,6 +271,25 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         if (point.c != 0.0) point.own += point.w * point.c * points_[static_cast<std::size_t>(point.leader)].own;
         push(row, point.own, d_);
     }
+    for (DiscPoint& disc : discs_) {
+        // Here the multiplier while the forces stay, as above.
+        const double dh =
+            disc.free() * disc.d_radius - 2.0 * disc.radius * (disc.e_1 * disc.de_1 + disc.e_2 * disc.de_2);
+        disc.dz = (target - second_order * dh * disc.dz) / (disc.radius * disc.free());
+        const double r_1 = r_[disc.second - 1] - disc.e_1 * disc.dz, r_2 = r_[disc.second] - disc.e_2 * disc.dz;
+        disc.own_along = disc.w_along * (disc.d_1 * r_1 + disc.d_2 * r_2);
+        disc.own_across = disc.w_across * (disc.d_1 * r_2 - disc.d_2 * r_1);
+        const Row& row = problem.rows[disc.second];
+        if (disc.follows) {
+            disc.own_along += disc.w_along * disc.c * points_[static_cast<std::size_t>(row.leader)].own;
+        }
+        const auto push_along = [&](const Jacobian& unit, double change) {
+            d_[static_cast<std::size_t>(row.a)].noalias() += unit.a * change;
+            d_[static_cast<std::size_t>(row.b)].noalias() += unit.b * change;
+        };
+        push_along(disc.along, disc.own_along);
+        push_along(disc.across, disc.own_across);
+    }
     matrix_.solve(d_);
     find_steps(problem);
     // What the steps make of the velocities is not quite d, by the roundings of weights that differ by many
@@ -193,14 +304,23 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         const Row& row = problem.rows[j];
         Point& point = points_[j];
         if (point.w == 0.0) continue;
-        const double leader_step = point.leader < 0 ? 0.0 : points_[static_cast<std::size_t>(point.leader)].dy;
+        const double of_leader = point.leader < 0 ? 0.0 : points_[static_cast<std::size_t>(point.leader)].dy;
         const auto step = [](Bound& bound, double ds) {
             if (!bound.is) return;
             bound.ds = ds + bound.error;
             bound.dz -= bound.z + bound.ratio() * ds;
         };
-        step(point.low, point.dy - row.low * leader_step);
-        step(point.high, (point.leader < 0 ? 0.0 : row.high * leader_step) - point.dy);
+        step(point.low, point.dy - row.low * of_leader);
+        step(point.high, (point.leader < 0 ? 0.0 : row.high * of_leader) - point.dy);
+    }
+    for (DiscPoint& disc : discs_) {
+        const Point &first = points_[disc.second - 1], &second = points_[disc.second];
+        const int leader = problem.rows[disc.second].leader;
+        disc.d_radius = leader < 0 ? 0.0 : disc.per_leader * points_[static_cast<std::size_t>(leader)].dy;
+        disc.de_1 = (first.dy - disc.e_1 * disc.d_radius) / disc.radius;
+        disc.de_2 = (second.dy - disc.e_2 * disc.d_radius) / disc.radius;
+        disc.dz -= disc.z + disc.z * (disc.d_radius / disc.radius -
+                                      2.0 * (disc.e_1 * disc.de_1 + disc.e_2 * disc.de_2) / disc.free());
     }
 }
 
@@ -216,6 +336,22 @@ void InteriorPoint::find_steps(const UnitProblem& problem) {
         }
         point.dy = point.own + point.w * (of_leader - along(problem.rows[j], d_));
     }
+    for (const DiscPoint& disc : discs_) {
+        const Row& row = problem.rows[disc.second];
+        const auto moved = [&](const Jacobian& unit) {
+            return unit.a.dot(d_[static_cast<std::size_t>(row.a)]) +
+                   unit.b.dot(d_[static_cast<std::size_t>(row.b)]);
+        };
+        double of_leader = 0.0;
+        if (disc.follows) {
+            const Point& leader = points_[static_cast<std::size_t>(row.leader)];
+            of_leader = disc.c * (leader.dy - leader.own);
+        }
+        const double along = disc.own_along + disc.w_along * (of_leader - moved(disc.along));
+        const double across = disc.own_across - disc.w_across * moved(disc.across);
+        points_[disc.second - 1].dy = disc.d_1 * along - disc.d_2 * across;
+        points_[disc.second].dy = disc.d_2 * along + disc.d_1 * across;
+    }
 }
 
 void InteriorPoint::go(double share) {
@@ -225,6 +361,12 @@ void InteriorPoint::go(double share) {
             bound->s += share * bound->ds;
             bound->z += share * bound->dz;
         }
+    }
+    for (DiscPoint& disc : discs_) {
+        const double radius = disc.radius + share * disc.d_radius;
+        points_[disc.second - 1].y = radius * (disc.e_1 + share * disc.de_1);
+        points_[disc.second].y = radius * (disc.e_2 + share * disc.de_2);
+        disc.z += share * disc.dz;
     }
 }
 
@@ -237,7 +379,8 @@ double InteriorPoint::step(const Elimination& order, const UnitProblem& problem)
     double sigma = here > 0.0 ? std::pow(mean_gap(foreseen) / here, 3) : 0.0;
     const bool blind = foreseen < short_predictor;
     if (blind) sigma = std::max(sigma, sigma_without_predictor);
-    aim(problem, sigma * here, blind ? 0.0 : foreseen);
+    const double least = std::min(least_sigma_in_error * here, target_per_error * error_of_discs());
+    aim(problem, std::max(sigma * here, least), blind ? 0.0 : foreseen);
     const double longest = longest_step();
     const double share =
         longest < 1.0 ? (longest > long_step ? most_of_a_long_way : most_of_the_way) * longest : 1.0;

@@ -16,6 +16,16 @@
 //   dy_j = W_j (q_j - u_j . d + c_j dy_i)
 //   (I + sum_j W_j u_j u_j^T + sum_i sum_j W_i W_j c_j u_j u_i^T) d = sum_j dy_j(d = 0) u_j
 //
+// A disc (friction on the cone) bounds two rows t together. They stay inside, as t = R e with |e| < 1, have one
+// multiplier z, and meet the circle at the end:
+//
+//   r = z e,  z R (1 - |e|^2) = target
+//
+// In e, because t and R go to zero together where a contact opens. Of the two directions of a disc the one across e
+// has W = 1 / (delta + z/R), the one along e W = 1 / (delta + z/R (1 + |e|^2) / (1 - |e|^2)), and where R is h
+// times the force of row i, c = 2 h |e| z/R / (1 - |e|^2). What a full step leaves of r = z e is of second order;
+// the target goes to zero no faster than that.
+//
 // Without rows that follow, the problem is convex and its matrix symmetric, and the method gets to the answer of
 // everything that has one. With them it is neither, and the method may be jammed between rows that wedge each
 // other.
@@ -62,19 +72,39 @@ class InteriorPoint {
         Bound low, high;
     };
 
+    // A disc on its way. Steps as in Point; d is the direction of e.
+    struct DiscPoint {
+        std::size_t second = 0;   // its second row
+        double per_leader = 0.0;  // h: what R grows by with its leader's force, if it has one
+        bool follows = false;     // whether the leader is a row between the same bodies, whose step is unknown
+        double radius = 0.0, e_1 = 0.0, e_2 = 0.0, z = 0.0;
+        double d_1 = 1.0, d_2 = 0.0;
+        double d_radius = 0.0, de_1 = 0.0, de_2 = 0.0, dz = 0.0;
+        double w_along = 0.0, w_across = 0.0, c = 0.0;
+        double own_along = 0.0, own_across = 0.0;
+        Jacobian along{}, across{};  // d_1 u_1 + d_2 u_2, and d_1 u_2 - d_2 u_1
+
+        double filled() const { return e_1 * e_1 + e_2 * e_2; }
+        double free() const { return 1.0 - filled(); }
+    };
+
     double typical_force(const UnitProblem& problem, const std::vector<double>& y) const;
     void start(const UnitProblem& problem, const std::vector<double>& y);
     void look(const UnitProblem& problem);
     double mean_gap(double share) const;
+    double error_of_discs() const;
     double longest_step() const;
     void factor(const Elimination& order, const UnitProblem& problem);
     void aim(const UnitProblem& problem, double target, double second_order);
+    void start_disc(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, double typical);
+    void look_at(const UnitProblem& problem, DiscPoint& disc) const;
     void find_steps(const UnitProblem& problem);
     void go(double share);
     double step(const Elimination& order, const UnitProblem& problem);
 
     BodyMatrix matrix_;
     std::vector<Point> points_;
+    std::vector<DiscPoint> discs_;
     std::vector<Jacobian> pushed_;  // by row that others follow: u_i + sum_j W_j c_j u_j
     std::vector<double> y_, r_;
     BodyVelocities x_, d_, missed_;
