@@ -2,6 +2,7 @@
 // to the volume below the corresponding anti-parallel face on the second".
 //
 // What the text leaves open, and what is done here:
+// - of the axes of a box, and they tie in every row of boxes that touch, the first one is taken, but for roundings;
 // - the reference face is a's unless b's separates clearly better, and an edge pair has to be clearly better
 //   than both: a choice that rounding could flip would change the features and lose the cached forces;
 // - the incident face is the most anti-parallel one;
@@ -18,6 +19,7 @@ namespace pushfactor::engine::collision {
 namespace {
 
 constexpr double axis_preference = 5e-4;  // of the smaller box's shortest edge, for the choice of the axis
+constexpr double axis_rounding = 1e-6;    // the same, among the axes of one box, of which the first one is taken
 constexpr double clip_tolerance = 2e-4;   // the same, by which the reference face is widened
 constexpr double same_direction = 0.9;    // cosine of the angle below which two axes are not two ways out
 
@@ -35,6 +37,10 @@ struct Axes {
     double largest() const { return std::max({face_a.separation, face_b.separation, edges.separation}); }
 };
 
+double size_of(const Box& a, const Box& b) {
+    return 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());
+}
+
 // Separations along the three face axes of each box and along the nine that are across two edges, in a's frame; the
 // best of each of the three groups. An edge axis is only looked at closely where it could be better than those
 // before it.
@@ -43,16 +49,17 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
     const Matrix3 absR = R.cwiseAbs();
     const Vector3 t = pose_a.rotation.transpose() * (pose_b.position - pose_a.position);
     const Vector3 &A = a.half_size, &B = b.half_size;
+    const double rounding = axis_rounding * size_of(a, b);
 
     Axes best;
     for (int i = 0; i < 3; ++i) {
         const double on_a = std::abs(t[i]) - A[i] - (absR(i, 0) * B[0] + absR(i, 1) * B[1] + absR(i, 2) * B[2]);
         best.faces_a[static_cast<std::size_t>(i)] = on_a;
-        if (on_a > best.face_a.separation) best.face_a = {on_a, i, 0};
+        if (on_a > best.face_a.separation + rounding) best.face_a = {on_a, i, 0};
         const double along = t[0] * R(0, i) + t[1] * R(1, i) + t[2] * R(2, i);
         const double on_b = std::abs(along) - B[i] - (absR(0, i) * A[0] + absR(1, i) * A[1] + absR(2, i) * A[2]);
         best.faces_b[static_cast<std::size_t>(i)] = on_b;
-        if (on_b > best.face_b.separation) best.face_b = {on_b, 0, i};
+        if (on_b > best.face_b.separation + rounding) best.face_b = {on_b, 0, i};
     }
     if (best.largest() >= margin) return best;
     for (int i = 0; i < 3; ++i) {
@@ -262,10 +269,6 @@ double largest_of_others(const Axes& axes, const Pose& pose_a, const Pose& pose_
         consider(axes.faces_b[static_cast<std::size_t>(i)], pose_b.rotation, i);
     }
     return largest;
-}
-
-double size_of(const Box& a, const Box& b) {
-    return 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());
 }
 
 }  // namespace

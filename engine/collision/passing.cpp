@@ -12,6 +12,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double noise = 1e-6;           // of the permitted overlap, what a body at rest moves by in one step
+constexpr double rounding = 1e-6;        // of the size, between gaps along axes that are the same
 constexpr double same_direction = 0.9;   // cosine below which two axes of boxes are not two ways out
 constexpr double holding_along = 0.999;  // cosine above which a touch holds what moves along an axis
 
@@ -222,7 +223,10 @@ std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::s
         }
         if (time < step.dt && is_held(touch, axis, closing.where, touches, step)) time = never;
         if (time == 0.0) return;
-        if (!last || time > last->time || (time == last->time && axis.gap > last->axis.gap)) last = {axis, time};
+        // Of axes that are the same but for roundings the first one, which is a face's.
+        const bool later =
+            !last || time > last->time || (time == last->time && axis.gap > last->axis.gap + rounding * touch.size);
+        if (later) last = {axis, time};
     });
     return last;
 }

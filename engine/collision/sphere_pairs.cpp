@@ -6,6 +6,10 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
+// Share of the radius by which a centre may be beside a face and still count as above it. A sphere that lies where
+// the edges of four boxes meet would be turned out of balance by the normals of the edges.
+constexpr double rounding = 1e-6;
+
 // `surface` is the point of the other shape nearest to the sphere; `normal` points from that shape to the sphere.
 void add_point(const Vector3& surface, const Vector3& normal, double gap, double margin, Manifold& manifold) {
     manifold.normal = normal;
@@ -33,15 +37,19 @@ void collide_sphere_plane(const Sphere& sphere, const Pose& sphere_pose, const P
 void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose,
                         double margin, Manifold& manifold) {
     const Vector3 centre = box_pose.rotation.transpose() * (sphere_pose.position - box_pose.position);
-    const Vector3 nearest = centre.cwiseMax(-box.half_size).cwiseMin(box.half_size);
+    const Vector3 reach = box.half_size.array() + rounding * sphere.radius;
+    const Vector3 beside = centre.cwiseAbs() - reach;
+    const Vector3 nearest =
+        (beside.array() > 0.0).select(centre.cwiseMax(-box.half_size).cwiseMin(box.half_size), centre);
     const Vector3 offset = centre - nearest;
     const double distance = offset.norm();
     if (distance > 1e-12 * sphere.radius) {
         add_point(box_pose.position + box_pose.rotation * nearest, box_pose.rotation * (offset / distance),
                   distance - sphere.radius, margin, manifold);
         // Beside more than one face, the nearest point lies on an edge or a corner.
-        const Vector3 beside = centre.cwiseAbs() - box.half_size;
-        if ((beside.array() > 0.0).count() > 1) manifold.other_gap = beside.maxCoeff() - sphere.radius;
+        if ((beside.array() > 0.0).count() > 1) {
+            manifold.other_gap = (centre.cwiseAbs() - box.half_size).maxCoeff() - sphere.radius;
+        }
         return;
     }
     // The centre is inside: out through the nearest face, y before the others where two are equally near.

@@ -163,6 +163,18 @@ TEST_CASE("noise of rounding size changes no feature of exactly aligned cubes") 
     }
 }
 
+TEST_CASE("noise of rounding size turns no normal where two ways out are equally far") {
+    Random random(5);
+    const Box cube{Vector3::Constant(0.3)};
+    const Vector3 beside(0.6, 0, 0.6);  // edge to edge
+    const Vector3 expected = collide_boxes(cube, at(Vector3::Zero()), cube, at(beside), 0.01).normal;
+    for (int i = 0; i < 1000; ++i) {
+        const Quaternion tilt = turn(random.in(0, 1e-9), random.vector(-1, 1));
+        const Pose other = at(beside + random.vector(-1e-9, 1e-9), tilt);
+        REQUIRE((collide_boxes(cube, at(Vector3::Zero()), cube, other, 0.01).normal - expected).norm() < 1e-8);
+    }
+}
+
 TEST_CASE("noise of rounding size changes no feature of crossing edges") {
     Random random(17);
     int crossings = 0;

@@ -80,6 +80,22 @@ TEST_CASE("a sphere touches the nearest point of a box, found by a brute-force s
     CHECK(touching > 30);
 }
 
+TEST_CASE("a sphere that lies where four boxes meet touches all of their faces, in spite of roundings") {
+    Random random(7);
+    const Box box{Vector3::Constant(0.5)};
+    const Sphere sphere{0.4};
+    for (int i = 0; i < 100; ++i) {
+        const Pose on_top = at(Vector3(0.5, 0.9, 0.5) + random.vector(-1e-9, 1e-9));
+        const Manifold m = touch(box, at(Vector3::Zero()), sphere, on_top, 0.01);
+        REQUIRE(m.count == 1);
+        CHECK((m.normal - Vector3::UnitY()).norm() < 1e-14);
+        CHECK(std::isinf(m.other_gap));
+    }
+    // Beside them by more the edge's normal leans.
+    const Manifold m = touch(box, at(Vector3::Zero()), sphere, at({0.5 + 1e-5, 0.9, 0.5}), 0.01);
+    CHECK(m.normal.x() == Approx(1e-5 / 0.4).epsilon(1e-6));
+}
+
 TEST_CASE("a centre inside a box goes out through the nearest face, and from the middle there is an answer") {
     const Box box{{1.0, 2.0, 3.0}};
     const Manifold near = touch(box, at(Vector3::Zero()), Sphere{0.5}, at({-0.8, 0, 0}));
