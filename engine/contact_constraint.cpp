@@ -4,16 +4,17 @@ namespace pushfactor::engine {
 
 namespace {
 
-// How deep a point that has been apart comes to lie, as a share of the slop: deep enough for its row to aim at rest
-// from then on, instead of following gaps of rounding size.
-constexpr double seat = 1e-3;
+// The gap up to which a point touches and its row aims at rest, as a share of the slop: whoever follows gaps of
+// rounding size shakes what has been placed to touch.
+constexpr double touching = 1e-3;
+// The same beyond the slop: to correct less would keep a second column alive for nothing.
+constexpr double pushed_out = 1e-6;
 
 PushFactor contact_push(double gap, const Correction& correction, double slop, double dt) {
-    if (gap > 0.0) return {.correcting = 0.0, .lasting = -(gap + seat * slop) / dt};
-    // A body that has been pushed out to the slop stays there as exactly as the solver is asked to hold it; to
-    // correct less than a millionth of the slop would keep a second column alive for nothing.
+    if (gap > touching * slop) return {.correcting = 0.0, .lasting = -gap / dt};
+    // A body that has been pushed out to the slop stays there as exactly as the solver is asked to hold it.
     const double excess = -gap - slop;
-    return correct(correction, excess > 1e-6 * slop ? excess : 0.0, dt);
+    return correct(correction, excess > pushed_out * slop ? excess : 0.0, dt);
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal,
     point.place(row, normal);
     row.push = contact_push(gap, correction, slop, dt);
     row.bounds.c_min = 0.0;
-    row.error = gap > 0.0 ? gap + seat * slop : gap;
+    row.error = gap > 0.0 && gap <= touching * slop ? 0.0 : gap;
     row.label = {.kind = RowKind::contact, .point = 0, .gap = gap};
     return row;
 }

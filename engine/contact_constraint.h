@@ -8,9 +8,9 @@
 // Deviations: the text does not say which way n points; from a to b makes lambda >= 0 push the bodies apart.
 // Three choices that the text does not have: up to `slop` of penetration nothing is corrected, so that resting
 // contacts stay contacts; a point that is still apart by g > 0 (it came in through the margin) may close that gap
-// within the step and no faster, which is v = -(g + s)/dt in both columns (the seat s, a thousandth of the slop,
-// lays it where its row aims at rest instead of following gaps of rounding size); and the simplification for a
-// static body b is used for a static body a as well.
+// within the step and no faster, which is v = -g/dt in both columns (up to a thousandth of the slop it touches and
+// aims at rest, instead of following gaps of rounding size); and the simplification for a static body b is used for
+// a static body a as well.
 #pragma once
 
 #include "engine/constraint_row.h"
