@@ -9,6 +9,9 @@ namespace pushfactor::engine {
 
 namespace {
 
+// Share of an impulse that the small step before must have had for it to carry something.
+constexpr double again = 0.5;
+
 // What is to carry load, which with two sweeps a step trembles for ever; what moves with little to carry, or is hit
 // somewhere; and what moves and is hit everywhere.
 constexpr SmallSteps::Division carrying{.steps = 16, .sweeps = 4};
@@ -164,6 +167,9 @@ void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodie
         pull_[i] = h * weighted(inverse_mass, own.force, own.torque);
     }
     sum_.assign(rows_.rows.size(), 0.0);
+    before_.assign(rows_.rows.size(), 0.0);
+    for (std::size_t j = 0; j < before_.size(); ++j) before_[j] = rows_.rows[j].y[0];
+    drives_ = false;
     one_sided_.clear();
     each_row(island, [&](std::size_t number, int j) {
         const ConstraintRow& source = row_of(system, j);
@@ -174,6 +180,7 @@ void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodie
             one_sided_.push_back({number, source.error, lifts ? 1.0 : -1.0});
         } else {
             row.t[0] = source.push.lasting / row.scale;
+            drives_ = drives_ || source.push.lasting != 0.0;
         }
     });
     aim(h);
@@ -197,11 +204,51 @@ void SmallSteps::aim(double h) {
     }
 }
 
-void SmallSteps::small_step(double h, int sweeps) {
-    for (std::size_t i = 0; i < pull_.size(); ++i) {
-        base_[i] = rows_.velocity[i] + pull_[i];
-        rows_.velocity[i] = base_[i] + impulse_[i];
+// Whether the impulses of the small step before would give the bodies energy, which contacts and friction never do:
+// they have stopped what was moving.
+bool SmallSteps::brings_energy() const {
+    double gain = 0.0;
+    for (std::size_t i = 0; i < impulse_.size(); ++i) gain += impulse_[i].dot(base_[i] + 0.5 * impulse_[i]);
+    return gain > 0.0;
+}
+
+// Takes the impulses back to those that the small step before the last one had too: what pushes once was a
+// collision, what pushes twice carries. If that is no better, as much of them as takes most energy away.
+void SmallSteps::forget_hits() {
+    kept_.assign(rows_.rows.size(), 1.0);
+    const auto add = [this](int body, const Vector6& axis, double y) {
+        const auto number = static_cast<std::size_t>(body);
+        if (number < impulse_.size()) impulse_[number] += axis * y;
+    };
+    for (std::size_t j = 0; j < rows_.rows.size(); ++j) {
+        solvers::UnitRows<1>::Row& row = rows_.rows[j];
+        const double now = row.y[0], was = before_[j];
+        if (row.of_row >= 0) {
+            kept_[j] = kept_[static_cast<std::size_t>(row.of_row)];
+        } else if (was * now < again * now * now) {
+            kept_[j] = std::max(0.0, was / now);
+        }
+        if (kept_[j] == 1.0) continue;
+        row.y[0] = kept_[j] * now;
+        add(row.a, row.unit->a, row.y[0] - now);
+        add(row.b, row.unit->b, row.y[0] - now);
     }
+    if (!brings_energy()) return;
+    double along = 0.0, squared = 0.0;
+    for (std::size_t i = 0; i < impulse_.size(); ++i) {
+        along += impulse_[i].dot(base_[i]);
+        squared += impulse_[i].squaredNorm();
+    }
+    const double share = std::max(0.0, -along / squared);
+    for (solvers::UnitRows<1>::Row& row : rows_.rows) row.y[0] *= share;
+    for (Vector6& impulse : impulse_) impulse *= share;
+}
+
+void SmallSteps::small_step(double h, int sweeps) {
+    for (std::size_t i = 0; i < pull_.size(); ++i) base_[i] = rows_.velocity[i] + pull_[i];
+    if (!drives_ && brings_energy()) forget_hits();
+    for (std::size_t i = 0; i < pull_.size(); ++i) rows_.velocity[i] = base_[i] + impulse_[i];
+    for (std::size_t j = 0; j < before_.size(); ++j) before_[j] = rows_.rows[j].y[0];
     for (int k = 0; k < sweeps; ++k) sweep(rows_);
     for (std::size_t i = 0; i < pull_.size(); ++i) {
         impulse_[i] = rows_.velocity[i] - base_[i];

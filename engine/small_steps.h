@@ -96,6 +96,8 @@ class SmallSteps {
 
     void begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h);
     void aim(double h);
+    bool brings_energy() const;
+    void forget_hits();
     void small_step(double h, int sweeps);
     void store(const SystemEquation& system, const Island& island, double h, Columns& lambda);
     bool push_apart(const SystemEquation& system, const Island& island, Columns& lambda);
@@ -109,6 +111,9 @@ class SmallSteps {
     // By movable body of the island:
     std::vector<Vector6> pull_;     // x that the external forces add in a small step
     std::vector<Vector6> base_;     // x before the rows act
+    std::vector<double> before_;    // y of the small step before the last one
+    std::vector<double> kept_;      // share of y, while hits are forgotten
+    bool drives_ = false;           // whether some row brings energy by itself
     std::vector<Vector6> impulse_;  // x that the rows have added in the last small step
     std::vector<Vector6> moved_;    // d
     // By row of the island:
