@@ -9,7 +9,7 @@ namespace {
 
 // What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
 // one takes some 20 to 50; in a moving heap hundreds.
-constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0, most_where_it_begins = 4000.0;
+constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0, most_where_it_begins = 3000.0;
 constexpr double income_in_sweeps = 60.0;
 // Small islands have more, in multiply-adds: a stack of 15 that lands may take two million once. By bodies, up to a
 // number of them.

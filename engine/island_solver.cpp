@@ -94,10 +94,11 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
 // answer.
 Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, const Allowed& allowed,
                                          const Columns& lambda) const {
-    const bool stands =
-        residual <= allowed.stands_up_to || (allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island));
-    if (!stands) return Budget::Outlook::moving;
-    return has_forces(island, lambda) ? Budget::Outlook::standing : Budget::Outlook::beginning;
+    const bool was_exact = allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island);
+    const bool stands = residual <= allowed.stands_up_to;
+    if (!stands && !was_exact) return Budget::Outlook::moving;
+    const bool begins = stands && (was_exact || !has_forces(island, lambda));
+    return begins ? Budget::Outlook::beginning : Budget::Outlook::standing;
 }
 
 // What they leave has no tolerance of its own: the next small step sees it.

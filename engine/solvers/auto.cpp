@@ -24,6 +24,7 @@ namespace {
 constexpr double pairs_of_a_heap = 2.2;
 // Factorisations that an exact answer takes at least where something has changed.
 constexpr double least_factorisations = 2.0;
+constexpr double near_guess = 1e-2, least_from_afar = 16.0;
 // What one may cost at most, in sweeps: those of towers and walls cost 17 to 82 and lead to the end, those of heaps
 // that settle 100 and more and do not.
 constexpr double most_sweeps_a_factorisation = 90.0;
@@ -74,7 +75,9 @@ class Auto {
         if (!(termination.credit > 0.0)) return false;
         exact_.plan();
         const double factorisation = columns * exact_.factorisation(rows_);
-        return least_factorisations * factorisation <= termination.credit &&
+        const bool is_near = rows_.residual() <= near_guess * rows_.fastest();
+        const double least = is_near ? least_factorisations : least_from_afar;
+        return least * factorisation <= termination.credit &&
                factorisation <= most_sweeps_a_factorisation * rows_.pass_work();
     }
 
@@ -83,7 +86,7 @@ class Auto {
         guess_ = rows_.rows;
         const double guessed = termination.lasts ? rows_.residual() : 0.0;
         Effort effort(termination.credit);
-        count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
+        count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
         // What rows that contradict each other leave, sweeps cannot lower either.
         count.exhausted = count.contradicts;
         if (count.exact || count.contradicts) return true;
@@ -111,7 +114,7 @@ class Auto {
         if (factorisation > sweeps_an_exact_step * rows_.pass_work()) return;
         if (exact_steps * columns * factorisation > termination.credit) return;
         Effort effort(termination.credit, exact_steps);
-        exact_.solve(rows_, termination.tolerance_low, effort, count);
+        exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
         count.gave_up = rows_.residual() > 0.5 * swept;
     }
 

@@ -33,7 +33,7 @@ class Direct {
         const double most = most_work_of_a_column * columns - termination.spent;
         if (usual_factorisations * columns * exact_.factorisation(rows_) <= most) {
             Effort effort(most, termination.iterations);
-            count.exact = exact_.solve(rows_, termination.tolerance_low, effort, count);
+            count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_low, effort, count);
         }
         count.gave_up = !count.exact;
         count.exhausted = true;

@@ -20,7 +20,7 @@ namespace {
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
 // And of those that slide on discs, which nothing but small steps may lead to the end of.
-constexpr int first_careful_changes = 12;
+constexpr int first_careful_changes = 3;
 // They come first where the guess is as near as this share of the largest speed that a row asks for, and as long as
 // what the interior point method may take is left besides.
 constexpr double careful_share = 1e-2;
@@ -96,7 +96,7 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
     if (energy() > allowed) y_ = before;
 }
 
-bool ExactAnswer::settle(double tolerance, Effort& effort, SolveCount& count) {
+bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, SolveCount& count) {
     const Elimination& order = structure_->order;
     const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
     double reached = active_set_.solve(order, problem_, bold, tolerance, first_changes, y_, effort, count);
@@ -113,6 +113,7 @@ bool ExactAnswer::settle(double tolerance, Effort& effort, SolveCount& count) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
         reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
+        if (problem_.has_discs && reached <= will_do) return reached <= enough();
     }
     slide_carefully(careful_changes);
     if (reached <= enough()) return true;

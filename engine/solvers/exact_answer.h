@@ -39,16 +39,17 @@ class ExactAnswer {
     }
 
     // Improves the forces until the natural residual is at most `tolerance` [m/s], falls no further, or the effort
-    // is used up. Never leaves a column worse than it was. Returns whether all columns got to the tolerance, or to
-    // rounding; where not, count.contradicts may say why.
+    // is used up; what slides on discs, and takes long to get there, until it is at most `will_do` [m/s]. Never
+    // leaves a column worse than it was. Returns whether all columns got to the tolerance, or to rounding; where
+    // not, count.contradicts may say why.
     template <int columns>
-    bool solve(UnitRows<columns>& rows, double tolerance, Effort& effort, SolveCount& count);
+    bool solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort, SolveCount& count);
 
   private:
     template <int columns>
     void take_column(const UnitRows<columns>& rows, int column);
     // The column that was taken.
-    bool settle(double tolerance, Effort& effort, SolveCount& count);
+    bool settle(double tolerance, double will_do, Effort& effort, SolveCount& count);
     bool contradicts();
     void solve_without_contradiction(double tolerance, Effort& effort, SolveCount& count);
 
@@ -86,7 +87,8 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
 }
 
 template <int columns>
-bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, Effort& effort, SolveCount& count) {
+bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort,
+                        SolveCount& count) {
     const double before = effort.spent();
     const int iterations_before = count.iterations;
     active_set_.start();
@@ -94,7 +96,7 @@ bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, Effort& effor
     for (int c = 0; c < columns; ++c) {
         take_column(rows, c);
         effort.begin_column(columns - c);
-        solved = settle(tolerance, effort, count) && solved;
+        solved = settle(tolerance, will_do, effort, count) && solved;
         for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
     }
     rows.follow();

@@ -23,8 +23,6 @@ const std::map<std::string_view, std::set<std::string_view>> not_yet{
     {"mixed", {"overlap"}},
     {"rods", {"overlap", "rest", "ground"}},
     {"wall-hit", {"overlap", "ground", "rest"}},
-    {"pyramid", {"rest"}},
-    {"ball-on-cubes", {"overlap", "rest", "ends", "ground", "energy"}},
 };
 
 bool is_claimed(std::string_view family, std::string_view property) {
