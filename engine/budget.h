@@ -41,7 +41,8 @@ class Budget {
     enum class Take { half, rest, exact_only };
 
     // What an exact answer is good for: an island that moves needs another one in the next step, one that stands
-    // may keep it for good, and one that begins to stand, without any forces, needs the most to get there.
+    // may keep it for good, and one that begins to stand, without any forces or from an exact answer of the step
+    // before (it lands, a layer after the other), needs the most to get there.
     enum class Outlook { moving, standing, beginning };
 
     // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for

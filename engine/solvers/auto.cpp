@@ -22,9 +22,10 @@ namespace {
 
 // From here on not even the order of elimination is worth finding out.
 constexpr double pairs_of_a_heap = 2.2;
-// Factorisations that an exact answer takes at least where something has changed.
-constexpr double least_factorisations = 2.0;
-constexpr double near_guess = 1e-2, least_from_afar = 16.0;
+// Factorisations that an exact answer takes at least where something has changed, and from a guess with more than
+// this share of the largest speed that a row is asked for.
+constexpr double least_factorisations = 2.0, least_from_afar = 16.0;
+constexpr double near_guess = 1e-2;
 // What one may cost at most, in sweeps: those of towers and walls cost 17 to 82 and lead to the end, those of heaps
 // that settle 100 and more and do not.
 constexpr double most_sweeps_a_factorisation = 90.0;
