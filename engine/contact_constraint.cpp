@@ -4,10 +4,11 @@ namespace pushfactor::engine {
 
 namespace {
 
-// The gap up to which a point touches and its row aims at rest, as a share of the slop: whoever follows gaps of
-// rounding size shakes what has been placed to touch.
+// Gap up to which a point counts as touching, and its row aims at rest, as a share of the slop. Closing gaps of
+// rounding size would shake bodies that are placed in contact.
 constexpr double touching = 1e-3;
-// The same beyond the slop: to correct less would keep a second column alive for nothing.
+// Least penetration beyond the slop that is corrected, as a share of it: less would keep a second column for
+// nothing.
 constexpr double pushed_out = 1e-6;
 
 PushFactor contact_push(double gap, const Correction& correction, double slop, double dt) {

@@ -16,10 +16,6 @@ constexpr double rho_gain = 10.0, rho_loss = 0.1;
 constexpr int most_without_gain = 3;
 constexpr double diverged = 1e3;
 
-bool act_on_the_same(const Row& a, const Row& b) {
-    return a.a == b.a && a.b == b.b;
-}
-
 }  // namespace
 
 // The free rows are judged by a Jacobi step: judged with rho_, every small residual would look like a change of the
@@ -63,12 +59,8 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     if (!(length > 0.0)) slide.d_1 = 1.0, slide.d_2 = 0.0;
     const double a = length > 0.0 ? radius / length : 0.0;
     slide.k = std::min(a / (1.0 - a), rho_);
-    const auto combine = [&](double share_1, double share_2) {
-        return Jacobian{share_1 * first.unit->a + share_2 * second.unit->a,
-                        share_1 * first.unit->b + share_2 * second.unit->b};
-    };
-    slide.along = combine(slide.d_1, slide.d_2);
-    slide.across = combine(-slide.d_2, slide.d_1);
+    slide.along = between(first, slide.d_1, second, slide.d_2);
+    slide.across = between(first, -slide.d_2, second, slide.d_1);
     slides_.push_back(slide);
 }
 
@@ -181,12 +173,8 @@ void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, cons
     const double y_1 = y[slide.second - 1], y_2 = y[slide.second];
     const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
     const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
-    const auto push_along = [&](const Jacobian& unit, double change) {
-        d_[static_cast<std::size_t>(row.a)].noalias() += unit.a * change;
-        d_[static_cast<std::size_t>(row.b)].noalias() += unit.b * change;
-    };
-    push_along(slide.along, radius - along);
-    push_along(slide.across, -(1.0 + slide.k) * across);
+    push(row, slide.along, radius - along, d_);
+    push(row, slide.across, -(1.0 + slide.k) * across, d_);
 }
 
 // Writes its forces, on the circle.
@@ -195,9 +183,7 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
     const double radius = row.high * bound_scale(row, y);
     const double before = slide.d_1 * y_2 - slide.d_2 * y_1;
-    const auto along = [&](const Vector6& unit, int body) { return unit.dot(d_[static_cast<std::size_t>(body)]); };
-    const double moved = along(slide.across.a, row.a) + along(slide.across.b, row.b);
-    const double across = -slide.k * (before + moved);
+    const double across = -slide.k * (before + along(row, slide.across, d_));
     const double length = std::sqrt(radius * radius + across * across);
     const double share = length > 0.0 ? radius / length : 0.0;
     y_1 = share * (radius * slide.d_1 - across * slide.d_2);

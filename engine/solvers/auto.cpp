@@ -67,25 +67,25 @@ class Auto {
 
   private:
     void solve_thread(const Termination& termination, SolveCount& count) {
-        if (!pays_off(termination) || !solve_exactly(termination, count)) {
+        const double guessed = termination.credit > 0.0 ? rows_.residual() : 0.0;
+        if (!pays_off(termination, guessed) || !solve_exactly(termination, guessed, count)) {
             work_down(rows_, termination, count, sweep<columns>);
         }
     }
 
-    bool pays_off(const Termination& termination) {
+    bool pays_off(const Termination& termination, double guessed) {
         if (!(termination.credit > 0.0)) return false;
         exact_.plan();
         const double factorisation = columns * exact_.factorisation(rows_);
-        const bool is_near = rows_.residual() <= near_guess * rows_.fastest();
+        const bool is_near = guessed <= near_guess * rows_.fastest();
         const double least = is_near ? least_factorisations : least_from_afar;
         return least * factorisation <= termination.credit &&
                factorisation <= most_sweeps_a_factorisation * rows_.pass_work();
     }
 
     // Returns whether that led anywhere; else the forces are those from before.
-    bool solve_exactly(const Termination& termination, SolveCount& count) {
+    bool solve_exactly(const Termination& termination, double guessed, SolveCount& count) {
         guess_ = rows_.rows;
-        const double guessed = termination.lasts ? rows_.residual() : 0.0;
         Effort effort(termination.credit);
         count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
         // What rows that contradict each other leave, sweeps cannot lower either.

@@ -19,7 +19,7 @@ namespace {
 // more of them find no end more often than one.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
-// And of those that slide on discs, which nothing but small steps may lead to the end of.
+// And of careful ones, where discs slide.
 constexpr int first_careful_changes = 3;
 // They come first where the guess is as near as this share of the largest speed that a row asks for, and as long as
 // what the interior point method may take is left besides.

@@ -103,9 +103,8 @@ void InteriorPoint::start_disc(const UnitProblem& problem, const std::vector<dou
     const double inside = share_in_disc(first.y * first.y + second.y * second.y, most_of_a_disc * radius);
     first.y *= inside;
     second.y *= inside;
-    const bool follows = leader && leader->w > 0.0 &&
-                         problem.rows[static_cast<std::size_t>(row.leader)].a == row.a &&
-                         problem.rows[static_cast<std::size_t>(row.leader)].b == row.b;
+    const bool follows =
+        leader && leader->w > 0.0 && act_on_the_same(problem.rows[static_cast<std::size_t>(row.leader)], row);
     discs_.push_back({.second = j, .per_leader = leader ? row.high : 0.0, .follows = follows, .z = typical});
 }
 
@@ -117,12 +116,8 @@ void InteriorPoint::look_at(const UnitProblem& problem, DiscPoint& disc) const {
     const double e = std::sqrt(disc.filled());
     disc.d_1 = e > 0.0 ? disc.e_1 / e : 1.0;
     disc.d_2 = e > 0.0 ? disc.e_2 / e : 0.0;
-    const auto combine = [&](double share_1, double share_2) {
-        return Jacobian{share_1 * first.unit->a + share_2 * second.unit->a,
-                        share_1 * first.unit->b + share_2 * second.unit->b};
-    };
-    disc.along = combine(disc.d_1, disc.d_2);
-    disc.across = combine(-disc.d_2, disc.d_1);
+    disc.along = between(first, disc.d_1, second, disc.d_2);
+    disc.across = between(first, -disc.d_2, second, disc.d_1);
 }
 
 // Judges the forces as they are, put within their bounds; then writes what Newton's step needs.
@@ -219,7 +214,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         point.c = 0.0;
         if (point.leader < 0) continue;
         const auto leader = static_cast<std::size_t>(point.leader);
-        if (problem.rows[leader].a != row.a || problem.rows[leader].b != row.b) continue;
+        if (!act_on_the_same(problem.rows[leader], row)) continue;
         point.c = row.low * point.low.ratio() + row.high * point.high.ratio();
         pushed_[leader].a += (point.w * point.c) * row.unit->a;
         pushed_[leader].b += (point.w * point.c) * row.unit->b;
@@ -283,12 +278,8 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         if (disc.follows) {
             disc.own_along += disc.w_along * disc.c * points_[static_cast<std::size_t>(row.leader)].own;
         }
-        const auto push_along = [&](const Jacobian& unit, double change) {
-            d_[static_cast<std::size_t>(row.a)].noalias() += unit.a * change;
-            d_[static_cast<std::size_t>(row.b)].noalias() += unit.b * change;
-        };
-        push_along(disc.along, disc.own_along);
-        push_along(disc.across, disc.own_across);
+        push(row, disc.along, disc.own_along, d_);
+        push(row, disc.across, disc.own_across, d_);
     }
     matrix_.solve(d_);
     find_steps(problem);
@@ -338,19 +329,15 @@ void InteriorPoint::find_steps(const UnitProblem& problem) {
     }
     for (const DiscPoint& disc : discs_) {
         const Row& row = problem.rows[disc.second];
-        const auto moved = [&](const Jacobian& unit) {
-            return unit.a.dot(d_[static_cast<std::size_t>(row.a)]) +
-                   unit.b.dot(d_[static_cast<std::size_t>(row.b)]);
-        };
         double of_leader = 0.0;
         if (disc.follows) {
             const Point& leader = points_[static_cast<std::size_t>(row.leader)];
             of_leader = disc.c * (leader.dy - leader.own);
         }
-        const double along = disc.own_along + disc.w_along * (of_leader - moved(disc.along));
-        const double across = disc.own_across - disc.w_across * moved(disc.across);
-        points_[disc.second - 1].dy = disc.d_1 * along - disc.d_2 * across;
-        points_[disc.second].dy = disc.d_2 * along + disc.d_1 * across;
+        const double step_along = disc.own_along + disc.w_along * (of_leader - along(row, disc.along, d_));
+        const double step_across = disc.own_across - disc.w_across * along(row, disc.across, d_);
+        points_[disc.second - 1].dy = disc.d_1 * step_along - disc.d_2 * step_across;
+        points_[disc.second].dy = disc.d_2 * step_along + disc.d_1 * step_across;
     }
 }
 

@@ -66,16 +66,31 @@ inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
     for (std::size_t j = 0; j < y.size(); ++j) clamp(problem, y, j, y);
 }
 
-// u_j . v
-inline double along(const UnitProblem::Row& row, const BodyVelocities& v) {
-    return row.unit->a.dot(v[static_cast<std::size_t>(row.a)]) +
-           row.unit->b.dot(v[static_cast<std::size_t>(row.b)]);
+inline bool act_on_the_same(const UnitProblem::Row& a, const UnitProblem::Row& b) {
+    return a.a == b.a && a.b == b.b;
 }
 
-// v += u_j y
+// An axis between the two tangents of a disc.
+inline Jacobian between(const UnitProblem::Row& first, double share_1, const UnitProblem::Row& second,
+                        double share_2) {
+    return {share_1 * first.unit->a + share_2 * second.unit->a, share_1 * first.unit->b + share_2 * second.unit->b};
+}
+
+// u . v of an axis u between the bodies of the row, and of its own.
+inline double along(const UnitProblem::Row& row, const Jacobian& u, const BodyVelocities& v) {
+    return u.a.dot(v[static_cast<std::size_t>(row.a)]) + u.b.dot(v[static_cast<std::size_t>(row.b)]);
+}
+inline double along(const UnitProblem::Row& row, const BodyVelocities& v) {
+    return along(row, *row.unit, v);
+}
+
+// v += u y, likewise.
+inline void push(const UnitProblem::Row& row, const Jacobian& u, double y, BodyVelocities& v) {
+    v[static_cast<std::size_t>(row.a)].noalias() += u.a * y;
+    v[static_cast<std::size_t>(row.b)].noalias() += u.b * y;
+}
 inline void push(const UnitProblem::Row& row, double y, BodyVelocities& v) {
-    v[static_cast<std::size_t>(row.a)].noalias() += row.unit->a * y;
-    v[static_cast<std::size_t>(row.b)].noalias() += row.unit->b * y;
+    push(row, *row.unit, y, v);
 }
 
 // Writes x and r.
