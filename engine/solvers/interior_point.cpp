@@ -156,8 +156,11 @@ double InteriorPoint::mean_gap(double share) const {
         bounds += point.low.is + point.high.is;
     }
     for (const DiscPoint& disc : discs_) {
-        const double e_1 = disc.e_1 + share * disc.de_1, e_2 = disc.e_2 + share * disc.de_2;
-        sum += (disc.radius + share * disc.d_radius) * (1.0 - (e_1 * e_1 + e_2 * e_2)) * (disc.z + share * disc.dz);
+        const double radius = disc.radius + share * disc.d_radius;
+        // Where it grows t goes straight: de is for a radius that stays.
+        const double own = disc.d_radius > 0.0 ? disc.radius / radius * share : share;
+        const double e_1 = disc.e_1 + own * disc.de_1, e_2 = disc.e_2 + own * disc.de_2;
+        sum += radius * (1.0 - (e_1 * e_1 + e_2 * e_2)) * (disc.z + share * disc.dz);
         ++bounds;
     }
     return bounds > 0 ? sum / bounds : 0.0;
@@ -190,10 +193,13 @@ double InteriorPoint::longest_step() const {
     for (const DiscPoint& disc : discs_) {
         limit(disc.radius, disc.d_radius);
         limit(disc.z, disc.dz);
-        // To where |e| is 1.
-        const double a = disc.de_1 * disc.de_1 + disc.de_2 * disc.de_2;
-        const double b = disc.e_1 * disc.de_1 + disc.e_2 * disc.de_2;
-        const double way = b + std::sqrt(b * b + a * disc.free());
+        // To where |e| is 1; in units of R, |e + s de + ...| = 1 + s dR / R where the disc grows.
+        const double grows = std::max(0.0, disc.d_radius / disc.radius);
+        const double along_1 = disc.de_1 + disc.e_1 * grows, along_2 = disc.de_2 + disc.e_2 * grows;
+        const double a = along_1 * along_1 + along_2 * along_2 - grows * grows;
+        const double b = disc.e_1 * along_1 + disc.e_2 * along_2 - grows;
+        const double under = b * b + a * disc.free();
+        const double way = under >= 0.0 ? b + std::sqrt(under) : 0.0;
         if (way > 0.0) share = std::min(share, disc.free() / way);
     }
     return share;
@@ -351,9 +357,10 @@ void InteriorPoint::go(double share) {
     }
     for (DiscPoint& disc : discs_) {
         const double radius = disc.radius + share * disc.d_radius;
+        disc.z += share * disc.dz;
+        if (disc.d_radius > 0.0) continue;
         points_[disc.second - 1].y = radius * (disc.e_1 + share * disc.de_1);
         points_[disc.second].y = radius * (disc.e_2 + share * disc.de_2);
-        disc.z += share * disc.dz;
     }
 }
 

@@ -21,7 +21,8 @@
 //
 //   r = z e,  z R (1 - |e|^2) = target
 //
-// In e, because t and R go to zero together where a contact opens. Of the two directions of a disc the one across e
+// A step goes straight in t where R grows, and in e where it shrinks, because t and R go to zero together where a
+// contact opens. Of the two directions of a disc the one across e
 // has W = 1 / (delta + z/R), the one along e W = 1 / (delta + z/R (1 + |e|^2) / (1 - |e|^2)), and where R is h
 // times the force of row i, c = 2 h |e| z/R / (1 - |e|^2). What a full step leaves of r = z e is of second order;
 // the target goes to zero no faster than that.
