@@ -239,6 +239,15 @@ void set_scheme(Scene& scene, const SceneDescription& description, const Setting
                                                       : engine::rattle6;
 }
 
+void set_rest(Scene& scene, const SceneDescription& description, const Settings& settings) {
+    if (!settings.rest) return;
+    if (is_rattle(settings.scheme)) {
+        throw engine::InvalidInput("--rest", "on", "off with --scheme " + scheme_name(settings));
+    }
+    scene.world.rest = std::make_unique<engine::Rest>();
+    if (description.state) scene.world.rest->set_memory(description.state->rest);
+}
+
 void set_measure(Scene& scene, const SceneDescription& description, const Settings& settings) {
     if (!description.measure) return;
     const auto momenta = is_rattle(settings.scheme) ? MomentaAt::whole_steps : MomentaAt::half_steps;
@@ -276,6 +285,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings.rotation, description.contacts);
     set_scheme(scene, description, settings);
+    set_rest(scene, description, settings);
     set_measure(scene, description, settings);
     if (description.state) resume(scene, *description.state);
     return scene;

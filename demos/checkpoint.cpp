@@ -8,7 +8,11 @@ void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
     scene.world.take_memory(into.state.warm_start);
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
-    if (scene.contacts && scene.contacts->cache()) into.state.contact_forces = *scene.contacts->cache();
+    if (scene.contacts) scene.contacts->all_forces(into.state.contact_forces);
+    if (scene.world.rest) {
+        const auto rest = scene.world.rest->memory();
+        into.state.rest.assign(rest.begin(), rest.end());
+    }
 }
 
 SceneDescription resumed(SceneDescription description, const Scene& scene, const Checkpoint& checkpoint) {

@@ -136,6 +136,12 @@ void IslandCount::add(const Sample& sample) {
     in_small_steps += sample.count.islands_in_small_steps;
 }
 
+void AtRest::add(const Sample& sample, bool all) {
+    bodies = sample.count.at_rest;
+    if (!all) since.reset();
+    if (all && !since) since = sample.time;
+}
+
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
     latest_ = positions_of(simulation.scene().world);
@@ -149,6 +155,7 @@ void Measurements::observe(const Simulation& simulation) {
     substeps_.add(sample);
     unsolved_.add(sample);
     islands_.add(sample);
+    at_rest_.add(sample, sample.count.at_rest == static_cast<int>(start_.size()));
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());

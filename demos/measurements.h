@@ -64,6 +64,14 @@ struct IslandCount {
     void add(const Sample& sample);
 };
 
+// Bodies that rest leaves out of the steps.
+struct AtRest {
+    int bodies = 0;               // after the last step
+    std::optional<double> since;  // s, the step from which on all movable ones have been, if they are
+
+    void add(const Sample& sample, bool all);
+};
+
 class Measurements {
   public:
     explicit Measurements(const Simulation& simulation);  // at the start of the run
@@ -88,6 +96,7 @@ class Measurements {
     const SubstepCount& substeps() const { return substeps_; }
     const UnsolvedSteps& unsolved() const { return unsolved_; }
     const IslandCount& islands() const { return islands_; }
+    const AtRest& at_rest() const { return at_rest_; }
     std::vector<std::pair<std::string, double>> of_scene() const;  // what the scene is about
     std::vector<double> heights() const;                           // m, movable bodies at the end
 
@@ -128,6 +137,7 @@ class Measurements {
     SubstepCount substeps_;
     UnsolvedSteps unsolved_;
     IslandCount islands_;
+    AtRest at_rest_;
 };
 
 // The middle of the sorted values, the mean of the two middle ones for an even number; 0 for none.

@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"contacts", "forces", "push", "velocities", "islands"};
+constexpr std::array<std::string_view, 6> names{"contacts", "forces", "push", "velocities", "islands", "rest"};
 
 }  // namespace
 
@@ -28,8 +28,9 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
             item.units_a_metre = parse_number(part.substr(colon + 1));
             if (!has_arrows(item.kind) || !item.units_a_metre || *item.units_a_metre <= 0.0) return std::nullopt;
         }
-        const bool twice = std::any_of(overlay.begin(), overlay.end(),
-                                       [&](const OverlayItem& other) { return other.kind == item.kind; });
+        const bool twice = std::any_of(overlay.begin(), overlay.end(), [&](const OverlayItem& other) {
+            return other.kind == item.kind || (colours_bodies(other.kind) && colours_bodies(item.kind));
+        });
         if (twice) return std::nullopt;
         overlay.push_back(item);
     }

@@ -14,6 +14,7 @@ enum class OverlayKind {
     push,        // m/s, the push factors of contacts and distances
     velocities,  // m/s, of the centres of mass, from the stored momenta
     islands,     // the bodies themselves, one colour per island
+    rest,        // the bodies themselves: at rest, still, or what keeps its island from it
 };
 
 struct OverlayItem {
@@ -26,9 +27,14 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
 std::string to_text(const std::vector<OverlayItem>& overlay);
 std::string_view name_of(OverlayKind kind);
 
+// Whether it is a colour of the bodies themselves.
+inline bool colours_bodies(OverlayKind kind) {
+    return kind == OverlayKind::islands || kind == OverlayKind::rest;
+}
+
 // Whether it has arrows, which have a scale.
 inline bool has_arrows(OverlayKind kind) {
-    return kind != OverlayKind::contacts && kind != OverlayKind::islands;
+    return kind != OverlayKind::contacts && !colours_bodies(kind);
 }
 
 }  // namespace pushfactor::demos

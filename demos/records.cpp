@@ -45,16 +45,16 @@ class StepsRecord : public CsvRecord {
         : CsvRecord(path, std::string("step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,"
                                       "max_penetration_m,rms_penetration_m,max_length_error_m,residual_m_per_s,"
                                       "contacts,rows,columns,substeps,sweeps,islands,islands_kept,islands_swept,"
-                                      "islands_exact,islands_in_small_steps,islands_unsolved") +
+                                      "islands_exact,islands_in_small_steps,islands_unsolved,bodies_at_rest") +
                               (timing ? ",step_us" : "")) {}
 
     void observe(const Simulation& simulation) override {
         const Sample& s = simulation.sample();
-        line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.step, s.time, s.kinetic_energy,
+        line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.step, s.time, s.kinetic_energy,
              s.potential_energy, s.max_speed, s.penetration.max, s.penetration.rms, s.max_length_error, s.residual,
              s.count.rows(engine::RowKind::contact), s.count.rows(), s.count.columns, s.substeps, s.count.sweeps,
              s.count.islands, s.count.islands_kept, s.count.islands_swept, s.count.islands_exact,
-             s.count.islands_in_small_steps, s.count.islands_unsolved);
+             s.count.islands_in_small_steps, s.count.islands_unsolved, s.count.at_rest);
         if (s.cpu_us) line(",{}", *s.cpu_us);
         line("\n");
     }

@@ -4,6 +4,7 @@
 #include "engine/contact_cache.h"
 #include "engine/distance_constraint.h"
 #include "engine/island_solver.h"
+#include "engine/rest.h"
 
 #include <vector>
 
@@ -15,6 +16,7 @@ struct RunState {
     double substeps = 1.0;                                   // asked for in the last step; fades from step to step
     std::vector<engine::DistanceForce> distance_forces{};    // N, one a distance
     engine::ContactCache contact_forces{};                   // colliders are the bodies in their order
+    std::vector<engine::Rest::Memory> rest{};                // one per body, or none
 };
 
 }  // namespace pushfactor::demos

@@ -57,6 +57,8 @@ struct Settings {
     // Half a kick back before the first step of euler; it fits where a scene has no contacts and starts from rest.
     StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
+
+    bool rest = false;  // islands that stay where they are are left out of steps (engine/rest.h)
 };
 
 struct Preset {

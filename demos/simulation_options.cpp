@@ -250,6 +250,11 @@ const std::array options{
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
+    SimulationOption{"rest", "on|off",
+                     "leave out of the steps what has not moved for half a second, until something wakes it [off]",
+                     "on or off",
+                     [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
+                     [](const Settings& s) { return name_of(s.rest, switch_names); }},
 };
 
 }  // namespace

@@ -14,14 +14,16 @@ using engine::ContactCache;
 using engine::DistanceForce;
 using engine::IslandSolver;
 using engine::Lambda;
+using engine::Rest;
 using engine::Vector3;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
 // Of the state itself, solved_exactly and kept_steps are from the time before each body had its own.
-const Keys state_keys{"time_s",         "warm_start",     "substeps",  "distance_forces_n",
-                      "contact_forces", "solved_exactly", "kept_steps"};
+const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
+                      "places", "at_rest",    "solved_exactly", "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
+const Keys place_keys{"body", "still_s", "position_m", "orientation_wxyz"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -118,6 +120,44 @@ std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const 
     return memory;
 }
 
+// A place without position and orientation is where the body is.
+std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
+    std::vector<Rest::Memory> memory(scene.bodies.size());
+    for (const JsonReader& entry : json.elements()) {
+        entry.require_object(place_keys);
+        const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
+        const BodyDescription& body = scene.bodies[index];
+        memory[index] = {.position = body.position, .orientation = body.orientation};
+        if (entry.has("still_s")) memory[index].still = entry.at("still_s").number(0.0, 1e9);
+        if (entry.has("position_m")) memory[index].position = entry.at("position_m").vector();
+        if (entry.has("orientation_wxyz")) memory[index].orientation = entry.at("orientation_wxyz").rotation();
+    }
+    return memory;
+}
+
+bool moves(const BodyDescription& body) {
+    return !body.linear_momentum.value_or(body.velocity).isZero(0.0) ||
+           !body.angular_momentum.value_or(body.angular_velocity).isZero(0.0);
+}
+
+// Groups of bodies that came to rest together.
+void read_at_rest(const JsonReader& json, const SceneDescription& scene, std::vector<Rest::Memory>& memory) {
+    const BodyIndex indices(scene);
+    memory.resize(scene.bodies.size());
+    for (const JsonReader& group : json.elements()) {
+        int first = -1;
+        for (const JsonReader& name : group.elements()) {
+            const int body = indices.of(name);
+            const BodyDescription& described = scene.bodies[static_cast<std::size_t>(body)];
+            if (!described.mass) name.refuse("the name of a movable body");
+            if (moves(described)) name.refuse("a body without velocity and momentum");
+            if (first < 0) first = body;
+            memory[static_cast<std::size_t>(body)].group = first;
+        }
+    }
+}
+
 ContactCache read_contact_forces(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
     ContactCache cache;
@@ -184,11 +224,38 @@ Json warm_start_json(const RunState& state, const SceneDescription& scene) {
     return json;
 }
 
+Json places_json(const RunState& state, const SceneDescription& scene) {
+    Json json = Json::array();
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        if (!body.mass) continue;
+        const Rest::Memory& memory = state.rest[i];
+        const engine::Quaternion& q = memory.orientation;
+        Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", memory.still}});
+        if (memory.position != body.position) place["position_m"] = to_json(memory.position);
+        if (q.coeffs() != body.orientation.coeffs()) {
+            place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
+        }
+    }
+    return json;
+}
+
+Json at_rest_json(const RunState& state, const SceneDescription& scene) {
+    std::map<int, Json> groups;
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
+        if (state.rest[i].group >= 0) groups[state.rest[i].group].push_back(scene.bodies[i].name);
+    }
+    Json json = Json::array();
+    for (const auto& [number, names] : groups) json.push_back(names);
+    return json;
+}
+
 }  // namespace
 
 const std::map<std::string, std::vector<std::string>>& state_file_keys() {
     static const std::map<std::string, std::vector<std::string>> keys{{"state", state_keys},
                                                                       {"warm_start", warm_start_keys},
+                                                                      {"place", place_keys},
                                                                       {"contact_force", contact_keys},
                                                                       {"contact_force_point", point_keys}};
     return keys;
@@ -206,6 +273,8 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
     }
     if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
+    if (json.has("places")) state.rest = read_places(json.at("places"), scene);
+    if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
     return state;
 }
 
@@ -219,6 +288,8 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));
     }
+    if (Json places = places_json(state, scene); !places.empty()) json["places"] = places;
+    if (Json at_rest = at_rest_json(state, scene); !at_rest.empty()) json["at_rest"] = at_rest;
     return json;
 }
 

@@ -43,6 +43,10 @@ Json islands_of(const IslandCount& count) {
             {"in_small_steps", count.in_small_steps}};
 }
 
+Json at_rest_of(const AtRest& at_rest) {
+    return {{"bodies", at_rest.bodies}, {"all_since_s", number_or_null(at_rest.since)}};
+}
+
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -73,6 +77,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["first_unsolved_step"] = unsolved.first ? Json(unsolved.first->step) : Json(nullptr);
     summary["contradicting_steps"] = unsolved.contradicting;
     summary["islands"] = islands_of(measured.islands());
+    if (choices.settings.rest) summary["at_rest"] = at_rest_of(measured.at_rest());
     summary["energy_initial_j"] = measured.initial_energy();
     summary["energy_final_j"] = measured.final_energy();
     summary["energy_gain_j"] = measured.energy_gain();

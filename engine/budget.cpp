@@ -41,9 +41,18 @@ double income_of(const Island& island) {
 
 }  // namespace
 
-void Budget::begin(std::size_t bodies) {
+void Budget::begin(std::size_t bodies, std::span<const int> awake) {
     debts_.resize(bodies);
-    spent_.assign(bodies, {});
+    spent_.resize(bodies);
+    before_.clear();
+    for (const int body : awake) {
+        spent_[static_cast<std::size_t>(body)] = {};
+        if (awake.size() < bodies) before_.push_back(debts_[static_cast<std::size_t>(body)]);
+    }
+}
+
+void Budget::take_back(std::span<const int> awake) {
+    for (std::size_t i = 0; i < before_.size(); ++i) debts_[static_cast<std::size_t>(awake[i])] = before_[i];
 }
 
 Budget::Debt Budget::debt_of(const Island& island) const {

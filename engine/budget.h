@@ -32,8 +32,11 @@ class Budget {
         friend auto operator<=>(const Debt&, const Debt&) = default;
     };
 
-    // Before the first solve of a step.
-    void begin(std::size_t bodies);
+    // Before the first solve of a step in which those `awake` of all bodies take part.
+    void begin(std::size_t bodies, std::span<const int> awake);
+
+    // Takes back what these bodies have spent since begin().
+    void take_back(std::span<const int> awake);
 
     // Between solves in a step that do not count together.
     void begin_another() { std::fill(spent_.begin(), spent_.end(), Spent{}); }
@@ -73,6 +76,7 @@ class Budget {
     const Spent& most_spent(const Island& island) const;
 
     std::vector<Debt> debts_;
+    std::vector<Debt> before_;  // by body awake, in their order
     std::vector<Spent> spent_;
 };
 

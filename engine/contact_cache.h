@@ -5,6 +5,7 @@
 #include "engine/constraint_row.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -45,6 +46,25 @@ class ContactCache {
     // What is stored, for whoever saves and restores a run: ascending pairs, and the points of all of them.
     std::span<const Entry> entries() const { return entries_; }
     std::span<const Point> points() const { return points_; }
+
+    // Moves into this cache what `from` has of the pairs that `belongs` says so of.
+    template <typename Belongs>
+    void take_from(ContactCache& from, const Belongs& belongs) {
+        ContactCache left, mine;
+        auto own = entries_.begin();
+        for (const Entry& entry : from.entries_) {
+            const bool moves = belongs(entry.pair);
+            for (; moves && own != entries_.end() && own->pair < entry.pair; ++own) mine.add(own->pair, of(*own));
+            (moves ? mine : left).add(entry.pair, from.of(entry));
+        }
+        for (; own != entries_.end(); ++own) mine.add(own->pair, of(*own));
+        *this = std::move(mine);
+        from = std::move(left);
+    }
+
+    std::span<const Point> of(const Entry& entry) const {
+        return std::span(points_).subspan(entry.first, static_cast<std::size_t>(entry.count));
+    }
 
     // Appends an entry; its pair must be greater than those before.
     void add(const collision::Pair& pair, std::span<const Point> points);

@@ -52,6 +52,37 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
 ContactStage::ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
     : colliders_(std::move(colliders)), choices_(choices) {
     choices_.detection.permitted = permitted_overlap(choices.slop, choices.detection.margin);
+    any_bounces_ = std::any_of(colliders_.begin(), colliders_.end(),
+                               [](const collision::Collider& collider) { return collider.restitution > 0.0; });
+}
+
+// Before somebody says otherwise.
+void ContactStage::wake_all(std::size_t bodies) {
+    all_bodies_ = awake_bodies_ = Awake(bodies);
+    all_colliders_ = awake_colliders_ = Awake(colliders_.size());
+    awake_anew_ = true;
+}
+
+void ContactStage::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+    wake_all(bodies.size());
+    awake_bodies_ = awake;
+    std::vector<char> is_awake;
+    for (const collision::Collider& collider : colliders_) is_awake.push_back(awake.has(collider.body));
+    awake_colliders_ = Awake(std::move(is_awake));
+    if (!cache_) return;
+    const auto moves = [&](const collision::Pair& pair) {
+        const auto body_of = [&](int collider) { return colliders_[static_cast<std::size_t>(collider)].body; };
+        return is_any_moving(bodies, awake, body_of(pair.a), body_of(pair.b));
+    };
+    cache_->take_from(at_rest_, moves);
+    at_rest_.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
+}
+
+void ContactStage::all_forces(ContactCache& into) const {
+    into = cache_ ? *cache_ : ContactCache{};
+    if (at_rest_.entries().empty()) return;
+    ContactCache at_rest = at_rest_;
+    into.take_from(at_rest, [](const collision::Pair&) { return true; });
 }
 
 // Each surface velocity is across the normal as far as friction is concerned.
@@ -155,7 +186,8 @@ std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const coll
 // As motion_of() has them, with the rotations that the detector has made.
 void ContactStage::find_motions(std::span<const Body> bodies) {
     motions_.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const int index : awake_bodies_.members()) {
+        const auto i = static_cast<std::size_t>(index);
         const Body& body = bodies[i];
         if (body.is_static()) continue;
         const Matrix3& rotation = detector_.poses()[i].rotation;
@@ -188,21 +220,28 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
     if (friction_ && !interleaved) append(false, true);
 }
 
+collision::Sweep::Step ContactStage::collision_step(std::span<const Body> bodies, double dt) const {
+    return {colliders_, bodies, dt, choices_.detection, awake_colliders_.members(), any_bounces_};
+}
+
 void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
     // First what refers to the touches of the last step, whose points and meetings the search throws away.
     contacts_.clear();
     unforeseen_.clear();
     touches_ = {};
-    if (sweep_) foresight_.look_ahead(colliders_, bodies, dt);
+    if (awake_bodies_.of() != bodies.size()) wake_all(bodies.size());
+    const collision::AwakeColliders awake{
+        awake_colliders_,
+        (awake_anew_ ? all_colliders_ : awake_colliders_).members(),
+        (awake_anew_ ? all_bodies_ : awake_bodies_).members(),
+    };
+    awake_anew_ = false;
+    if (sweep_) foresight_.look_ahead(colliders_, bodies, dt, awake.moved_colliders);
     std::vector<collision::Touch>& touches =
-        detector_.detect(colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr);
-    if (choices_.detection.permitted > 0.0) {
-        passing_.put_right(touches, {colliders_, bodies, dt, choices_.detection});
-    }
+        detector_.detect(colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr, awake);
+    if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(bodies, dt));
     touches_ = touches;
-    if (sweep_) {
-        touches_ = sweep_->refine(touches_, {colliders_, bodies, dt, choices_.detection}, detector_);
-    }
+    if (sweep_) touches_ = sweep_->refine(touches_, collision_step(bodies, dt), detector_);
     if (friction_) find_motions(bodies);
     forces_.clear();
     own_rows_ = 0;
@@ -214,7 +253,7 @@ void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<con
                                      std::span<const NewForce> changed, double dt,
                                      std::vector<ConstraintRow>& rows) {
     if (!sweep_) return;
-    const auto found = sweep_->look(forces, changed, {colliders_, bodies, dt, choices_.detection}, detector_);
+    const auto found = sweep_->look(forces, changed, collision_step(bodies, dt), detector_);
     if (found.empty()) return;
     // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();

@@ -54,13 +54,17 @@ class ContactStage : public ConstraintSource {
     void append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
                            std::span<const NewForce> changed, double dt, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
+    bool can_leave_out() const override { return true; }
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
     // Null without.
     const FrictionRule* friction() const { return friction_.get(); }
     RestitutionRule restitution() const { return restitution_; }
     const collision::Sweep* sweep() const { return sweep_.get(); }
-    const ContactCache* cache() const { return cache_.get(); }
+    const ContactCache* cache() const { return cache_.get(); }  // without the contacts of bodies at rest
+    // Overwrites `into` with those of all contacts, bodies at rest included; nothing without a cache.
+    void all_forces(ContactCache& into) const;
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;
@@ -89,6 +93,8 @@ class ContactStage : public ConstraintSource {
                        std::vector<ConstraintRow>& rows);
     void append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                          std::vector<ConstraintRow>& rows);
+    void wake_all(std::size_t bodies);
+    collision::Sweep::Step collision_step(std::span<const Body> bodies, double dt) const;
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
     void store_forces();
@@ -99,6 +105,12 @@ class ContactStage : public ConstraintSource {
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::Sweep> sweep_;
+    ContactCache at_rest_;  // the forces between bodies at rest
+    bool any_bounces_ = false;
+
+    // Whose rows are appended, and whether they are others than in the last step.
+    Awake awake_bodies_, awake_colliders_, all_bodies_, all_colliders_;
+    bool awake_anew_ = true;
 
     // Of the current step.
     collision::Foresight foresight_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace pushfactor::engine {
 
@@ -43,7 +44,12 @@ Span span_of(const Distance& distance, std::span<const Body> bodies) {
 }
 
 DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached)
-    : distances_(std::move(distances)), correction_(correction), cached_(cached), forces_(distances_.size()) {
+    : distances_(std::move(distances)),
+      correction_(correction),
+      cached_(cached),
+      forces_(distances_.size()),
+      acting_(distances_.size()) {
+    std::iota(acting_.begin(), acting_.end(), 0);
     for ([[maybe_unused]] const Distance& distance : distances_) {
         assert(!is_ball_joint(distance) ||
                (distance.acts == Distance::Acts::both && std::isinf(distance.max_force)));
@@ -51,7 +57,7 @@ DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const 
 }
 
 void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    for (std::size_t i = 0; i < distances_.size(); ++i) {
+    for (const std::size_t i : acting_) {
         if (is_ball_joint(distances_[i])) {
             append_joint(i, bodies, dt, rows);
         } else {
@@ -95,13 +101,20 @@ void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> 
     }
 }
 
+void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+    acting_.clear();
+    for (std::size_t i = 0; i < distances_.size(); ++i) {
+        if (is_any_moving(bodies, awake, distances_[i].body_a, distances_[i].body_b)) acting_.push_back(i);
+    }
+}
+
 void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {
     assert(forces.size() == distances_.size());
     forces_ = std::move(forces);
 }
 
 void DistanceConstraints::remember(std::span<const Lambda> answers) {
-    for (std::size_t i = 0; i < distances_.size(); ++i) {
+    for (const std::size_t i : acting_) {
         const std::size_t rows = is_ball_joint(distances_[i]) ? 3 : 1;
         std::copy_n(answers.begin(), rows, forces_[i].begin());
         answers = answers.subspan(rows);

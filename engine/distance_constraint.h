@@ -64,8 +64,12 @@ class DistanceConstraints : public ConstraintSource {
 
     void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
+    bool can_leave_out() const override { return true; }
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 
     std::span<const Distance> distances() const { return distances_; }
+    // The numbers of those that have rows, in the order of the rows: not those of bodies at rest.
+    std::span<const std::size_t> acting() const { return acting_; }
 
     // The answers of the last step, one a distance [N]; zero before the first. A restored run begins with those of
     // the run that was saved.
@@ -80,6 +84,7 @@ class DistanceConstraints : public ConstraintSource {
     Correction correction_;
     bool cached_;
     std::vector<DistanceForce> forces_;
+    std::vector<std::size_t> acting_;
 };
 
 }  // namespace pushfactor::engine

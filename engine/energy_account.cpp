@@ -21,6 +21,11 @@ void each_contact(const World& world, const Visit& visit) {
     }
 }
 
+// Whether the pair is left out of the step because it rests, and lies as deep as before.
+bool rests(const World& world, const std::pair<int, int>& bodies) {
+    return world.rest && (world.rest->is_at_rest(bodies.first) || world.rest->is_at_rest(bodies.second));
+}
+
 // What running surfaces give to the bodies that rub on them [J].
 double work_of_belts(const World& world) {
     const std::span<const ConstraintRow> rows = world.rows();
@@ -80,6 +85,7 @@ double EnergyAccount::work_of_removing(const World& world) {
     });
     double work = 0.0;
     for (auto& [bodies, overlap] : overlaps_) {
+        if (!now.contains(bodies) && rests(world, bodies)) continue;
         const Overlap& seen = now[bodies];
         work += overlap.force * std::max(0.0, overlap.depth - seen.depth);
         overlap = {std::min(overlap.depth, seen.depth), seen.force};

@@ -8,7 +8,8 @@ namespace pushfactor::engine {
 class Gravity : public ForceSource {
   public:
     explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
-    void add_forces(std::span<Body> bodies, double time) override;
+    void add_forces(const ForcedBodies& bodies, double time) override;
+    SomeBodies pushed_anew(double, double) const override { return {}; }
 
   private:
     Vector3 acceleration_;

@@ -52,10 +52,11 @@ double larger(const std::array<double, 2>& residuals) {
 
 }  // namespace
 
-void IslandSolver::begin(std::size_t bodies) {
-    warm_start_.begin(bodies);
-    budget_.begin(bodies);
-    outcomes_.assign(bodies, {});
+void IslandSolver::begin(std::size_t bodies, std::span<const int> awake) {
+    warm_start_.begin(bodies, awake);
+    budget_.begin(bodies, awake);
+    outcomes_.resize(bodies);
+    for (const int body : awake) outcomes_[static_cast<std::size_t>(body)] = {};
 }
 
 solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::Termination& usual,

@@ -50,8 +50,14 @@ class IslandSolver {
         double stands_up_to = 0.0;  // m/s; residual of a guess that an exact answer may serve for good, if any
     };
 
-    // Before the first solve of a step.
-    void begin(std::size_t bodies);
+    // Before the first solve of a step in which those `awake` of all bodies take part.
+    void begin(std::size_t bodies, std::span<const int> awake);
+
+    // Forgets a step that was begun with the same, in which one at rest was met.
+    void take_back(std::span<const int> awake) { budget_.take_back(awake); }
+
+    // Before a step in which others take part than in the last one.
+    void forget_islands() { warm_start_.forget_islands(); }
 
     // Between solves that are problems of their own, whose work does not count together.
     void begin_another() { budget_.begin_another(); }
@@ -85,7 +91,7 @@ class IslandSolver {
     const WarmStart& warm_start() const { return warm_start_; }
 
     // After the last solve of a step and what warm_start() has to say about its forces.
-    void end() { warm_start_.end(); }
+    void end(std::span<const int> awake) { warm_start_.end(awake); }
 
     void take_memory(std::vector<Memory>& memory) const;  // by body; empty before the first step
     void set_memory(std::span<const Memory> memory);

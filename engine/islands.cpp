@@ -49,7 +49,13 @@ void each_row(const SystemEquation& system, const Island& island, const Visit& v
 void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                        Eigen::Index column, std::vector<Vector6>& forces) {
     for (const int body : island.bodies) forces[at(body)].setZero();
-    for (const RowRun& run : island.runs) add_forces_of_pair(system, lambda, column, run.begin, run.end, forces);
+    for (const RowRun& run : island.runs) {
+        Vector6 on_static = Vector6::Zero();
+        const auto on = [&](int number) -> Vector6& {
+            return number < island.movable() ? forces[at(island.bodies[at(number)])] : on_static;
+        };
+        add_forces_of_rows(system, lambda, column, run.begin, run.end, on(run.a), on(run.b));
+    }
 }
 
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
@@ -83,7 +89,7 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
 void Islands::find(const SystemEquation& system, int first_new) {
     if (!find_runs(system, first_new)) return;
     join_bodies(system);
-    gather_bodies();
+    gather_bodies(system);
     gather_runs();
     number_static_bodies();
 }
@@ -144,10 +150,18 @@ void Islands::join(int a, int b) {
 }
 
 void Islands::join_bodies(const SystemEquation& system) {
-    parent_.assign(body_count_, -1);
+    if (parent_.size() != body_count_) {
+        joined_.clear();
+        parent_.assign(body_count_, -1);
+        island_of_.assign(body_count_, -1);
+    }
+    for (const int body : joined_) parent_[at(body)] = island_of_[at(body)] = -1;
+    joined_.clear();
     hold_all_rows_ = true;
     const auto take = [this](int body) {
-        if (parent_[at(body)] < 0) parent_[at(body)] = body;
+        if (parent_[at(body)] >= 0) return;
+        parent_[at(body)] = body;
+        joined_.push_back(body);
     };
     for (const Found& run : found_) {
         hold_all_rows_ = hold_all_rows_ && run.movable >= 0;
@@ -164,12 +178,10 @@ void Islands::join_bodies(const SystemEquation& system) {
     }
 }
 
-void Islands::gather_bodies() {
-    const int count = static_cast<int>(parent_.size());
+void Islands::gather_bodies(const SystemEquation& system) {
     islands_.clear();
-    island_of_.assign(parent_.size(), -1);
     number_of_.resize(parent_.size());
-    for (int body = 0; body < count; ++body) {
+    for (const int body : system.awake) {
         if (parent_[at(body)] < 0) continue;
         const int root = root_of(body);
         if (root == body) {
@@ -182,7 +194,7 @@ void Islands::gather_bodies() {
     begin_.assign(1, 0);
     for (const Island& island : islands_) begin_.push_back(begin_.back() + island.body_count);
     bodies_.resize(at(begin_.back()));
-    for (int body = 0; body < count; ++body) {
+    for (const int body : system.awake) {
         if (of_body(body) >= 0) bodies_[at(begin_[at(of_body(body))] + number_of_[at(body)])] = body;
     }
     for (std::size_t k = 0; k < islands_.size(); ++k) {

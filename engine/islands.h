@@ -86,7 +86,7 @@ class Islands {
     void find(const SystemEquation& system, int first_new);
     bool find_runs(const SystemEquation& system, int first_new);
     void join_bodies(const SystemEquation& system);
-    void gather_bodies();
+    void gather_bodies(const SystemEquation& system);
     void gather_runs();
     void number_static_bodies();
     void join(int a, int b);
@@ -96,6 +96,7 @@ class Islands {
     std::size_t body_count_ = 0;
     std::vector<Found> found_;
     std::vector<Follower> followers_, new_followers_;
+    std::vector<int> joined_;     // movable bodies with rows
     std::vector<int> parent_;     // by body, in the forest of joined bodies; -1 without rows
     std::vector<int> island_of_;  // by body
     std::vector<int> number_of_;  // by body, in its island; of a static one in the island that has named it last

@@ -17,9 +17,12 @@ struct Poke {
 class PokeForce : public ForceSource {
   public:
     explicit PokeForce(const Poke& poke) : poke_(poke) {}
-    void add_forces(std::span<Body> bodies, double time) override;
+    void add_forces(const ForcedBodies& bodies, double time) override;
+    SomeBodies pushed_anew(double from, double until) const override;
 
   private:
+    bool acts_at(double time) const;
+
     Poke poke_;
 };
 

@@ -38,8 +38,9 @@ class RattleStep {
     // Takes the rows and their guesses where the step begins.
     void begin(double dt) {
         // Each step solves for its positions, so that no error grows while forces are kept.
+        world_.find_awake();
         world_.island_solver_.set_memory({});
-        world_.island_solver_.begin(world_.bodies.size());
+        world_.island_solver_.begin(world_.bodies.size(), world_.awake_.members());
         world_.append_rows(dt);
         require_bars(world_.rows_);
         world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);

@@ -139,6 +139,7 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
         small_step(h, last ? more_at_the_end * division.sweeps : division.sweeps);
     }
     residual_ = rows_.residual();
+    kick_at_once(division.steps, system.dt);
     store(system, island, h, lambda);
     constraint_forces(system, island, lambda, lambda.cols() - 1, forces.lasting);
     const bool pushed = push_apart(system, island, lambda);
@@ -154,6 +155,7 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
 // Free motion at the start of the step, and what the first small step begins with.
 void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h) {
     const auto movable = static_cast<std::size_t>(island.movable());
+    start_.resize(movable);
     pull_.resize(movable);
     base_.resize(movable);
     impulse_.assign(rows_.velocity.begin(), rows_.velocity.begin() + island.movable());
@@ -164,6 +166,7 @@ void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodie
         const InverseMass& inverse_mass = system.inverse_mass[body];
         const Body& own = bodies[body];
         rows_.velocity[i] = weighted(inverse_mass, own.linear_momentum, own.angular_momentum);
+        start_[i] = rows_.velocity[i];
         pull_[i] = h * weighted(inverse_mass, own.force, own.torque);
     }
     sum_.assign(rows_.rows.size(), 0.0);
@@ -255,6 +258,17 @@ void SmallSteps::small_step(double h, int sweeps) {
         moved_[i] += h * rows_.velocity[i];
     }
     for (std::size_t j = 0; j < sum_.size(); ++j) sum_[j] += rows_.rows[j].y[0];
+}
+
+// A collision is in the whole step alone, what begins with the last small step in that alone: of two that point the
+// same way the shorter one, else neither.
+void SmallSteps::kick_at_once(int steps, double dt) {
+    const double share = 0.5 * dt * (1.0 - 1.0 / steps);
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+        const Vector6 whole = rows_.velocity[i] - start_[i], end = steps * (pull_[i] + impulse_[i]);
+        if (!(whole.dot(end) > 0.0)) continue;
+        moved_[i] += share * (whole.squaredNorm() < end.squaredNorm() ? whole : end);
+    }
 }
 
 void SmallSteps::store(const SystemEquation& system, const Island& island, double h, Columns& lambda) {

@@ -12,6 +12,11 @@
 // [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. A row that is still open has t_j = -gap / h, with the gap
 // that is left after d; one that has closed aims at rest, and friction at the speed of its belt.
 //
+// The means over the small steps would take a body as far as a constant force does, d = dt v + dt^2 a / 2, where a
+// whole step has dt v + dt^2 a (3.2): with axes that are those of the start, the former is an explicit step, and
+// what swings or rolls in a hollow would get faster with every swing. So what the step and its end have in common
+// of an acceleration is added to d as if it had acted from the beginning.
+//
 // The single-frame push (8.1) is apart: after the last small step the contact and distance rows, but no friction,
 // find a displacement that takes off the share `beta` of what overlaps. It is no velocity of any small step. As
 // a column of the system it lifts bodies by more than they overlap while it is not solved, and gravity makes
@@ -99,6 +104,7 @@ class SmallSteps {
     bool brings_energy() const;
     void forget_hits();
     void small_step(double h, int sweeps);
+    void kick_at_once(int steps, double dt);
     void store(const SystemEquation& system, const Island& island, double h, Columns& lambda);
     bool push_apart(const SystemEquation& system, const Island& island, Columns& lambda);
     void write_moving_forces(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
@@ -109,6 +115,7 @@ class SmallSteps {
     double residual_ = 0.0;
     solvers::UnitRows<1> rows_;
     // By movable body of the island:
+    std::vector<Vector6> start_;    // x at the start of the step
     std::vector<Vector6> pull_;     // x that the external forces add in a small step
     std::vector<Vector6> base_;     // x before the rows act
     std::vector<double> before_;    // y of the small step before the last one

@@ -2,6 +2,7 @@
 // What a scene does not need is not constructed.
 #pragma once
 
+#include "engine/awake.h"
 #include "engine/body.h"
 #include "engine/constraint_row.h"
 #include "engine/motion.h"
@@ -11,11 +12,64 @@
 
 namespace pushfactor::engine {
 
+// The bodies of a world as a force source sees them: a loop goes through those that are not at rest (rest.h).
+class ForcedBodies {
+  public:
+    ForcedBodies(std::span<Body> bodies, const Awake& awake) : bodies_(bodies), awake_(awake) {}
+
+    class Iterator {
+      public:
+        Iterator(std::span<Body> bodies, std::span<const int>::iterator at) : bodies_(bodies), at_(at) {}
+        Body& operator*() const { return bodies_[static_cast<std::size_t>(*at_)]; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+      private:
+        std::span<Body> bodies_;
+        std::span<const int>::iterator at_;
+    };
+    Iterator begin() const { return {bodies_, awake_.members().begin()}; }
+    Iterator end() const { return {bodies_, awake_.members().end()}; }
+
+    // By number; of one at rest a copy, good until the next call, because what is added to it does not count.
+    Body& operator[](std::size_t body) const {
+        if (awake_.has(static_cast<int>(body))) return bodies_[body];
+        return at_rest_ = bodies_[body];
+    }
+    std::size_t size() const { return bodies_.size(); }
+
+  private:
+    std::span<Body> bodies_;
+    const Awake& awake_;
+    mutable Body at_rest_;
+};
+
+// Whether rows between two bodies may move something: one of them can, and is not at rest.
+inline bool is_any_moving(std::span<const Body> bodies, const Awake& awake, int a, int b) {
+    const auto moves = [&](int body) {
+        return awake.has(body) && !bodies[static_cast<std::size_t>(body)].is_static();
+    };
+    return moves(a) || moves(b);
+}
+
+// Some bodies of a world by their numbers, or all.
+struct SomeBodies {
+    bool all = false;
+    std::vector<int> some{};
+};
+
 // Adds external forces to the bodies at the start of a step (3.1: "keeps track of all the forces applied").
 class ForceSource {
   public:
     virtual ~ForceSource() = default;
-    virtual void add_forces(std::span<Body> bodies, double time) = 0;  // s since the start of the world
+    virtual void add_forces(const ForcedBodies& bodies, double time) = 0;  // s since the start of the world
+
+    // Which bodies may get another force at `until` than at `from` [s] although they have not moved. These cannot
+    // rest; all of them, unless a source says better.
+    virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
 };
 
 // Appends the rows that restrict the bodies in this step (section 5) and gets back its own answers (6.2.3).
@@ -33,6 +87,14 @@ class ConstraintSource {
     virtual void append_unforeseen(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/,
                                    std::span<const NewForce> /*changed*/, double /*dt*/,
                                    std::vector<ConstraintRow>& /*rows*/) {}
+
+    // Whether the source leaves out rows between bodies that rest, or rest and are static, and remembers what it
+    // had for them (rest.h). Bodies that rows of another one act on do not come to rest.
+    virtual bool can_leave_out() const { return false; }
+    // From now on those awake are these; called before the first step in which they are others.
+    virtual void leave_out_others(std::span<const Body> /*bodies*/, const Awake& /*awake*/) {}
+    // As for forces: those on which rows would act otherwise at `until`.
+    virtual SomeBodies acts_anew(double /*from*/, double /*until*/) { return {}; }
 
     // The forces that the next step should begin with, one for each row that the source has appended in this step,
     // in that order: the answers, or something between them and the guesses.

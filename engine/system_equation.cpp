@@ -1,5 +1,7 @@
 #include "engine/system_equation.h"
 
+#include "engine/awake.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -179,11 +181,23 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
 
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system) {
+    build_system(bodies, Awake(bodies.size()).members(), rows, dt, system);
+}
+
+void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
+                  double dt, SystemEquation& system) {
     system.dt = dt;
-    system.inverse_mass.resize(bodies.size());
     std::vector<Vector6>& free = system.free_acceleration;
-    free.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (awake.size() < bodies.size() && !std::ranges::equal(system.awake, awake)) {
+        // What is left out is as if it were static.
+        system.inverse_mass.clear();
+        free.clear();
+    }
+    system.awake.assign(awake.begin(), awake.end());
+    system.inverse_mass.resize(bodies.size());
+    free.resize(bodies.size(), Vector6::Zero());
+    for (const int index : awake) {
+        const auto i = static_cast<std::size_t>(index);
         find_inverse_mass(bodies[i], system.inverse_mass[i]);
         find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     }
@@ -198,8 +212,15 @@ void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system) 
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces) {
     forces.assign(system.inverse_mass.size(), Vector6::Zero());
-    for (Eigen::Index j = 0; j < system.row_count();) {
-        j = add_forces_of_pair(system, lambda, column, j, system.row_count(), forces);
+    for (Eigen::Index begin = 0, end = 0; begin < system.row_count(); begin = end) {
+        const ConstraintRow& first = system.rows[static_cast<std::size_t>(begin)];
+        const auto acts_on_these = [&](Eigen::Index j) {
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            return row.body_a == first.body_a && row.body_b == first.body_b;
+        };
+        while (end < system.row_count() && acts_on_these(end)) ++end;
+        add_forces_of_rows(system, lambda, column, begin, end, forces[static_cast<std::size_t>(first.body_a)],
+                           forces[static_cast<std::size_t>(first.body_b)]);
     }
 }
 

@@ -39,6 +39,7 @@ struct InverseMass {
 struct SystemEquation {
     double dt = 0.0;                         // s
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
+    std::vector<int> awake;                  // bodies that take part, ascending; rows move no others
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
     VectorX diagonal;  // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
@@ -49,7 +50,10 @@ struct SystemEquation {
 };
 
 // Writes 6.2.9 for the bodies with their forces and these rows into `system`, whose memory is reused.
-// `rows` must outlive its use.
+// `rows` must outlive its use. Bodies take part that are among those `awake` (ascending), or all; the others are as
+// if they were static.
+void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
+                  double dt, SystemEquation& system);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 
@@ -71,25 +75,18 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces);
 
-// Adds to `forces` what row `begin` does to its bodies, and the rows behind it, up to `end`, that act on the same
-// two. Returns the first row that does not.
-inline Eigen::Index add_forces_of_pair(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
-                                       Eigen::Index begin, Eigen::Index end, std::vector<Vector6>& forces) {
-    const ConstraintRow& first = system.rows[static_cast<std::size_t>(begin)];
-    Vector6& on_a = forces[static_cast<std::size_t>(first.body_a)];
-    Vector6& on_b = forces[static_cast<std::size_t>(first.body_b)];
+// Adds what the rows from `begin` up to `end`, which act on the same two bodies, do to these.
+inline void add_forces_of_rows(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                               Eigen::Index begin, Eigen::Index end, Vector6& on_a, Vector6& on_b) {
     // In variables of their own, so that the sums are not written to memory and read back row by row.
     Vector6 sum_a = on_a, sum_b = on_b;
-    Eigen::Index j = begin;
-    for (; j < end; ++j) {
+    for (Eigen::Index j = begin; j < end; ++j) {
         const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-        if (row.body_a != first.body_a || row.body_b != first.body_b) break;
         sum_a += row.jacobian.a * lambda(j, column);
         sum_b += row.jacobian.b * lambda(j, column);
     }
     on_a = sum_a;
     on_b = sum_b;
-    return j;
 }
 
 // The bounds [N] of row `row` while column `column` of `lambda` is as it is; of a row of a disc, those that it has

@@ -2,9 +2,10 @@
 
 namespace pushfactor::engine {
 
-void WarmStart::begin(std::size_t bodies) {
+void WarmStart::begin(std::size_t bodies, std::span<const int> awake) {
     memory_.resize(bodies);
-    records_.assign(bodies, {});
+    records_.resize(bodies);
+    for (const int body : awake) records_[static_cast<std::size_t>(body)] = {};
 }
 
 void WarmStart::solved(const Island& island, const solvers::SolveCount& count, bool outdated) {
@@ -23,8 +24,9 @@ void WarmStart::solved(const Island& island, const solvers::SolveCount& count, b
     for (const int body : island.bodies) records_[static_cast<std::size_t>(body)] = record;
 }
 
-void WarmStart::end() {
-    for (std::size_t i = 0; i < records_.size(); ++i) {
+void WarmStart::end(std::span<const int> awake) {
+    for (const int body : awake) {
+        const auto i = static_cast<std::size_t>(body);
         const Record& record = records_[i];
         const bool kept = record.in_island && record.method == Method::kept;
         memory_[i] = {.exact = record.method == Method::exact, .kept = kept ? memory_[i].kept + 1 : 0};

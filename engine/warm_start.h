@@ -25,8 +25,11 @@ class WarmStart {
     // What a step did with an island.
     enum class Method { kept, swept, exact, in_small_steps };
 
-    // Before the first solve of a step.
-    void begin(std::size_t bodies);
+    // Before the first solve of a step in which those `awake` of all bodies take part.
+    void begin(std::size_t bodies, std::span<const int> awake);
+
+    // Before a step in which others take part than in the last one: those at rest are in no island.
+    void forget_islands() { records_.clear(); }
 
     // When to stop solving `island`, where `usual` is the world's own rule.
     //
@@ -98,8 +101,8 @@ class WarmStart {
         return {.share = 1.0 / (1 + kept), .nothing = false};
     }
 
-    // After the last solve of a step.
-    void end();
+    // After the last solve of a step. Bodies that take no part in it keep what they have.
+    void end(std::span<const int> awake);
 
     std::span<const Memory> memory() const { return memory_; }  // by body; empty before the first step
     void set_memory(std::span<const Memory> memory) { memory_.assign(memory.begin(), memory.end()); }

@@ -26,28 +26,63 @@ StepCount World::step(double dt, StageObserver* observer) {
     const auto ended = [observer](Stage stage) {
         if (observer) observer->stage_ended(stage);
     };
-    add_forces();  // 3.1
-    ended(Stage::forces);
-    append_rows(dt);  // 5
-    ended(Stage::rows);
-    build_system(bodies, rows_, dt, system_);  // 6: A lambda = b, 6.2.9
-    ended(Stage::system);
-    const Work work = solve_and_look(dt);  // 7, island by island
-    ended(Stage::solve);
+    Work work;
+    do {
+        find_awake();  // all, unless some are at rest
+        add_forces();  // 3.1
+        ended(Stage::forces);
+        append_rows(dt);  // 5
+        ended(Stage::rows);
+        build_system(bodies, awake_.members(), rows_, dt, system_);  // 6: A lambda = b, 6.2.9
+        ended(Stage::system);
+        work = solve_and_look(dt);  // 7, island by island
+        ended(Stage::solve);
+    } while (wakes_some());
     remember();  // 6.2.3
     ended(Stage::remember);
     integrate(dt);  // 3.2, 8.1
     time_ += dt;
+    if (rest) settle(dt);
     ended(Stage::integrate);
     return count(work);
 }
 
+void World::find_awake() {
+    const bool first = awake_.of() != bodies.size();
+    if (!rest) {
+        if (first) awake_ = Awake(bodies.size());
+        return;
+    }
+    if (!rest->take_change() && !first) return;
+    if (first) add_forces(Awake(bodies.size()));  // those at rest keep theirs from here on
+    awake_ = rest->awake(bodies.size());
+    island_solver_.forget_islands();
+    for (const auto& source : constraints) source->leave_out_others(bodies, awake_);
+    forces_.moving.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        // So that who looks where they move sees that they are held.
+        if (!awake_.has(static_cast<int>(i))) forces_.moving[i] = -stacked(bodies[i].force, bodies[i].torque);
+    }
+}
+
+bool World::wakes_some() {
+    const bool woken = rest && rest->wake_pushed(system_, lambda_);
+    if (woken) island_solver_.take_back(awake_.members());
+    return woken;
+}
+
 void World::add_forces() {
-    for (Body& body : bodies) {
+    add_forces(awake_);
+}
+
+void World::add_forces(const Awake& to) {
+    for (const int index : to.members()) {
+        Body& body = bodies[static_cast<std::size_t>(index)];
         body.force.setZero();
         body.torque.setZero();
     }
-    for (const auto& source : forces) source->add_forces(bodies, time_);
+    const ForcedBodies forced(bodies, to);
+    for (const auto& source : forces) source->add_forces(forced, time_);
 }
 
 void World::append_rows(double dt) {
@@ -95,12 +130,13 @@ void World::note_changed(const Island& island) {
 }
 
 World::Work World::solve_islands() {
-    island_solver_.begin(bodies.size());
+    island_solver_.begin(bodies.size(), awake_.members());
     islands_.find(system_);
     lambda_.resize(system_.row_count(), system_.column_count());
     guess(0, lambda_);
-    forces_.moving.assign(bodies.size(), Vector6::Zero());
+    forces_.moving.resize(bodies.size());
     forces_.lasting.resize(bodies.size());
+    for (const int body : awake_.members()) forces_.moving[static_cast<std::size_t>(body)].setZero();
     Work work;
     for (const Island& island : islands_.all()) solve(island, nullptr, work);
     return work;
@@ -201,7 +237,7 @@ void World::remember() {
             }
         }
     }
-    island_solver_.end();
+    island_solver_.end(awake_.members());
     hand_out_answers();
 }
 
@@ -231,9 +267,10 @@ void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
 }
 
 void World::prepare(double dt) {
+    find_awake();
     add_forces();
     append_rows(dt);
-    build_system(bodies, rows_, dt, system_);
+    build_system(bodies, awake_.members(), rows_, dt, system_);
     solve_islands();
     remember();
 }
@@ -270,7 +307,8 @@ void World::kick_back_half(double dt) {
 }
 
 void World::integrate(double dt) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const int index : awake_.members()) {
+        const auto i = static_cast<std::size_t>(index);
         Body& body = bodies[i];
         if (body.is_static()) continue;
         const Vector6& f_cv = forces_.moving[i];
@@ -292,9 +330,29 @@ void World::integrate(double dt) {
     }
 }
 
+// What is to change with the next step wakes now, so that a state that is saved here knows it.
+void World::settle(double dt) {
+    const auto wake = [this](const SomeBodies& bodies_of) {
+        if (bodies_of.all) rest->wake_all();
+        for (const int body : bodies_of.some) rest->wake(body);
+    };
+    const auto forbid = [&](const Appended& part) {
+        if (constraints[part.source]->can_leave_out()) return;
+        for (std::size_t j = part.begin; j < part.end; ++j) {
+            rest->wake(rows_[j].body_a);
+            rest->wake(rows_[j].body_b);
+        }
+    };
+    for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
+    for (const auto& source : constraints) wake(source->acts_anew(time_ - dt, time_));
+    std::for_each(appended_.begin(), appended_.end(), forbid);
+    rest->end_step(bodies, system_, islands_, lambda_, dt);
+}
+
 StepCount World::count(const Work& work) const {
     StepCount count;
     for (const ConstraintRow& row : rows_) ++count.rows_of_kind[static_cast<std::size_t>(row.label.kind)];
+    if (rest) count.at_rest = rest->count();
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
     count.islands = static_cast<int>(islands_.all().size());
     for (const Island& island : islands_.all()) {

@@ -4,6 +4,7 @@
 #include "engine/integrator.h"
 #include "engine/island_solver.h"
 #include "engine/islands.h"
+#include "engine/rest.h"
 #include "engine/solvers/solver.h"
 #include "engine/sources.h"
 #include "engine/system_equation.h"
@@ -38,6 +39,7 @@ struct StepCount {
     int sweeps = 0;                  // iterations of the solver, on the island with the most of them
     double row_updates = 0.0;        // rows times columns times iterations, of all islands
     double multiply_adds = 0.0;      // of the solver
+    int at_rest = 0;                 // bodies, after the step (rest.h)
 
     int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
     int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
@@ -52,6 +54,7 @@ class World {
     std::unique_ptr<solvers::Solver> solver;
     solvers::Termination termination;
     std::unique_ptr<SmallSteps> small_steps;  // for islands without an exact answer; null: iterations of the solver
+    std::unique_ptr<Rest> rest;  // what leaves out of steps what rests; null: nothing is left out. Not for RATTLE.
     OrientationStep rotate = rotate_splitting;
 
     // Advances by dt [s], above zero.
@@ -71,7 +74,7 @@ class World {
     // What a world carries from step to step beside its bodies and what its sources remember: the time and this,
     // one per body. With all of it a world that was made anew goes on as the old one would have.
     void take_memory(std::vector<IslandSolver::Memory>& memory) const { island_solver_.take_memory(memory); }
-    void resume(double time, std::span<const IslandSolver::Memory> memory);
+    void resume(double time, std::span<const IslandSolver::Memory> memory);  // and Rest::set_memory()
 
     // The rows, the system and its answer of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_; }
@@ -106,7 +109,9 @@ class World {
         }
     };
 
+    void find_awake();
     void add_forces();
+    void add_forces(const Awake& to);
     void append_rows(double dt);
     void append_unforeseen(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
@@ -122,11 +127,14 @@ class World {
     Work finish_islands();
     // Solves, and again with more rows while the answer takes bodies where no source foresaw them.
     Work solve_and_look(double dt);
+    // Wakes what is pushed at rest. The step has to begin anew then.
+    bool wakes_some();
     void remember();
     void hand_out_answers();
     // Where an island has one column, the forces that move its bodies are those that last.
     bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
+    void settle(double dt);
     StepCount count(const Work& work) const;
 
     // The rows that a source has appended together.
@@ -135,6 +143,7 @@ class World {
     };
 
     double time_ = 0.0;
+    Awake awake_;  // bodies
     std::vector<ConstraintRow> rows_;
     std::vector<Appended> appended_;
     SystemEquation system_;

@@ -65,7 +65,8 @@ template <typename NumberOf, typename Add>
 void each_end(const Scene& scene, const NumberOf& number_of, const Add& add) {
     const engine::World& world = scene.world;
     std::size_t row = 0;
-    for (const engine::Distance& distance : scene.distances->distances()) {
+    for (const std::size_t acting : scene.distances->acting()) {
+        const engine::Distance& distance = scene.distances->distances()[acting];
         while (world.rows()[row].label.kind != engine::RowKind::distance) ++row;
         const auto [from, to] = span_of(distance, world.bodies);
         Vector3 on_b;
@@ -133,8 +134,34 @@ void add_islands(const Scene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Bodies are in the picture in their order, shape by shape.
-void colour_islands(const Scene& scene, renderer::Picture& picture) {
+// Which entry of the overlay a movable body belongs to.
+std::size_t rest_of(const Scene& scene, std::size_t body) {
+    const auto index = static_cast<int>(body);
+    if (scene.world.rest->is_at_rest(index)) return 0;
+    return scene.world.rest->is_still(index) ? 1 : 2;
+}
+
+void add_rest(const Scene& scene, std::vector<Quantity>& found) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].mass) continue;
+        found.push_back({.place = scene.world.bodies[i].position, .kind = rest_of(scene, i)});
+    }
+}
+
+glm::vec3 island_colour_of(const Scene& scene, std::size_t body) {
+    if (!is_in_island(scene, body)) return to_glm(*find_colour(colour_of_none));
+    const engine::Islands& islands = scene.world.islands();
+    const auto island = static_cast<std::size_t>(islands.of_body(static_cast<int>(body)));
+    return colour_of_island(static_cast<std::size_t>(islands.all()[island].bodies.front()));
+}
+
+glm::vec3 rest_colour_of(const Scene& scene, std::size_t body) {
+    return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
+}
+
+// Each movable body in the colour that `colour_of` gives. They are in the picture in their order, shape by shape.
+template <typename ColourOf>
+void colour_bodies(const Scene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -143,12 +170,7 @@ void colour_islands(const Scene& scene, renderer::Picture& picture) {
         if (std::holds_alternative<BoxShape>(body.shape)) colour = &(box++)->colour;
         if (std::holds_alternative<SphereShape>(body.shape)) colour = &(sphere++)->colour;
         if (!body.mass) continue;
-        const engine::Islands& islands = scene.world.islands();
-        *colour =
-            is_in_island(scene, i)
-                ? colour_of_island(static_cast<std::size_t>(
-                      islands.all()[static_cast<std::size_t>(islands.of_body(static_cast<int>(i)))].bodies.front()))
-                : to_glm(*find_colour(colour_of_none));
+        *colour = colour_of(scene, i);
     }
 }
 
@@ -167,6 +189,10 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::islands:
             return {{"one colour per island", colour("vermilion"), ""},
                     {"in no island", colour(colour_of_none), ""}};
+        case OverlayKind::rest:
+            return {{"at rest", colour("green"), ""},
+                    {"still, but held by what is not", colour(colour_of_none), ""},
+                    {"moves, or did a moment ago", colour("vermilion"), ""}};
         case OverlayKind::velocities:
             break;
     }
@@ -177,6 +203,7 @@ std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
     std::vector<Quantity> found;
     if (kind == OverlayKind::velocities) add_velocities(scene, found);
     if (kind == OverlayKind::islands) add_islands(scene, found);
+    if (kind == OverlayKind::rest) add_rest(scene, found);
     if (scene.world.rows().empty()) return found;
     if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
     if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
@@ -188,6 +215,9 @@ std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
 
 void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) {
     for (const OverlayItem& item : overlay) {
+        if (item.kind == OverlayKind::rest && !scene.world.rest) {
+            throw UsageError("--overlay rest: nothing rests without --rest on");
+        }
         const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
                          (scene.distances && item.kind != OverlayKind::contacts);
         if (any) continue;
@@ -198,10 +228,8 @@ void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) 
 }
 
 void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
-    if (kind == OverlayKind::islands) {
-        colour_islands(scene, picture);
-        return;
-    }
+    if (kind == OverlayKind::islands) return colour_bodies(scene, island_colour_of, picture);
+    if (kind == OverlayKind::rest) return colour_bodies(scene, rest_colour_of, picture);
     const std::vector<LegendEntry> entries = entries_of(kind);
     for (const Quantity& quantity : quantities(scene, kind)) {
         const glm::vec3 colour = to_glm(entries[quantity.kind].colour);

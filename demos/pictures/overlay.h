@@ -1,5 +1,5 @@
 // What is drawn over the bodies: contact points, forces, push factors and velocities, with a scale and a legend;
-// and the colours of islands.
+// and the colours of islands, and of what is at rest.
 #pragma once
 
 #include "demos/overlay_choice.h"
@@ -36,7 +36,7 @@ std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind);
 void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay);
 
 // Adds one overlay to a picture that draw_list() made of the scene, `units_a_metre` to scale (no matter for points
-// and islands).
+// and colours of bodies).
 void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture);
 
 }  // namespace pushfactor::demos::pictures

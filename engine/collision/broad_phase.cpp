@@ -47,11 +47,16 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 }  // namespace
 
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
-                       std::span<const Pose> poses, double margin, const Foresight* foresight) {
-    bounds_.clear();
-    planes_.clear();
-    place_.assign(colliders.size(), -1);
-    for (int i = 0; i < static_cast<int>(colliders.size()); ++i) {
+                       std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
+                       std::span<const int> moved) {
+    const bool all = moved.size() == colliders.size();
+    if (all) {
+        bounds_.clear();
+        place_.assign(colliders.size(), -1);
+    }
+    planes_.clear();  // they are static, so all of them are looked at
+    looked_at_.clear();
+    for (const int i : moved) {
         const Collider& collider = at(colliders, i);
         const auto body = static_cast<std::size_t>(collider.body);
         const Pose& pose = poses[body];
@@ -60,14 +65,19 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
             continue;
         }
         const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
-        place_[static_cast<std::size_t>(i)] = static_cast<int>(bounds_.size());
-        Bounds& box = bounds_.emplace_back();
+        if (all) {
+            place_[static_cast<std::size_t>(i)] = static_cast<int>(bounds_.size());
+            bounds_.emplace_back();
+        }
+        const int place = place_[static_cast<std::size_t>(i)];
+        looked_at_.push_back(place);
+        Bounds& box = bounds_[static_cast<std::size_t>(place)];
         box.centre = pose.position;
         box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
         box.slack = slack_share * size;
         box.collider = i;
         box.body = collider.body;
-        box.fixed = bodies[body].is_static();
+        box.idle = bodies[body].is_static() || !awake.has(i);
     }
 }
 
@@ -76,11 +86,13 @@ bool BroadPhase::has_same_shapes() const {
     const auto same_plane = [](const Plane& a, const Plane& b) {
         return a.collider == b.collider && a.point == b.point && a.up == b.up;
     };
-    const auto same_box = [](const Bounds& a, const Bounds& b) {
-        return a.collider == b.collider && a.body == b.body && a.fixed == b.fixed;
+    const auto same_box = [this](int place) {
+        const Bounds &a = wide_[static_cast<std::size_t>(place)], &b = bounds_[static_cast<std::size_t>(place)];
+        return a.collider == b.collider && a.body == b.body;
     };
-    return std::equal(wide_planes_.begin(), wide_planes_.end(), planes_.begin(), planes_.end(), same_plane) &&
-           std::equal(wide_.begin(), wide_.end(), bounds_.begin(), bounds_.end(), same_box);
+    return wide_.size() == bounds_.size() &&
+           std::equal(wide_planes_.begin(), wide_planes_.end(), planes_.begin(), planes_.end(), same_plane) &&
+           std::all_of(looked_at_.begin(), looked_at_.end(), same_box);
 }
 
 bool BroadPhase::uses_grid() const {
@@ -93,9 +105,16 @@ void BroadPhase::update_candidates() {
         return;
     }
     left_.clear();
-    for (std::size_t i = 0; i < wide_.size(); ++i) {
-        if (!holds(wide_[i], bounds_[i], bounds_[i].slack)) left_.push_back(static_cast<int>(i));
+    bool some_came_to_rest = false;
+    for (const int place : looked_at_) {
+        Bounds& wide = wide_[static_cast<std::size_t>(place)];
+        const Bounds& box = bounds_[static_cast<std::size_t>(place)];
+        const bool woke = wide.idle && !box.idle;
+        some_came_to_rest = some_came_to_rest || (box.idle && !wide.idle);
+        wide.idle = box.idle;
+        if (woke || !holds(wide, box, box.slack)) left_.push_back(place);
     }
+    if (some_came_to_rest) std::erase_if(candidates_, [this](const Candidate& c) { return !can_move(c); });
     if (left_.empty()) return;
     put_again_ += left_.size();
     // The grid forgets places that have been left only when it is filled anew.
@@ -169,7 +188,7 @@ void BroadPhase::add_with_planes(int index) {
     const Bounds& box = wide_[static_cast<std::size_t>(index)];
     for (int p = 0; p < static_cast<int>(wide_planes_.size()); ++p) {
         const Plane& plane = wide_planes_[static_cast<std::size_t>(p)];
-        if (box.fixed || !reaches(box, plane)) continue;
+        if (box.idle || !reaches(box, plane)) continue;
         const auto [a, b] = std::minmax(plane.collider, box.collider);
         candidates_.push_back({{a, b}, index, -1 - p});
     }
@@ -178,7 +197,7 @@ void BroadPhase::add_with_planes(int index) {
 void BroadPhase::add_if_near(int index, int other) {
     const Bounds& box = wide_[static_cast<std::size_t>(index)];
     const Bounds& near = wide_[static_cast<std::size_t>(other)];
-    if (!overlap(box, near) || (box.fixed && near.fixed) || box.body == near.body) return;
+    if (!overlap(box, near) || (box.idle && near.idle) || box.body == near.body) return;
     const auto [a, b] = std::minmax(box.collider, near.collider);
     candidates_.push_back({{a, b}, index, other});
 }
@@ -186,13 +205,25 @@ void BroadPhase::add_if_near(int index, int other) {
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                              std::span<const Pose> poses, double margin,
                                              const Foresight* foresight) {
-    bound(colliders, bodies, poses, margin, foresight);
+    const Awake all(colliders.size());
+    return find_pairs(colliders, bodies, poses, margin, foresight, all, all.members());
+}
+
+std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
+                                             std::span<const Pose> poses, double margin, const Foresight* foresight,
+                                             const Awake& awake, std::span<const int> moved) {
+    bound(colliders, bodies, poses, margin, foresight, awake, moved);
     update_candidates();
     pairs_.clear();
     for (const Candidate& candidate : candidates_) {
         if (is_near(candidate)) pairs_.push_back(candidate.pair);
     }
     return pairs_;
+}
+
+bool BroadPhase::can_move(const Candidate& candidate) const {
+    const auto moves = [this](int box) { return box >= 0 && !wide_[static_cast<std::size_t>(box)].idle; };
+    return moves(candidate.box) || moves(candidate.other);
 }
 
 bool BroadPhase::is_near(const Candidate& candidate) const {

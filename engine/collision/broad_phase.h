@@ -3,6 +3,7 @@
 // that what moves costs nothing where nothing does.
 #pragma once
 
+#include "engine/awake.h"
 #include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
 #include "engine/collision/foresight.h"
@@ -22,7 +23,13 @@ class BroadPhase {
   public:
     // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, and the
     // paths of their colliders with `foresight`, in ascending order. Never two colliders of one body, never two
-    // static bodies: such a row could move nothing. `poses` are those of the bodies.
+    // that are static or not `awake`: such a row could move nothing. `poses` are those of the bodies. Only the
+    // colliders `moved` (ascending) are looked at; the others are where they were in the last call.
+    std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
+                                     std::span<const Pose> poses, double margin, const Foresight* foresight,
+                                     const Awake& awake, std::span<const int> moved);
+
+    // The same where nothing rests.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin,
                                      const Foresight* foresight = nullptr);
@@ -40,7 +47,7 @@ class BroadPhase {
         double slack = 0.0;  // m, by which the wide box reaches farther
         int collider = 0;
         int body = 0;
-        bool fixed = false;  // of a static body
+        bool idle = false;  // of a static body, or of one at rest
     };
     struct Plane {
         Vector3 point, up;  // m; unit length
@@ -54,7 +61,7 @@ class BroadPhase {
     };
 
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
-               double margin, const Foresight* foresight);
+               double margin, const Foresight* foresight, const Awake& awake, std::span<const int> moved);
     bool has_same_shapes() const;
     bool uses_grid() const;
     void update_candidates();
@@ -64,6 +71,7 @@ class BroadPhase {
     void add_with_planes(int index);
     void add_if_near(int index, int other);
     bool is_near(const Candidate& candidate) const;
+    bool can_move(const Candidate& candidate) const;  // one of the two at least
 
     std::vector<Bounds> bounds_;  // of the finite shapes, as they are
     std::vector<int> place_;      // in bounds_, by collider; -1 for a plane
@@ -76,7 +84,8 @@ class BroadPhase {
     BoxGrid grid_;                       // of wide_, where there are many
     std::size_t put_again_ = 0;          // boxes, since the grid was filled
 
-    std::vector<int> left_;       // boxes that have left their wide box
+    std::vector<int> looked_at_;  // boxes of the last find_pairs() that may have moved
+    std::vector<int> left_;       // boxes that have left their wide box, or have woken
     std::vector<char> has_left_;  // by box
     std::vector<Pair> pairs_;
 };

@@ -58,13 +58,24 @@ void combine_surfaces(std::span<const Collider> colliders, Touch& touch) {
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      const Detection& detection, const Foresight* foresight) {
-    poses_.clear();
-    for (const Body& body : bodies) poses_.push_back(pose_of(body));
+    const Awake all_colliders(colliders.size()), all_bodies(bodies.size());
+    return detect(colliders, bodies, detection, foresight,
+                  {all_colliders, all_colliders.members(), all_bodies.members()});
+}
+
+std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
+                                     const Detection& detection, const Foresight* foresight,
+                                     const AwakeColliders& awake) {
+    poses_.resize(bodies.size());
+    for (const int body : awake.moved_bodies) {
+        poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
+    }
 
     touches_.clear();
     points_.clear();
     beside_.clear();
-    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight)) {
+    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight,
+                                                    awake.colliders, awake.moved_colliders)) {
         Touch& touch = touches_.emplace_back();
         name_pair(pair, colliders, bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];

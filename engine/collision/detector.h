@@ -46,12 +46,24 @@ struct Detection {
     bool reduce_to_four_points = true;  // of a face manifold, which has up to eight
 };
 
+// What may move or touch in a step, where bodies are at rest.
+struct AwakeColliders {
+    const Awake& colliders;
+    // What may be elsewhere than at the last look: the awake ones and static ones, or all, where it has changed who
+    // that is. Ascending.
+    std::span<const int> moved_colliders, moved_bodies;
+};
+
 class Detector {
   public:
     // All touches in ascending order of the pair; with `foresight` also points that the step may bring together.
     // The result is good until the next call, and may be changed.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const Foresight* foresight = nullptr);
+
+    // The same, but for touches between what is static or not `awake`.
+    std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
+                               const Detection& detection, const Foresight* foresight, const AwakeColliders& awake);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
     BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()

@@ -54,13 +54,13 @@ void FastPairs::begin(std::size_t colliders) {
     swept_.resize(colliders);
 }
 
-std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<bool>& fast,
-                                      BroadPhase& broad_phase) {
+std::span<const Pair> FastPairs::find(const Outlook& outlook, std::span<const int> awake,
+                                      const std::vector<bool>& fast, BroadPhase& broad_phase) {
     ++search_;
-    for (std::size_t i = 0; i < fast.size(); ++i) {
+    for (const int collider : awake) {
+        const auto i = static_cast<std::size_t>(collider);
         if (fast[i]) fast_in_[i] = step_;
         if (fast_in_[i] != step_ || is_plane(outlook, i)) continue;
-        const int collider = static_cast<int>(i);
         broad_phase.put(collider, sweep(outlook, collider).box);
     }
     pairs_.clear();
@@ -74,9 +74,10 @@ std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<
     return pairs_;
 }
 
-std::span<const Pair> FastPairs::find(const Outlook& outlook, const std::vector<bool>& fast,
-                                      std::span<const Pair> more, BroadPhase& broad_phase) {
-    const std::span<const Pair> found = find(outlook, fast, broad_phase);
+std::span<const Pair> FastPairs::find(const Outlook& outlook, std::span<const int> awake,
+                                      const std::vector<bool>& fast, std::span<const Pair> more,
+                                      BroadPhase& broad_phase) {
+    const std::span<const Pair> found = find(outlook, awake, fast, broad_phase);
     if (more.empty()) return found;
     for (const Pair& pair : more) {
         sweep(outlook, pair.a);

@@ -26,14 +26,16 @@ class FastPairs {
     // Before the first find() of a step.
     void begin(std::size_t colliders);
 
-    // Those with at least one fast collider (`fast`, by collider), in ascending order; good until the next call.
+    // Those with at least one fast collider (`fast`, by collider, each of them `awake`), in ascending order; good
+    // until the next call.
     // `broad_phase` has the boxes of the step: around each shape, as far as it comes if it is not fast. It gets
     // other ones for those that are, or have been in this step.
-    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast, BroadPhase& broad_phase);
+    std::span<const Pair> find(const Outlook& outlook, std::span<const int> awake, const std::vector<bool>& fast,
+                               BroadPhase& broad_phase);
 
     // The same, and the pairs `more` (ascending) among them.
-    std::span<const Pair> find(const Outlook& outlook, const std::vector<bool>& fast, std::span<const Pair> more,
-                               BroadPhase& broad_phase);
+    std::span<const Pair> find(const Outlook& outlook, std::span<const int> awake, const std::vector<bool>& fast,
+                               std::span<const Pair> more, BroadPhase& broad_phase);
 
     // Of a collider of the pairs that were found.
     const Motion& motion_of(int collider) const { return swept_[static_cast<std::size_t>(collider)].motion; }

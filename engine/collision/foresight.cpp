@@ -9,28 +9,26 @@ double path_of(const Collider& collider, double speed, double rate, double dt) {
     return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns in itself
 }
 
-void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt) {
+void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
+                           std::span<const int> which) {
     bodies_ = bodies;
     dt_ = dt;
-    paths_.clear();
-    for (const Collider& collider : colliders) {
+    paths_.resize(colliders.size());
+    for (const int index : which) {
+        const Collider& collider = colliders[static_cast<std::size_t>(index)];
         const Body& body = bodies[static_cast<std::size_t>(collider.body)];
-        if (body.is_static()) {
-            paths_.push_back(0.0);
-            continue;
-        }
+        double& path = paths_[static_cast<std::size_t>(index)];
+        path = 0.0;
+        if (body.is_static()) continue;
         const double size = size_of(collider.shape);
         // The largest inverse moment bounds the rate of turning.
         const double turning = body.inverse_inertia.maxCoeff();
         const double speed = velocity(body).norm(), rate = body.angular_momentum.norm() * turning;
-        if (path_of(collider, speed, rate, dt) > dangerous * size) {
-            paths_.push_back(0.0);
-            continue;
-        }
+        if (path_of(collider, speed, rate, dt) > dangerous * size) continue;
         const double with_force = body.inverse_mass * (body.linear_momentum + dt * body.force).norm();
-        const double path =
-            path_of(collider, std::max(speed, with_force), rate + dt * body.torque.norm() * turning, dt);
-        paths_.push_back(std::min(path, dangerous * size));
+        path =
+            std::min(path_of(collider, std::max(speed, with_force), rate + dt * body.torque.norm() * turning, dt),
+                     dangerous * size);
     }
 }
 

@@ -9,6 +9,7 @@
 // Not from the paper, which has no continuous collision detection.
 #pragma once
 
+#include "engine/awake.h"
 #include "engine/collision/collider.h"
 #include "engine/motion.h"
 
@@ -23,8 +24,13 @@ inline constexpr double dangerous = 0.25;
 
 class Foresight {
   public:
-    // For the coming step of `dt` [s], with the external forces of `bodies`.
-    void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt);
+    // For the coming step of `dt` [s], with the external forces of `bodies`. Only the colliders `which` are looked
+    // at; the others, which rest, are as they were in the last call.
+    void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
+                    std::span<const int> which);
+    void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt) {
+        look_ahead(colliders, bodies, dt, Awake(colliders.size()).members());
+    }
 
     // How far a point of the collider comes at most [m], but no more than the dangerous share of its size; zero for
     // one that its velocity takes farther, which is swept.

@@ -31,6 +31,8 @@ class Passing {
         std::span<const Body> bodies;  // with the external forces of the step
         double dt = 0.0;               // s
         const Detection& detection;
+        std::span<const int> awake;  // the colliders of bodies that are not at rest, ascending
+        bool any_bounces = false;    // whether a collider does
     };
 
     // Gives the doubtful ones of `touches` (in ascending order of the pair) the points of the axis along which they

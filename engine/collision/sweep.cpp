@@ -142,17 +142,18 @@ Moving Sweep::moving(int collider, const Step& step) const {
 }
 
 bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
-    fast_.clear();
-    dangerous_.clear();
-    const bool any_bounces = std::any_of(step.colliders.begin(), step.colliders.end(), bounces);
+    fast_.assign(step.colliders.size(), false);
+    dangerous_.assign(step.colliders.size(), false);
     bool any = false, any_pressed = false;
-    for (const Collider& collider : step.colliders) {
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
         const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
         const double path = free_path(collider, body, step);
-        dangerous_.push_back(path > dangerous * size_of(collider.shape));
-        fast_.push_back(dangerous_.back() || (any_bounces && path > margin_of(collider, step)));
-        any = any || fast_.back();
-        if (any_pressed || dangerous_.back()) continue;
+        dangerous_[i] = path > dangerous * size_of(collider.shape);
+        fast_[i] = dangerous_[i] || (step.any_bounces && path > margin_of(collider, step));
+        any = any || fast_[i];
+        if (any_pressed || dangerous_[i]) continue;
         any_pressed = could_be_pressed(collider, body, path, step) &&
                       is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
@@ -163,15 +164,19 @@ bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
 
 // What lies on something is held and not fast, however it is pressed.
 void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
-    freely_.clear();
-    for (const Body& body : step.bodies) freely_.push_back(velocity_with_forces(body, step.dt));
+    freely_.resize(step.bodies.size());
+    for (const int index : step.awake) {
+        const auto body = static_cast<std::size_t>(step.colliders[static_cast<std::size_t>(index)].body);
+        freely_[body] = velocity_with_forces(step.bodies[body], step.dt);
+    }
     for (const Touch& touch : touches) {
         const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
         const double margin = step.detection.margin * touch.size;
         if (!step.bodies[a].is_static()) stop_at(touch, touch.normal, step.bodies[b], margin, step.dt, freely_[a]);
         if (!step.bodies[b].is_static()) stop_at(touch, -touch.normal, step.bodies[a], margin, step.dt, freely_[b]);
     }
-    for (std::size_t i = 0; i < fast_.size(); ++i) {
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
         if (dangerous_[i] || !is_pressed(collider, step.bodies[body], freely_[body], step)) continue;
@@ -180,12 +185,14 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
 }
 
 bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step) {
-    fast_.clear();
+    fast_.assign(step.colliders.size(), false);
     bool any = false;
-    for (const Collider& collider : step.colliders) {
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
-        fast_.push_back(is_thrown(collider, step.bodies[body], forces[body], changed[body], step));
-        any = any || fast_.back();
+        fast_[i] = is_thrown(collider, step.bodies[body], forces[body], changed[body], step);
+        any = any || fast_[i];
     }
     return any;
 }
@@ -251,7 +258,7 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, Detect
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
     const std::span<const Pair> beside = detector.beside();
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_, beside, detector.broad_phase())) {
+    for (const Pair& pair : fast_pairs_.find(outlook, step.awake, fast_, beside, detector.broad_phase())) {
         if (!is_swept(pair, step) && !std::binary_search(beside.begin(), beside.end(), pair)) continue;
         for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
         const bool touching = touch != touches.end() && touch->pair == pair;
@@ -292,7 +299,7 @@ std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<co
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
-    for (const Pair& pair : fast_pairs_.find(outlook, fast_, detector.broad_phase())) {
+    for (const Pair& pair : fast_pairs_.find(outlook, step.awake, fast_, detector.broad_phase())) {
         if (std::binary_search(seen_.begin(), seen_.end(), pair)) continue;
         if (const Touch* touch = known(pair)) {
             add_turned(*touch, step, unforeseen_);

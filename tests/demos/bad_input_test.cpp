@@ -42,7 +42,9 @@ const char* const everything = R"({
                               "exact_debt_multiply_adds": 100, "exact_failures": 1}],
               "distance_forces_n": [[0, 0]], "contact_forces": [{"a": "ground", "b": "box", "points": [
                   {"feature": 1, "position_m": [0, 0, 0], "normal_n": [1, 1], "friction_first_n": [0, 0, 0],
-                   "friction_last_n": [0, 0, 0]}]}]},
+                   "friction_last_n": [0, 0, 0]}]}],
+              "places": [{"body": "box", "still_s": 0.5, "position_m": [0, 2, 0], "orientation_wxyz": [1, 0, 0, 0]}],
+              "at_rest": [["box"]]},
     "options": {"seconds": 0.1},
     "camera": {"eye_m": [0, 2, 9], "target_m": [0, 1, 0], "field_of_view_deg": 40, "floor_m": 0},
     "colours": {"box": "blue"}
@@ -135,6 +137,12 @@ const std::vector<Field> fields{
     {"contact_force_point", "normal_n", "/state/contact_forces/0/points/0/normal_n", {"1", "[1]", "[1, null]"}},
     {"contact_force_point", "friction_first_n", "/state/contact_forces/0/points/0/friction_first_n", no_vectors},
     {"contact_force_point", "friction_last_n", "/state/contact_forces/0/points/0/friction_last_n", no_vectors},
+    {"state", "places", "/state/places", no_lists},
+    {"state", "at_rest", "/state/at_rest", both(no_lists, {"[\"box\"]", "[[\"wrong\"]]", "[[\"ground\"]]"})},
+    {"place", "body", "/state/places/0/body", no_words},
+    {"place", "still_s", "/state/places/0/still_s", both(no_numbers, {"-1"})},
+    {"place", "position_m", "/state/places/0/position_m", no_vectors},
+    {"place", "orientation_wxyz", "/state/places/0/orientation_wxyz", {"1", "[1, 0, 0]", "[2, 0, 0, 0]"}},
     {"camera", "eye_m", "/camera/eye_m", both(no_vectors, {"[0, 1, 0]"})},
     {"camera", "target_m", "/camera/target_m", no_vectors},
     {"camera", "field_of_view_deg", "/camera/field_of_view_deg", both(no_numbers, {"0", "-40", "121"})},

@@ -73,6 +73,10 @@ const std::vector<Case> cases{
     {"restitution", {}, 50},
     {"conveyor", {}, 50},
     {"newtons_cradle", {}, 50},
+    {"stack", {{"rest", "on"}}, 75},  // before it rests, and when it does
+    {"stack", {{"rest", "on"}}, 100},
+    {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}, {"rest", "on"}}, 40},
+    {"funnel", {{"count", "20"}, {"rest", "on"}}, 400},
 };
 
 // Two masses that a force drives apart until its bar cannot say how long it is.

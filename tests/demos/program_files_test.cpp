@@ -35,7 +35,7 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
     CHECK(first_line(steps) ==
           "step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,max_penetration_m,rms_penetration_m,"
           "max_length_error_m,residual_m_per_s,contacts,rows,columns,substeps,sweeps,islands,islands_kept,"
-          "islands_swept,islands_exact,islands_in_small_steps,islands_unsolved");
+          "islands_swept,islands_exact,islands_in_small_steps,islands_unsolved,bodies_at_rest");
     CHECK(lines(steps) == 1 + 30);
     const std::string bodies = folder.read("bodies.csv");
     CHECK(first_line(bodies) ==
@@ -52,7 +52,7 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
 TEST_CASE("the option --timing adds one column and --fps thins the trajectory") {
     const Folder folder;
     shell(folder, "pushfactor run stack --seconds 1 --timing --csv steps.csv --fps 10 --trajectory bodies.csv");
-    CHECK(first_line(folder.read("steps.csv")).ends_with(",islands_unsolved,step_us"));
+    CHECK(first_line(folder.read("steps.csv")).ends_with(",bodies_at_rest,step_us"));
     CHECK(lines(folder.read("bodies.csv")) == 1 + 11 * 5);
 }
 

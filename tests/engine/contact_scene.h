@@ -69,6 +69,12 @@ struct ContactScene {
         return add(engine::static_body(position), engine::collision::Box{0.5 * size}, surface);
     }
 
+    // For a sweep of all colliders; good until the next call.
+    engine::collision::Sweep::Step step_of(const engine::collision::Detection& detection) {
+        all_ = engine::Awake(colliders.size());
+        return {colliders, world.bodies, dt, detection, all_.members()};
+    }
+
     // Six plates, 6 m apart.
     void add_closed_box(const Surface& surface = {}) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -114,6 +120,9 @@ struct ContactScene {
         }
         return seen;
     }
+
+  private:
+    engine::Awake all_;  // the colliders
 };
 
 }  // namespace pushfactor::tests

@@ -242,8 +242,7 @@ TEST_CASE("where no body is fast the touches are handed on untouched") {
     collision::Sweep sweep;
     const collision::Detection detection{.margin = 0.01};
     const auto touches = detector.detect(scene.colliders, scene.world.bodies, detection);
-    const auto refined =
-        sweep.refine(touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection}, detector);
+    const auto refined = sweep.refine(touches, scene.step_of(detection), detector);
     CHECK(refined.data() == touches.data());
     CHECK(refined.size() == touches.size());
 }

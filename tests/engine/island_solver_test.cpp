@@ -50,7 +50,7 @@ struct Step {
         islands.find(frozen.system);
         forces.moving.assign(frozen.system.inverse_mass.size(), Vector6::Zero());
         forces.lasting = forces.moving;
-        solver.begin(frozen.system.inverse_mass.size());
+        solver.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
     }
     void solve(solvers::Solver& by, Columns* first_guess = nullptr,
                const solvers::Termination& termination = usual) {
@@ -227,7 +227,7 @@ TEST_CASE("an exact method that fails waits, twice as long each time; one that s
     const Island& island = islands.all().front();
     Budget budget;
     const auto waits_after = [&](const solvers::SolveCount& count) {
-        budget.begin(frozen.system.inverse_mass.size());
+        budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
         const double credit = budget.limits(island, usual, Budget::Take::rest).credit;
         REQUIRE(credit > 0.0);
         solvers::SolveCount took = count;
@@ -235,7 +235,7 @@ TEST_CASE("an exact method that fails waits, twice as long each time; one that s
         budget.spent(island, took);
         int steps = 0;
         for (;; ++steps) {
-            budget.begin(frozen.system.inverse_mass.size());
+            budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
             if (budget.limits(island, usual, Budget::Take::rest).credit > 0.0) return steps;
             budget.spent(island, {.iterations = 25});
         }
@@ -249,7 +249,7 @@ TEST_CASE("an exact method that fails waits, twice as long each time; one that s
         last = now;
     }
     // What is kept costs nothing and earns nothing.
-    budget.begin(frozen.system.inverse_mass.size());
+    budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
     const double before = budget.limits(island, usual, Budget::Take::rest).credit;
     budget.spent(island, {});
     CHECK(budget.limits(island, usual, Budget::Take::rest).credit == before);
@@ -261,10 +261,10 @@ TEST_CASE("islands that meet and part carry their debts with them") {
     const auto island = [](const std::vector<int>& bodies) {
         return Island{.bodies = bodies, .rows = 1000, .body_count = static_cast<int>(bodies.size()), .columns = 1};
     };
-    budget.begin(4);
+    budget.begin(4, all);
     const double full = budget.limits(island(left), usual, Budget::Take::rest).credit;
     budget.spent(island(left), {.iterations = 1, .exact = true, .exact_work = 2.0 * full});
-    budget.begin(4);
+    budget.begin(4, all);
     CHECK(budget.limits(island(left), usual, Budget::Take::rest).credit < full);
     CHECK(budget.limits(island(right), usual, Budget::Take::rest).credit == full);
     const double together = budget.limits(island(all), usual, Budget::Take::rest).credit;

@@ -19,7 +19,7 @@ class Press : public ForceSource {
     Press(int body, const Vector3& force, const Vector3& torque, double until)
         : body_(static_cast<std::size_t>(body)), force_(force), torque_(torque), until_(until) {}
 
-    void add_forces(std::span<Body> bodies, double time) override {
+    void add_forces(const ForcedBodies& bodies, double time) override {
         if (time >= until_) return;
         bodies[body_].force += force_;
         bodies[body_].torque += torque_;
@@ -122,8 +122,7 @@ TEST_CASE("what rests under its weight is not swept, however small") {
         const collision::Detection detection{.margin = 0.01, .permitted = 0.0022};
         const auto& touches = detector.detect(scene.colliders, scene.world.bodies, detection);
         REQUIRE(touches.size() >= 4);
-        const auto refined =
-            sweep.refine(touches, {scene.colliders, scene.world.bodies, ContactScene::dt, detection}, detector);
+        const auto refined = sweep.refine(touches, scene.step_of(detection), detector);
         INFO("size " << size);
         CHECK(refined.data() == touches.data());
     }
@@ -178,6 +177,6 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
         follow(moving(0), moving(1), ContactScene::dt, {.tolerance = 2e-5, .margin = 2e-3, .permitted = 4e-4});
     CHECK(!course.meeting);
     CHECK(!course.decided);
-    const collision::Sweep::Step step{scene.colliders, bodies, ContactScene::dt, detection};
+    const collision::Sweep::Step step = scene.step_of(detection);
     CHECK(sweep.refine(touches, step, detector).size() == 1);
 }

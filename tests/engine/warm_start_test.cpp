@@ -4,6 +4,8 @@
 #include "tests/catch.h"
 #include "tests/engine/solvers/problems.h"
 
+#include <array>
+
 using namespace pushfactor;
 using namespace pushfactor::engine;
 using Memory = WarmStart::Memory;
@@ -17,6 +19,8 @@ constexpr solvers::SolveCount exact{.iterations = 1, .exact = true};
 constexpr solvers::SolveCount contradicting{.iterations = 9, .gave_up = true, .contradicts = true};
 constexpr solvers::Termination usual{.iterations = 25, .tolerance_high = 1e-6, .tolerance_low = 1e-8};
 
+constexpr std::array everybody{0, 1, 2, 3, 4, 5};
+
 // Islands by their bodies alone.
 struct Group {
     explicit Group(std::vector<int> some) : bodies(std::move(some)) { island.bodies = bodies; }
@@ -25,11 +29,11 @@ struct Group {
 };
 
 void step(WarmStart& warm_start, std::initializer_list<std::pair<const Group*, solvers::SolveCount>> solves) {
-    warm_start.begin(6);
+    warm_start.begin(6, everybody);
     for (const auto& [group, count] : solves) {
         warm_start.solved(group->island, count);
     }
-    warm_start.end();
+    warm_start.end(everybody);
 }
 
 const Memory& memory_of(const WarmStart& warm_start, int body) {
@@ -43,7 +47,7 @@ bool is_strict(const WarmStart& warm_start, const Group& group) {
 
 // What is taken over of an answer that changes by 1 N, for a row between two bodies.
 double share(WarmStart& warm_start, const Group& group, const solvers::SolveCount& count, int a, int b) {
-    warm_start.begin(6);
+    warm_start.begin(6, everybody);
     warm_start.solved(group.island, count);
     return warm_start.next(a, b)({.first = 0.0, .last = 0.0}, {.first = 1.0, .last = 1.0}).last;
 }
@@ -68,7 +72,7 @@ TEST_CASE(
     const Group group({1, 2}), larger({1, 2, 3});
     WarmStart warm_start;
     for (int i = 0; i < 600; ++i) step(warm_start, {{&group, kept}});
-    warm_start.begin(6);
+    warm_start.begin(6, everybody);
     CHECK(warm_start.begins_with_kept(group.island));
     warm_start.solved(group.island, swept, true);
     CHECK_FALSE(warm_start.begins_with_kept(group.island));

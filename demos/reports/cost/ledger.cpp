@@ -103,6 +103,7 @@ void add_step(const engine::StepCount& step, Counts& sum) {
     sum.friction_rows += step.rows(engine::RowKind::friction);
     sum.distance_rows += step.rows(engine::RowKind::distance);
     sum.columns += step.columns;
+    sum.at_rest += step.at_rest;
     sum.sweeps += step.sweeps;
     sum.row_updates += step.row_updates;
     sum.multiply_adds += step.multiply_adds;
@@ -110,7 +111,7 @@ void add_step(const engine::StepCount& step, Counts& sum) {
 
 // What there is once a step is divided by the engine steps, the rest by the steps of the run.
 Counts means_of(Counts sum) {
-    for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns}) {
+    for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns, &sum.at_rest}) {
         *each /= sum.substeps;
     }
     for (double* each : {&sum.substeps, &sum.pairs, &sum.touches, &sum.sweeps, &sum.row_updates, &sum.multiply_adds,

@@ -17,7 +17,7 @@ constexpr const char* columns_before_islands =
     "rows,"
     "friction_rows,distance_rows,columns,substeps";
 constexpr const char* columns_after_islands =
-    "sweeps,row_updates,multiply_adds,allocations,allocated_bytes,step_us";
+    "bodies_at_rest,sweeps,row_updates,multiply_adds,allocations,allocated_bytes,step_us";
 
 std::string joined(const std::vector<std::string>& names, const char* none) {
     return names.empty() ? none : fmt::format("{}", fmt::join(names, " + "));
@@ -45,7 +45,7 @@ std::string csv_line(const Entry& entry, const char* made, const Entry::Made& wh
         for (const double value : {kind.kept, kind.swept, kind.exact, kind.small_steps})
             fields.push_back(to_text(value));
     }
-    for (const double value : {counts.sweeps, counts.row_updates, counts.multiply_adds}) {
+    for (const double value : {counts.at_rest, counts.sweeps, counts.row_updates, counts.multiply_adds}) {
         fields.push_back(to_text(value));
     }
     fields.push_back(memory(counts.allocations));
@@ -73,13 +73,14 @@ Lines parts_table(std::span<const Entry> entries) {
 }
 
 Lines counts_table(std::span<const Entry> entries) {
-    Lines lines{{"scene", "pairs", "touches", "contact rows", "friction rows", "distance rows", "columns", "sweeps",
-                 "multiply-adds", "allocations", "bytes"}};
+    Lines lines{{"scene", "pairs", "touches", "contact rows", "friction rows", "distance rows", "columns",
+                 "at rest", "sweeps", "multiply-adds", "allocations", "bytes"}};
     for (const Entry& entry : entries) {
         const Counts& counts = entry.as_it_is.ledger.counts;
         std::vector<std::string> line{entry.name};
-        for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
-                                   counts.distance_rows, counts.columns, counts.sweeps, counts.multiply_adds}) {
+        for (const double value :
+             {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows, counts.distance_rows,
+              counts.columns, counts.at_rest, counts.sweeps, counts.multiply_adds}) {
             line.push_back(three_digits(value));
         }
         for (const double value : {counts.allocations, counts.allocated_bytes}) {

@@ -109,6 +109,7 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const std::vector<JsonReader> bodies = json.at("bodies").elements();
     for (const JsonReader& body : bodies) {
         const double inverse_mass = body.at("inverse_mass_per_kg").number(0, std::numeric_limits<double>::max());
+        system_.awake.push_back(static_cast<int>(system_.awake.size()));
         system_.inverse_mass.push_back({.linear = inverse_mass,
                                         .linear_root = std::sqrt(inverse_mass),
                                         .angular = read_matrix(body.at("inverse_inertia_per_kg_m2")),

@@ -1,0 +1,92 @@
+// Rest: bodies that hold each other and have stayed where they are for half a second lose their momenta, and take
+// part in no step until something wakes them. The forces that held them stay remembered, so that they go on as if
+// they had never been left out.
+//
+// "Where they are" is a matter of places, not of velocities: under the single-frame push (8.1) what overlaps parts
+// without any. The bound is so narrow that what has begun to slide, roll or tip is not held: an acceleration of
+// 8 bound / time^2 crosses it, 3e-4 m/s^2 for a metre. What nothing static holds never rests.
+//
+// Bodies that rows join without any force push nothing: what rolls by at the distance of the margin neither keeps
+// awake nor wakes. So it is groups of bodies that push each other which come to rest, parts of islands.
+//
+// A group wakes as a whole: when a row with a body that is awake has a force, while the group is taken for static;
+// when a source says that a force on it, or a row, acts otherwise from now on; or when somebody calls wake(). Until
+// then nothing about it changes, so that it cannot wake by itself.
+//
+// Not from the paper, which measures how long a stack stands without it.
+#pragma once
+
+#include "engine/awake.h"
+#include "engine/body.h"
+#include "engine/islands.h"
+#include "engine/system_equation.h"
+
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+class Rest {
+  public:
+    static constexpr double time_to_rest = 0.5;  // s
+    static constexpr double bound = 1e-5;        // of the size of a body
+
+    // What the next step has to know of a body.
+    struct Memory {
+        int group = -1;      // at rest: a number that those have in common that came to rest together; else below 0
+        double still = 0.0;  // s, for which it has been within the bound of the place below
+        Vector3 position = Vector3::Zero();  // m
+        Quaternion orientation = Quaternion::Identity();
+    };
+
+    bool is_at_rest(int body) const {
+        return static_cast<std::size_t>(body) < memory_.size() &&
+               memory_[static_cast<std::size_t>(body)].group >= 0;
+    }
+    // Whether the body has stayed for as long as its whole group has to.
+    bool is_still(int body) const {
+        return static_cast<std::size_t>(body) < memory_.size() &&
+               memory_[static_cast<std::size_t>(body)].still >= time_to_rest;
+    }
+    int count() const { return count_; }  // bodies at rest
+    // All others, of `bodies` in the world.
+    Awake awake(std::size_t bodies) const;
+    // Whether that has changed since the last call of this.
+    bool take_change();
+
+    // Wakes a body with all that came to rest with it. Of one that is awake, begins its time anew.
+    void wake(int body);
+    void wake_all();
+    // Wakes what bodies that can move and are awake push, with the forces `lambda` of the rows of `system`. Returns
+    // whether there was something.
+    bool wake_pushed(const SystemEquation& system, const Columns& lambda);
+
+    // After a step of `dt` [s] with these rows and forces: takes note of where the bodies that took part are, and
+    // brings those groups to rest that have been still for long enough and are held by something static, but not
+    // by a belt that runs.
+    void end_step(std::span<Body> bodies, const SystemEquation& system, const Islands& islands,
+                  const Columns& lambda, double dt);
+
+    std::span<const Memory> memory() const { return memory_; }  // by body; empty before the first step
+    void set_memory(std::span<const Memory> memory);
+
+  private:
+    // Of the bodies of an island that push each other, by the number of one of them in the island.
+    struct Group {
+        int parent = 0;
+        bool may_rest = true;
+        bool is_held = false;
+    };
+
+    void note_places(std::span<const Body> bodies, std::span<const int> awake, double dt);
+    void find_groups(const SystemEquation& system, const Island& island, const Columns& lambda);
+    int root_of(int number);
+    void bring_to_rest(std::span<Body> bodies, const Island& island);
+
+    std::vector<Memory> memory_;
+    std::vector<Group> groups_;  // of the island at hand
+    int count_ = 0;
+    bool changed_ = true;
+};
+
+}  // namespace pushfactor::engine
