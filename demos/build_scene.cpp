@@ -248,6 +248,11 @@ void set_rest(Scene& scene, const SceneDescription& description, const Settings&
     if (description.state) scene.world.rest->set_memory(description.state->rest);
 }
 
+void set_threads(Scene& scene, const Settings& settings) {
+    const int count = settings.threads == 0 ? engine::Threads::all() : settings.threads;
+    if (count > 1) scene.world.threads = std::make_unique<engine::Threads>(count);
+}
+
 void set_measure(Scene& scene, const SceneDescription& description, const Settings& settings) {
     if (!description.measure) return;
     const auto momenta = is_rattle(settings.scheme) ? MomentaAt::whole_steps : MomentaAt::half_steps;
@@ -286,6 +291,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     scene.world.rotate = orientation_step(settings.rotation, description.contacts);
     set_scheme(scene, description, settings);
     set_rest(scene, description, settings);
+    set_threads(scene, settings);
     set_measure(scene, description, settings);
     if (description.state) resume(scene, *description.state);
     return scene;

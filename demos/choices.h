@@ -46,6 +46,13 @@ struct Choices {
     FrameChoices frames;
 
     Scene build() const { return build_scene(description, settings); }
+
+    // The same run by the calling thread alone, for whoever counts the CPU time of that. The same bits.
+    Choices on_one_thread() const {
+        Choices choices = *this;
+        choices.settings.threads = 1;
+        return choices;
+    }
 };
 
 // `scene` names a scene of the catalogue or a scene file. Throws UsageError that names the field, the value and

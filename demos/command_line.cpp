@@ -73,7 +73,8 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--rows", request.rows, "one line a constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
     add("--save-state", request.save_state, "the state at the end, as a scene file that goes on from there");
-    app.add_flag("--timing", request.timing, "CPU time of the steps in the CSV and the summary")
+    app.add_flag("--timing", request.timing,
+                 "CPU time of the steps, taken by one thread, in the CSV and the summary")
         ->group(output_group);
 }
 

@@ -40,14 +40,16 @@ double judged_size(const Scene& scene) {
     return std::isfinite(size) ? size : 1.0;
 }
 
-bool below_a_plane(const Scene& scene, const Vector3& position) {
-    if (!scene.contacts) return false;
-    const auto colliders = scene.contacts->colliders();
-    return std::any_of(colliders.begin(), colliders.end(), [&](const auto& collider) {
-        if (!std::holds_alternative<engine::collision::Plane>(collider.shape)) return false;
-        const Body& plane = scene.world.bodies[static_cast<std::size_t>(collider.body)];
-        return (plane.orientation * Vector3::UnitY()).dot(position - plane.position) < 0.0;
-    });
+// The bodies that are planes.
+std::vector<std::size_t> planes_of(const Scene& scene) {
+    std::vector<std::size_t> planes;
+    if (!scene.contacts) return planes;
+    for (const auto& collider : scene.contacts->colliders()) {
+        if (std::holds_alternative<engine::collision::Plane>(collider.shape)) {
+            planes.push_back(static_cast<std::size_t>(collider.body));
+        }
+    }
+    return planes;
 }
 
 }  // namespace
@@ -112,7 +114,8 @@ Measurements::Measurements(const Simulation& simulation)
       size_(judged_size(simulation.scene())),
       speed_(std::sqrt(simulation.scene().gravity.norm() * size_)),
       start_(positions_of(simulation.scene().world)),
-      latest_(start_) {
+      latest_(start_),
+      planes_(planes_of(simulation.scene())) {
     const double steps_a_second = std::max(1.0, std::round(1.0 / simulation.settings().dt.value()));
     steps_a_moment_ = static_cast<long>(std::ceil(steps_a_second / 60.0));
     moments_a_second_ = static_cast<std::size_t>(std::ceil(steps_a_second / static_cast<double>(steps_a_moment_)));
@@ -208,11 +211,18 @@ Measurements::Moment Measurements::judge(const Simulation& simulation, const Pos
     Moment moment{.max_speed = simulation.sample().max_speed,
                   .kinetic_energy = simulation.sample().kinetic_energy,
                   .positions = positions};
-    for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
+    const std::span<const Body> bodies = simulation.scene().world.bodies;
+    const auto is_below = [&](const Vector3& position) {
+        return std::any_of(planes_.begin(), planes_.end(), [&](std::size_t plane) {
+            const Vector3 normal = bodies[plane].orientation * Vector3::UnitY();
+            return normal.dot(position - bodies[plane].position) < 0.0;
+        });
+    };
+    for_movable(bodies, [&](const Body& body, std::size_t i) {
         const Vector3& position = positions[i];
         moment.flew |= position.y() > start_[i].y() && velocity(body).y() > speed_;
         moment.flew |= strayed(i, position);
-        moment.tunnelled |= below_a_plane(simulation.scene(), position);
+        moment.tunnelled |= is_below(position);
         moment.fell |= standing_ && position.y() < lowest_place(i) - 0.5 * size_;
     });
     return moment;

@@ -127,6 +127,7 @@ class Measurements {
     Positions start_;
     Eigen::AlignedBox3d starts_;  // around all of them
     Positions latest_;
+    std::vector<std::size_t> planes_;  // bodies that are such
     std::optional<Positions> at_10_s_;
     std::deque<Moment> window_;  // of the last second, and the state before it
 

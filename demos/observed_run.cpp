@@ -20,8 +20,8 @@ std::string state_text(const Choices& choices, const Simulation& simulation, con
 }  // namespace
 
 ObservedRun::ObservedRun(const Choices& choices, const Request& request, std::filesystem::path folder)
-    : choices_(choices),
-      simulation_(choices.build(), choices.settings, request.timing ? thread_cpu_us : nullptr),
+    : choices_(request.timing ? choices.on_one_thread() : choices),
+      simulation_(choices_.build(), choices.settings, request.timing ? thread_cpu_us : nullptr),
       measurements_(simulation_),
       folder_(std::move(folder)),
       save_state_(request.save_state) {

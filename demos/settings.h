@@ -58,6 +58,7 @@ struct Settings {
     StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
 
+    int threads = 0;    // that share a step, to the same bits; 0: as many as the machine runs at once
     bool rest = false;  // islands that stay where they are are left out of steps (engine/rest.h)
 };
 

@@ -147,7 +147,7 @@ void Simulation::measure_state() {
     sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
     sample_.energy_gain = energy_.gain();
     sample_.max_speed = engine::max_speed(bodies);
-    if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders());
+    if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_);
 }
 
 Checkpoint Simulation::checkpoint() const {

@@ -48,7 +48,8 @@ class Simulation {
   public:
     using Clock = double (*)();  // us of CPU time of this thread
 
-    // Gives the momenta half a kick back first where the settings ask for it.
+    // Gives the momenta half a kick back first where the settings ask for it. Of a scene with several threads
+    // a clock counts the work of one.
     Simulation(Scene scene, const Settings& settings, Clock clock = nullptr);
 
     // One step of settings.dt. Throws NonFiniteError when a number of the state or of the sample is not finite
@@ -77,6 +78,7 @@ class Simulation {
     Settings settings_;
     StepDivision division_;
     Clock clock_;
+    engine::collision::Detector detector_;  // of penetrations
     Sample sample_;
     engine::EnergyAccount energy_;
     Checkpoint before_;

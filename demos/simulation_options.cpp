@@ -90,6 +90,13 @@ bool set_substeps(Settings& s, std::string_view text) {
     return true;
 }
 
+bool set_threads(Settings& s, std::string_view text) {
+    int value = 0;
+    if (text != "all" && !take(value, parse_integer(text), 1, 256)) return false;
+    s.threads = value;
+    return true;
+}
+
 bool set_small_steps(Settings& s, std::string_view text) {
     std::optional<engine::SmallSteps::Division> division;
     if (text != "auto") {
@@ -250,6 +257,9 @@ const std::array options{
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
+    SimulationOption{"threads", "N|all", "threads that share a step; the results are the same to the bit [all]",
+                     "all or an integer from 1 to 256", set_threads,
+                     [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
     SimulationOption{"rest", "on|off",
                      "leave out of the steps what has not moved for half a second, until something wakes it [off]",
                      "on or off",

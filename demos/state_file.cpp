@@ -23,7 +23,7 @@ using Keys = std::vector<std::string>;
 const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
                       "places", "at_rest",    "solved_exactly", "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
-const Keys place_keys{"body", "still_s", "position_m", "orientation_wxyz"};
+const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -128,10 +128,12 @@ std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescrip
         entry.require_object(place_keys);
         const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
         const BodyDescription& body = scene.bodies[index];
-        memory[index] = {.position = body.position, .orientation = body.orientation};
-        if (entry.has("still_s")) memory[index].still = entry.at("still_s").number(0.0, 1e9);
-        if (entry.has("position_m")) memory[index].position = entry.at("position_m").vector();
-        if (entry.has("orientation_wxyz")) memory[index].orientation = entry.at("orientation_wxyz").rotation();
+        const bool wide = entry.has("wide") && entry.at("wide").boolean();
+        Rest::Stay& stay = memory[index].stays[wide ? 1 : 0];
+        stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
+        if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
+        if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
+        if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
     }
     return memory;
 }
@@ -229,12 +231,14 @@ Json places_json(const RunState& state, const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         if (!body.mass) continue;
-        const Rest::Memory& memory = state.rest[i];
-        const engine::Quaternion& q = memory.orientation;
-        Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", memory.still}});
-        if (memory.position != body.position) place["position_m"] = to_json(memory.position);
-        if (q.coeffs() != body.orientation.coeffs()) {
-            place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
+        for (const Rest::Stay& stay : state.rest[i].stays) {
+            const engine::Quaternion& q = stay.orientation;
+            Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
+            if (&stay != &state.rest[i].stays.front()) place["wide"] = true;
+            if (stay.position != body.position) place["position_m"] = to_json(stay.position);
+            if (q.coeffs() != body.orientation.coeffs()) {
+                place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
+            }
         }
     }
     return json;

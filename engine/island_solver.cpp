@@ -59,7 +59,7 @@ void IslandSolver::begin(std::size_t bodies, std::span<const int> awake) {
     for (const int body : awake) outcomes_[static_cast<std::size_t>(body)] = {};
 }
 
-solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::Termination& usual,
+solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual,
                                         const SystemEquation& system, const Island& island, const Allowed& allowed,
                                         Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
@@ -71,18 +71,18 @@ solvers::SolveCount IslandSolver::solve(solvers::Solver& solver, const solvers::
     if (fixed_number && is_for_small_steps(std::numeric_limits<double>::max())) {
         outcome.unfinished = true;
     } else if (fixed_number) {
-        count = solver.solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
+        count = bench.solver->solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
         find_forces(system, island, lambda, forces);
     } else {
-        outcome.residuals = measure(system, island, lambda, forces);
+        outcome.residuals = measure(system, island, lambda, forces, bench);
         const solvers::Termination own = warm_start_.termination(island, usual);
         if (larger(outcome.residuals) > own.tolerance_high) {
             const bool exact_only = is_for_small_steps(larger(outcome.residuals));
             outcome.outlook = outlook_of(island, larger(outcome.residuals), allowed, lambda);
             const auto termination =
                 budget_.limits(island, own, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
-            outcome.outdated = is_outdated(system, island, lambda, usual);
-            count = find_better(solver, termination, system, island, first_guess, lambda, forces, outcome);
+            outcome.outdated = is_outdated(system, island, lambda, usual, bench);
+            count = find_better(bench, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
         }
     }
@@ -103,13 +103,14 @@ Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, 
 }
 
 // What they leave has no tolerance of its own: the next small step sees it.
-solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, const SystemEquation& system,
+solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEquation& system,
                                                    std::span<const Body> bodies, const Island& island,
                                                    Columns& lambda, ConstraintForces& forces) {
     Outcome outcome = outcome_of(island);
+    SmallSteps& small_steps = *bench.small_steps;
     const SmallSteps::Division division =
         small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
-    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, lambda, forces);
+    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;
     outcome.residuals = {small_steps.residual(), small_steps.residual()};
@@ -117,34 +118,34 @@ solvers::SolveCount IslandSolver::take_small_steps(SmallSteps& small_steps, cons
     return count;
 }
 
-solvers::SolveCount IslandSolver::go_on(solvers::Solver& solver, const solvers::Termination& usual,
+solvers::SolveCount IslandSolver::go_on(Bench& bench, const solvers::Termination& usual,
                                         const SystemEquation& system, const Island& island, Columns& lambda,
                                         ConstraintForces& forces) {
     const auto termination = budget_.limits(island, usual, Budget::Take::rest);
     Outcome outcome = outcome_of(island);
     const solvers::SolveCount count =
-        find_better(solver, termination, system, island, nullptr, lambda, forces, outcome);
+        find_better(bench, termination, system, island, nullptr, lambda, forces, outcome);
     outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
     note(island, outcome, count);
     return count;
 }
 
 // From forces that have outcome.residuals. What lies outside of its bounds could not be an answer.
-solvers::SolveCount IslandSolver::find_better(solvers::Solver& solver, const solvers::Termination& termination,
+solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termination& termination,
                                               const SystemEquation& system, const Island& island,
                                               Columns* first_guess, Columns& lambda, ConstraintForces& forces,
                                               Outcome& outcome) {
-    if (clamp(system, island, lambda)) outcome.residuals = measure(system, island, lambda, forces);
-    save(island, lambda);
-    solvers::SolveCount count = solver.solve(system, island, termination, lambda);
+    if (clamp(system, island, lambda)) outcome.residuals = measure(system, island, lambda, forces, bench);
+    save(island, lambda, bench);
+    solvers::SolveCount count = bench.solver->solve(system, island, termination, lambda);
     if (termination.iterations == 0 && has_no_answer(count)) {
         outcome.unfinished = true;
         return count;
     }
     count.iterations = std::max(1, count.iterations);
-    Residuals found = measure(system, island, lambda, forces);
+    Residuals found = measure(system, island, lambda, forces, bench);
     if (larger(found) > termination.tolerance_low) {
-        outcome.refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, found);
+        outcome.refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, bench, found);
     }
     outcome.residuals = found;
     outcome.contradicts = count.contradicts;
@@ -166,12 +167,12 @@ void IslandSolver::find_forces(const SystemEquation& system, const Island& islan
 }
 
 IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, const Island& island,
-                                              const Columns& lambda, ConstraintForces& forces) {
+                                              const Columns& lambda, ConstraintForces& forces, Bench& bench) {
     find_forces(system, island, lambda, forces);
     Residuals residuals{};
-    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, velocities_);
+    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, bench.velocities);
     if (island.columns == 2) {
-        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, velocities_);
+        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, bench.velocities);
     }
     return residuals;
 }
@@ -179,7 +180,7 @@ IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, cons
 // Whether forces that bodies have kept are wrong because of a new force, as measure() has just left them. A body
 // that arrives does not outdate the forces between those that it meets.
 bool IslandSolver::is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
-                               const solvers::Termination& usual) const {
+                               const solvers::Termination& usual, const Bench& bench) const {
     if (!warm_start_.begins_with_kept(island)) return false;
     const auto is_kept = [&](int number) {
         return number >= island.movable() ||
@@ -189,8 +190,8 @@ bool IslandSolver::is_outdated(const SystemEquation& system, const Island& islan
     RowResiduals residuals(system, lambda, column);
     for (const RowRun& run : island.runs) {
         if (!is_kept(run.a) || !is_kept(run.b)) continue;
-        const Vector6& of_a = velocities_[static_cast<std::size_t>(run.a)];
-        const Vector6& of_b = velocities_[static_cast<std::size_t>(run.b)];
+        const Vector6& of_a = bench.velocities[static_cast<std::size_t>(run.a)];
+        const Vector6& of_b = bench.velocities[static_cast<std::size_t>(run.b)];
         for (int j = run.begin; j < run.end; ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
@@ -221,18 +222,19 @@ IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system,
     return residuals;
 }
 
-void IslandSolver::save(const Island& island, const Columns& lambda) {
-    saved_.clear();
-    each_force(island, [&](Eigen::Index j, Eigen::Index column) { saved_.push_back(lambda(j, column)); });
+void IslandSolver::save(const Island& island, const Columns& lambda, Bench& bench) {
+    bench.saved.clear();
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) { bench.saved.push_back(lambda(j, column)); });
 }
 
 // Of each column the best of what was found, what was there before, what the step began with, and nothing. Returns
 // whether that was another one than what was found for some column.
 bool IslandSolver::guard(const SystemEquation& system, const Island& island, const Residuals& guessed,
-                         Columns* first_guess, Columns& lambda, ConstraintForces& forces, Residuals& found) {
+                         Columns* first_guess, Columns& lambda, ConstraintForces& forces, Bench& bench,
+                         Residuals& found) {
     const Residuals nothing = of_no_forces(system, island);
     if (first_guess) clamp(system, island, *first_guess);
-    const Residuals first = first_guess ? measure(system, island, *first_guess, forces) : guessed;
+    const Residuals first = first_guess ? measure(system, island, *first_guess, forces, bench) : guessed;
     bool refused = false;
     for (Eigen::Index column = 0; column < island.columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
@@ -242,7 +244,7 @@ bool IslandSolver::guard(const SystemEquation& system, const Island& island, con
         found[c] = best;
         std::size_t number = 0;
         each_force(island, [&](Eigen::Index j, Eigen::Index of) {
-            const double saved = saved_[number++];
+            const double saved = bench.saved[number++];
             if (of != column) return;
             lambda(j, column) = best == guessed[c] ? saved : best == nothing[c] ? 0.0 : (*first_guess)(j, column);
         });

@@ -10,6 +10,7 @@
 #include "engine/islands.h"
 #include "engine/small_steps.h"
 #include "engine/solvers/solver.h"
+#include "engine/threads.h"
 #include "engine/warm_start.h"
 
 #include <array>
@@ -50,6 +51,15 @@ class IslandSolver {
         double stands_up_to = 0.0;  // m/s; residual of a guess that an exact answer may serve for good, if any
     };
 
+    // What one thread solves with, one island after the other.
+    struct Bench {
+        solvers::Solver* solver = nullptr;
+        SmallSteps* small_steps = nullptr;  // null: none are taken
+        Threads* threads = nullptr;         // that help with the island; null: nobody does
+        std::vector<double> saved{};        // lambda of the island before it was solved
+        std::vector<Vector6> velocities{};  // of its bodies, while it is measured
+    };
+
     // Before the first solve of a step in which those `awake` of all bodies take part.
     void begin(std::size_t bodies, std::span<const int> awake);
 
@@ -62,22 +72,22 @@ class IslandSolver {
     // Between solves that are problems of their own, whose work does not count together.
     void begin_another() { budget_.begin_another(); }
 
+    // The solves of different islands, with a bench each, may go on at the same time.
+    //
     // Solves `island` from the forces in `lambda`, which receives the answer; writes f_c of its bodies. A solve
     // beyond the first one of a step, because of more rows, passes as `first_guess` what that one began with, and
     // may find it put within its bounds.
-    solvers::SolveCount solve(solvers::Solver& solver, const solvers::Termination& usual,
-                              const SystemEquation& system, const Island& island, const Allowed& allowed,
-                              Columns* first_guess, Columns& lambda, ConstraintForces& forces);
+    solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
+                              const Island& island, const Allowed& allowed, Columns* first_guess, Columns& lambda,
+                              ConstraintForces& forces);
 
     // Takes an island that is unfinished through the step in small ones.
-    solvers::SolveCount take_small_steps(SmallSteps& small_steps, const SystemEquation& system,
-                                         std::span<const Body> bodies, const Island& island, Columns& lambda,
-                                         ConstraintForces& forces);
+    solvers::SolveCount take_small_steps(Bench& bench, const SystemEquation& system, std::span<const Body> bodies,
+                                         const Island& island, Columns& lambda, ConstraintForces& forces);
 
     // The same for an island that was solved in this step and has the same rows still.
-    solvers::SolveCount go_on(solvers::Solver& solver, const solvers::Termination& usual,
-                              const SystemEquation& system, const Island& island, Columns& lambda,
-                              ConstraintForces& forces);
+    solvers::SolveCount go_on(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
+                              const Island& island, Columns& lambda, ConstraintForces& forces);
 
     // Whether the last solve of `island` in this step has left it unsolved, and iterations that may help.
     bool can_go_on(const Island& island, const solvers::Termination& usual) const {
@@ -99,26 +109,24 @@ class IslandSolver {
   private:
     static void find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                             ConstraintForces& forces);
-    Residuals measure(const SystemEquation& system, const Island& island, const Columns& lambda,
-                      ConstraintForces& forces);
+    static Residuals measure(const SystemEquation& system, const Island& island, const Columns& lambda,
+                             ConstraintForces& forces, Bench& bench);
     bool is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
-                     const solvers::Termination& usual) const;
+                     const solvers::Termination& usual, const Bench& bench) const;
     Budget::Outlook outlook_of(const Island& island, double residual, const Allowed& allowed,
                                const Columns& lambda) const;
     Residuals of_no_forces(const SystemEquation& system, const Island& island) const;
-    void save(const Island& island, const Columns& lambda);
-    solvers::SolveCount find_better(solvers::Solver& solver, const solvers::Termination& termination,
+    static void save(const Island& island, const Columns& lambda, Bench& bench);
+    solvers::SolveCount find_better(Bench& bench, const solvers::Termination& termination,
                                     const SystemEquation& system, const Island& island, Columns* first_guess,
                                     Columns& lambda, ConstraintForces& forces, Outcome& outcome);
     bool guard(const SystemEquation& system, const Island& island, const Residuals& guessed, Columns* first_guess,
-               Columns& lambda, ConstraintForces& forces, Residuals& found);
+               Columns& lambda, ConstraintForces& forces, Bench& bench, Residuals& found);
     void note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count);
 
     WarmStart warm_start_;
     Budget budget_;
-    std::vector<Outcome> outcomes_;    // by body, of its island
-    std::vector<double> saved_;        // lambda of the island at hand before it was solved
-    std::vector<Vector6> velocities_;  // of the island's bodies, while it is measured
+    std::vector<Outcome> outcomes_;  // by body, of its island
 };
 
 }  // namespace pushfactor::engine

@@ -1,16 +1,19 @@
 #include "engine/penetration.h"
 
-#include "engine/collision/detector.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace pushfactor::engine {
 
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders) {
+    collision::Detector detector;
+    return penetration(bodies, colliders, detector);
+}
+
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
+                        collision::Detector& detector) {
     Penetration result;
     double sum_of_squares = 0.0;
-    collision::Detector detector;
     for (const collision::Touch& touch :
          detector.detect(colliders, bodies, {.margin = 0.0, .reduce_to_four_points = false})) {
         for (const collision::ContactPoint& point : touch.points) {

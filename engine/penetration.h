@@ -1,8 +1,9 @@
-// How deep the bodies of a state are inside each other: a pure function, nothing is remembered.
+// How deep the bodies of a state are inside each other.
 #pragma once
 
 #include "engine/body.h"
 #include "engine/collision/collider.h"
+#include "engine/collision/detector.h"
 
 #include <span>
 
@@ -15,5 +16,9 @@ struct Penetration {
     int points = 0;
 };
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
+
+// The same with a detector that is kept from state to state: it finds what is near faster, where little has moved.
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
+                        collision::Detector& detector);
 
 }  // namespace pushfactor::engine

@@ -169,13 +169,14 @@ class RattleStep {
     // Those whose moves have not ended.
     void solve_open_islands(Columns& lambda) {
         world_.island_solver_.begin_another();
+        world_.set_up_benches();
         forces_.moving.resize(world_.bodies.size());
         int sweeps = 0;
         for (std::size_t k = 0; k < moves_.size(); ++k) {
             if (moves_[k].ended) continue;
             const Island& island = world_.islands_.all()[k];
             const solvers::SolveCount count =
-                world_.island_solver_.solve(*world_.solver, world_.termination, world_.system_, island,
+                world_.island_solver_.solve(world_.benches_.front(), world_.termination, world_.system_, island,
                                             {Budget::Take::rest}, nullptr, lambda, forces_);
             sweeps = std::max(sweeps, count.iterations);
             work_.row_updates += 1.0 * island.rows * count.iterations;

@@ -20,11 +20,9 @@ struct Sizes {
     double small, large;
 };
 
-// Whether the body is within the bound of the place. A body that cannot turn has no size to compare with.
-bool is_near(const Body& body, const Rest::Memory& place) {
-    if (!(body.inverse_inertia.minCoeff() > 0.0)) return false;
-    const Sizes sizes(body);
-    const double limit = Rest::bound * sizes.small;
+// Whether the body is no farther from the place than `bound` of its size.
+bool is_near(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
+    const double limit = bound * sizes.small;
     if (!((body.position - place.position).squaredNorm() <= limit * limit)) return false;
     // |q - q'| of unit quaternions is half of a small angle between them.
     const double apart = std::min((body.orientation.coeffs() - place.orientation.coeffs()).squaredNorm(),
@@ -32,11 +30,24 @@ bool is_near(const Body& body, const Rest::Memory& place) {
     return 4.0 * sizes.large * sizes.large * apart <= limit * limit;
 }
 
+void forget_stays(Rest::Memory& memory) {
+    for (Rest::Stay& stay : memory.stays) stay.still = 0.0;
+}
+
 bool has_force(const Columns& lambda, std::size_t row) {
     return (lambda.row(static_cast<Eigen::Index>(row)).array() != 0.0).any();
 }
 
 }  // namespace
+
+bool Rest::is_still(int body) const {
+    if (at(body) >= memory_.size()) return false;
+    const auto& stays = memory_[at(body)].stays;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        if (stays[k].still >= spans[k].time) return true;
+    }
+    return false;
+}
 
 Awake Rest::awake(std::size_t bodies) const {
     std::vector<char> is_awake(bodies, 1);
@@ -51,12 +62,12 @@ bool Rest::take_change() {
 void Rest::wake(int body) {
     if (at(body) >= memory_.size()) return;
     const int group = memory_[at(body)].group;
-    memory_[at(body)].still = 0.0;
+    forget_stays(memory_[at(body)]);
     if (group < 0) return;
     for (Memory& memory : memory_) {
         if (memory.group != group) continue;
         memory.group = -1;
-        memory.still = 0.0;
+        forget_stays(memory);
         --count_;
     }
     changed_ = true;
@@ -65,7 +76,7 @@ void Rest::wake(int body) {
 void Rest::wake_all() {
     for (Memory& memory : memory_) {
         memory.group = -1;
-        memory.still = 0.0;
+        forget_stays(memory);
     }
     count_ = 0;
     changed_ = true;
@@ -98,15 +109,19 @@ void Rest::end_step(std::span<Body> bodies, const SystemEquation& system, const 
     }
 }
 
+// A body that cannot turn has no size to compare with.
 void Rest::note_places(std::span<const Body> bodies, std::span<const int> awake, double dt) {
     for (const int index : awake) {
         const Body& body = bodies[at(index)];
-        if (body.is_static()) continue;
-        Memory& memory = memory_[at(index)];
-        if (is_near(body, memory)) {
-            memory.still += dt;
-        } else {
-            memory = {.position = body.position, .orientation = body.orientation};
+        if (!(body.inverse_inertia.minCoeff() > 0.0)) continue;
+        const Sizes sizes(body);
+        for (std::size_t k = 0; k < spans.size(); ++k) {
+            Stay& stay = memory_[at(index)].stays[k];
+            if (is_near(body, sizes, spans[k].bound, stay)) {
+                stay.still += dt;
+            } else {
+                stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
+            }
         }
     }
 }

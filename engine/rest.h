@@ -1,10 +1,12 @@
-// Rest: bodies that hold each other and have stayed where they are for half a second lose their momenta, and take
+// Rest: bodies that hold each other and have stayed where they are for a while lose their momenta, and take
 // part in no step until something wakes them. The forces that held them stay remembered, so that they go on as if
 // they had never been left out.
 //
 // "Where they are" is a matter of places, not of velocities: under the single-frame push (8.1) what overlaps parts
-// without any. The bound is so narrow that what has begun to slide, roll or tip is not held: an acceleration of
-// 8 bound / time^2 crosses it, 3e-4 m/s^2 for a metre. What nothing static holds never rests.
+// without any. Two spans are looked at, so that what has begun to slide, roll or tip is not held: in half a second
+// a body may move by a hundred-thousandth of its size, which an acceleration of 8 bound / time^2 = 3e-4 m/s^2 a
+// metre leaves; in 16 seconds by 8 % of it (2.5e-3 m/s^2), for a ball that rocks in a hollow of a heap that stands:
+// that never ends where nothing brakes rolling. What nothing static holds never rests.
 //
 // Bodies that rows join without any force push nothing: what rolls by at the distance of the margin neither keeps
 // awake nor wakes. So it is groups of bodies that push each other which come to rest, parts of islands.
@@ -21,6 +23,7 @@
 #include "engine/islands.h"
 #include "engine/system_equation.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -28,15 +31,22 @@ namespace pushfactor::engine {
 
 class Rest {
   public:
-    static constexpr double time_to_rest = 0.5;  // s
-    static constexpr double bound = 1e-5;        // of the size of a body
+    struct Span {
+        double time;   // s
+        double bound;  // of the size of a body
+    };
+    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5}, {16.0, 8e-2}}};
 
-    // What the next step has to know of a body.
-    struct Memory {
-        int group = -1;      // at rest: a number that those have in common that came to rest together; else below 0
-        double still = 0.0;  // s, for which it has been within the bound of the place below
+    // Where a body has been within the bound of a span, and since when.
+    struct Stay {
+        double still = 0.0;                  // s
         Vector3 position = Vector3::Zero();  // m
         Quaternion orientation = Quaternion::Identity();
+    };
+    // What the next step has to know of a body.
+    struct Memory {
+        int group = -1;  // at rest: a number that those have in common that came to rest together; else below 0
+        std::array<Stay, spans.size()> stays{};
     };
 
     bool is_at_rest(int body) const {
@@ -44,10 +54,7 @@ class Rest {
                memory_[static_cast<std::size_t>(body)].group >= 0;
     }
     // Whether the body has stayed for as long as its whole group has to.
-    bool is_still(int body) const {
-        return static_cast<std::size_t>(body) < memory_.size() &&
-               memory_[static_cast<std::size_t>(body)].still >= time_to_rest;
-    }
+    bool is_still(int body) const;
     int count() const { return count_; }  // bodies at rest
     // All others, of `bodies` in the world.
     Awake awake(std::size_t bodies) const;

@@ -128,15 +128,16 @@ SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bo
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,
-                                      const Island& island, const Division& division, Columns& lambda,
-                                      ConstraintForces& forces) {
+                                      const Island& island, const Division& division, Threads* threads,
+                                      Columns& lambda, ConstraintForces& forces) {
     const double h = system.dt / division.steps;
-    rows_.load(system, island, lambda, lambda.cols() - 1, h);
+    if (island.rows < static_cast<int>(solvers::SweepPipeline::least_rows)) threads = nullptr;
+    rows_.load(system, island, lambda, lambda.cols() - 1, h, threads);
     begin(system, bodies, island, h);
+    if (threads) pipeline_.plan(rows_);
     for (int step = 0; step < division.steps; ++step) {
-        if (step > 0) aim(h);
         const bool last = step + 1 == division.steps;
-        small_step(h, last ? more_at_the_end * division.sweeps : division.sweeps);
+        small_step(h, last ? more_at_the_end * division.sweeps : division.sweeps, threads);
     }
     residual_ = rows_.residual();
     kick_at_once(division.steps, system.dt);
@@ -186,7 +187,6 @@ void SmallSteps::begin(const SystemEquation& system, std::span<const Body> bodie
             drives_ = drives_ || source.push.lasting != 0.0;
         }
     });
-    aim(h);
 }
 
 // s u . d of a row [m].
@@ -198,8 +198,13 @@ double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-void SmallSteps::aim(double h) {
-    for (const OneSided& one : one_sided_) {
+// Of the rows from one number up to another.
+void SmallSteps::aim(double h, std::size_t first_row, std::size_t end_row) {
+    const auto from = [this](std::size_t row) {
+        return std::lower_bound(one_sided_.begin(), one_sided_.end(), row,
+                                [](const OneSided& one, std::size_t of) { return one.row < of; });
+    };
+    for (const OneSided& one : std::span(from(first_row), from(end_row))) {
         solvers::UnitRows<1>::Row& row = rows_.rows[one.row];
         const double error = one.error + moved_along(row);
         const bool open = one.open_side * error > 0.0;
@@ -247,27 +252,41 @@ void SmallSteps::forget_hits() {
     for (Vector6& impulse : impulse_) impulse *= share;
 }
 
-void SmallSteps::small_step(double h, int sweeps) {
+void SmallSteps::small_step(double h, int sweeps, Threads* threads) {
     for (std::size_t i = 0; i < pull_.size(); ++i) base_[i] = rows_.velocity[i] + pull_[i];
     if (!drives_ && brings_energy()) forget_hits();
     for (std::size_t i = 0; i < pull_.size(); ++i) rows_.velocity[i] = base_[i] + impulse_[i];
-    for (std::size_t j = 0; j < before_.size(); ++j) before_[j] = rows_.rows[j].y[0];
-    for (int k = 0; k < sweeps; ++k) sweep(rows_);
+    const auto before = [this, h](std::size_t begin, std::size_t end) {
+        aim(h, begin, end);
+        for (std::size_t j = begin; j < end; ++j) before_[j] = rows_.rows[j].y[0];
+    };
+    const auto after = [this](std::size_t begin, std::size_t end) {
+        for (std::size_t j = begin; j < end; ++j) sum_[j] += rows_.rows[j].y[0];
+    };
+    if (threads) {
+        pipeline_.sweep(rows_, sweeps, *threads, before, after);
+    } else {
+        before(0, rows_.rows.size());
+        for (int k = 0; k < sweeps; ++k) sweep(rows_);
+        after(0, rows_.rows.size());
+    }
     for (std::size_t i = 0; i < pull_.size(); ++i) {
         impulse_[i] = rows_.velocity[i] - base_[i];
         moved_[i] += h * rows_.velocity[i];
     }
-    for (std::size_t j = 0; j < sum_.size(); ++j) sum_[j] += rows_.rows[j].y[0];
 }
 
 // A collision is in the whole step alone, what begins with the last small step in that alone: of two that point the
-// same way the shorter one, else neither.
+// same way the shorter one, else neither. No more than the external forces do to the body: what is stopped harder
+// than that would be lifted into what still falls.
 void SmallSteps::kick_at_once(int steps, double dt) {
     const double share = 0.5 * dt * (1.0 - 1.0 / steps);
     for (std::size_t i = 0; i < moved_.size(); ++i) {
         const Vector6 whole = rows_.velocity[i] - start_[i], end = steps * (pull_[i] + impulse_[i]);
         if (!(whole.dot(end) > 0.0)) continue;
-        moved_[i] += share * (whole.squaredNorm() < end.squaredNorm() ? whole : end);
+        const Vector6& kick = whole.squaredNorm() < end.squaredNorm() ? whole : end;
+        const double most = steps * pull_[i].norm();
+        moved_[i] += share * std::min(1.0, most / kick.norm()) * kick;
     }
 }
 

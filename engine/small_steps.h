@@ -28,8 +28,11 @@
 
 #include "engine/islands.h"
 #include "engine/solvers/solver.h"
+#include "engine/solvers/sweep_pipeline.h"
 #include "engine/solvers/unit_rows.h"
+#include "engine/threads.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,6 +57,9 @@ class SmallSteps {
     // With a division, every island takes that one.
     explicit SmallSteps(const std::optional<Division>& division = {}) : division_(division) {}
 
+    // One that does the same, for another thread.
+    std::unique_ptr<SmallSteps> another() const { return std::make_unique<SmallSteps>(division_); }
+
     // Whether they are for the island. Not for a few bodies, whose sweeps get somewhere in a whole step; not where
     // a bar acts both ways, because sweeps leave it a little wrong in every small step, and what it is wrong by has
     // no side on which it does no harm; and not where something bounces or its push stays in the momenta, because a
@@ -75,9 +81,10 @@ class SmallSteps {
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
     // receives their means over the step: in the first column with those of the push, in the last one without.
-    // Writes what its bodies are moved by.
+    // Writes what its bodies are moved by. `threads` help; null: nobody does.
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
-                              const Division& division, Columns& lambda, ConstraintForces& forces);
+                              const Division& division, Threads* threads, Columns& lambda,
+                              ConstraintForces& forces);
 
     // What the rows still get wrong at the end of the last one [m/s], each with what it aims at there.
     double residual() const { return residual_; }
@@ -100,10 +107,10 @@ class SmallSteps {
     };
 
     void begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h);
-    void aim(double h);
+    void aim(double h, std::size_t first_row, std::size_t end_row);
     bool brings_energy() const;
     void forget_hits();
-    void small_step(double h, int sweeps);
+    void small_step(double h, int sweeps, Threads* threads);
     void kick_at_once(int steps, double dt);
     void store(const SystemEquation& system, const Island& island, double h, Columns& lambda);
     bool push_apart(const SystemEquation& system, const Island& island, Columns& lambda);
@@ -114,6 +121,7 @@ class SmallSteps {
     std::optional<Division> division_;
     double residual_ = 0.0;
     solvers::UnitRows<1> rows_;
+    solvers::SweepPipeline pipeline_;
     // By movable body of the island:
     std::vector<Vector6> start_;    // x at the start of the step
     std::vector<Vector6> pull_;     // x that the external forces add in a small step

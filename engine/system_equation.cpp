@@ -152,8 +152,11 @@ Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale)
 
 namespace {
 
+constexpr std::size_t rows_of_a_part = 1000;  // that a thread takes
+
 // The axes and right sides of the rows from `first` on. Those before have theirs.
-void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system) {
+void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
+                      Threads* threads) {
     system.rows = rows;
     size_diagonal(system);
     const Eigen::Index before = system.column_count();
@@ -166,7 +169,7 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
         if (two_columns && before == 1) system.b.col(1) = system.b.col(0);
     }
     const std::vector<Vector6>& free = system.free_acceleration;
-    for (std::size_t j = first; j < rows.size(); ++j) {
+    const auto append = [&](std::size_t j) {
         const ConstraintRow& row = rows[j];
         weigh(j, system);
         const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
@@ -174,6 +177,14 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
         const auto index = static_cast<Eigen::Index>(j);
         system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
         if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
+    };
+    const auto part = [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t j = first + begin; j < first + end; ++j) append(j);
+    };
+    if (threads) {
+        threads->share(rows.size() - first, rows_of_a_part, part);
+    } else {
+        part(0, rows.size() - first, 0);
     }
 }
 
@@ -185,7 +196,7 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
 }
 
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
-                  double dt, SystemEquation& system) {
+                  double dt, SystemEquation& system, Threads* threads) {
     system.dt = dt;
     std::vector<Vector6>& free = system.free_acceleration;
     if (awake.size() < bodies.size() && !std::ranges::equal(system.awake, awake)) {
@@ -202,11 +213,11 @@ void build_system(std::span<const Body> bodies, std::span<const int> awake, std:
         find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     }
 
-    append_to_system(rows, 0, system);
+    append_to_system(rows, 0, system, threads);
 }
 
 void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system) {
-    append_to_system(rows, system.rows.size(), system);
+    append_to_system(rows, system.rows.size(), system, nullptr);
 }
 
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,

@@ -18,6 +18,7 @@
 #include "engine/body.h"
 #include "engine/constraint_row.h"
 #include "engine/math.h"
+#include "engine/threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +53,9 @@ struct SystemEquation {
 // Writes 6.2.9 for the bodies with their forces and these rows into `system`, whose memory is reused.
 // `rows` must outlive its use. Bodies take part that are among those `awake` (ascending), or all; the others are as
 // if they were static.
+// `threads` help; null: nobody does.
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
-                  double dt, SystemEquation& system);
+                  double dt, SystemEquation& system, Threads* threads = nullptr);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 

@@ -15,6 +15,11 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
+// Rows of an island from which on threads help with it, and of all smaller ones together from which on each thread
+// takes some: what threads cost is that of some hundred rows.
+constexpr int shared_by_threads = 2000;
+constexpr int worth_threads = 400;
+
 bool has_row_from(const Island& island, std::size_t first_row) {
     return static_cast<std::size_t>(island.runs.back().end) > first_row;
 }
@@ -33,7 +38,7 @@ StepCount World::step(double dt, StageObserver* observer) {
         ended(Stage::forces);
         append_rows(dt);  // 5
         ended(Stage::rows);
-        build_system(bodies, awake_.members(), rows_, dt, system_);  // 6: A lambda = b, 6.2.9
+        build_system(bodies, awake_.members(), rows_, dt, system_, threads.get());  // 6: A lambda = b, 6.2.9
         ended(Stage::system);
         work = solve_and_look(dt);  // 7, island by island
         ended(Stage::solve);
@@ -105,8 +110,6 @@ void World::append_unforeseen(double dt) {
 
 World::Work World::solve_and_look(double dt) {
     Work work = solve_islands();
-    changed_.assign(bodies.size(), NewForce::none);
-    for (const Island& island : islands_.all()) note_changed(island);
     bool finished = false;
     for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
@@ -137,9 +140,8 @@ World::Work World::solve_islands() {
     forces_.moving.resize(bodies.size());
     forces_.lasting.resize(bodies.size());
     for (const int body : awake_.members()) forces_.moving[static_cast<std::size_t>(body)].setZero();
-    Work work;
-    for (const Island& island : islands_.all()) solve(island, nullptr, work);
-    return work;
+    choose([](const Island&) { return true; });
+    return solve_chosen([this](const Island& island, auto& bench) { return solve(island, nullptr, bench); });
 }
 
 World::Work World::solve_islands_again(std::size_t first_new_row) {
@@ -150,23 +152,77 @@ World::Work World::solve_islands_again(std::size_t first_new_row) {
     guess(first_new_row, lambda_);
     first_guess_.resize(lambda_.rows(), lambda_.cols());
     guess(0, first_guess_);
+    choose([&](const Island& island) { return has_row_from(island, first_new_row); });
+    return solve_chosen([this](const Island& island, auto& bench) { return solve(island, &first_guess_, bench); });
+}
+
+// Those that are to be solved anew, so that their bodies get other forces.
+template <typename Predicate>
+void World::choose(const Predicate& predicate) {
     changed_.assign(bodies.size(), NewForce::none);
-    Work work;
-    for (const Island& island : islands_.all()) {
-        if (!has_row_from(island, first_new_row)) continue;
-        solve(island, &first_guess_, work);
-        note_changed(island);
+    chosen_.clear();
+    for (std::size_t k = 0; k < islands_.all().size(); ++k) {
+        if (predicate(islands_.all()[k])) chosen_.push_back(static_cast<int>(k));
     }
-    return work;
 }
 
 World::Work World::finish_islands() {
-    changed_.assign(bodies.size(), NewForce::none);
+    choose([this](const Island& island) { return island_solver_.can_go_on(island, termination); });
+    return solve_chosen([this](const Island& island, auto& bench) {
+        return Work(island, island_solver_.go_on(bench, termination, system_, island, lambda_, forces_));
+    });
+}
+
+void World::set_up_benches() {
+    const std::size_t count = threads ? static_cast<std::size_t>(threads->count()) : 1;
+    const bool as_before = !benches_.empty() && benches_.front().solver == solver.get();
+    if (!as_before) other_solvers_.clear();
+    other_solvers_.resize(count - 1);
+    other_small_steps_.resize(count - 1);
+    benches_.resize(count);
+    benches_.front().solver = solver.get();
+    benches_.front().small_steps = small_steps.get();
+    for (std::size_t k = 1; k < count; ++k) {
+        if (!other_solvers_[k - 1]) other_solvers_[k - 1] = solver->another();
+        if (!other_small_steps_[k - 1] && small_steps) other_small_steps_[k - 1] = small_steps->another();
+        benches_[k].solver = other_solvers_[k - 1].get();
+        benches_[k].small_steps = other_small_steps_[k - 1].get();
+    }
+    if (count > 1 && !benches_.back().solver) benches_.resize(1);
+}
+
+template <typename Solve>
+World::Work World::solve_chosen(const Solve& solve) {
+    if (chosen_.empty()) return {};
+    set_up_benches();
+    endings_.resize(rows_.size());
+    const std::span<const Island> islands = islands_.all();
+    const auto is_small = [&](int number) {
+        return islands[static_cast<std::size_t>(number)].rows < shared_by_threads;
+    };
+    works_.assign(chosen_.size(), {});
+    const auto solve_one = [&](std::size_t k, IslandSolver::Bench& bench) {
+        works_[k] = solve(islands[static_cast<std::size_t>(chosen_[k])], bench);
+    };
+    const auto large = std::stable_partition(chosen_.begin(), chosen_.end(), is_small) - chosen_.begin();
+    const auto small_ones = static_cast<std::size_t>(large);
+    int rows = 0;
+    for (std::size_t k = 0; k < small_ones; ++k) rows += islands[static_cast<std::size_t>(chosen_[k])].rows;
+    if (benches_.size() > 1 && rows >= worth_threads) {
+        threads->share(small_ones, 1, [&](std::size_t begin, std::size_t end, int slot) {
+            for (std::size_t k = begin; k < end; ++k) solve_one(k, benches_[static_cast<std::size_t>(slot)]);
+        });
+    } else {
+        for (std::size_t k = 0; k < small_ones; ++k) solve_one(k, benches_.front());
+    }
+    benches_.front().threads = threads.get();
+    for (std::size_t k = small_ones; k < chosen_.size(); ++k) solve_one(k, benches_.front());
+    benches_.front().threads = nullptr;
+
     Work work;
-    for (const Island& island : islands_.all()) {
-        if (!island_solver_.can_go_on(island, termination)) continue;
-        work.add(island, island_solver_.go_on(*solver, termination, system_, island, lambda_, forces_));
-        note_changed(island);
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+        work.add(works_[k]);
+        note_changed(islands[static_cast<std::size_t>(chosen_[k])]);
     }
     return work;
 }
@@ -193,31 +249,32 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
     }
 }
 
-void World::solve(const Island& island, Columns* first_guess, Work& work) {
+World::Work World::solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench) {
     IslandSolver::Allowed allowed;
     if (small_steps) {
         allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
         allowed.stands_up_to = SmallSteps::standing_speed(system_.dt, bodies, island);
     }
-    work.add(island,
-             island_solver_.solve(*solver, termination, system_, island, allowed, first_guess, lambda_, forces_));
-    if (outcome_of(island).unfinished) take_small_steps(island, work);
+    Work work(island,
+              island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
+    if (outcome_of(island).unfinished) work.add(Work(island, take_small_steps(island, bench)));
+    return work;
 }
 
-void World::take_small_steps(const Island& island, Work& work) {
-    work.add(island, island_solver_.take_small_steps(*small_steps, system_, bodies, island, lambda_, forces_));
-    endings_.resize(rows_.size());
-    const std::span<const Lambda> ending = small_steps->ending();
+solvers::SolveCount World::take_small_steps(const Island& island, IslandSolver::Bench& bench) {
+    const solvers::SolveCount count =
+        island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_);
+    const std::span<const Lambda> ending = bench.small_steps->ending();
     for (const RowRun& run : island.runs) {
         std::copy_n(ending.begin() + run.first, run.end - run.begin, endings_.begin() + run.begin);
     }
+    return count;
 }
 
-void World::Work::add(const Island& island, const solvers::SolveCount& count) {
-    sweeps = std::max(sweeps, count.iterations);
-    row_updates += 1.0 * island.rows * island.columns * count.iterations;
-    multiply_adds += count.multiply_adds;
-}
+World::Work::Work(const Island& island, const solvers::SolveCount& count)
+    : sweeps(count.iterations),
+      row_updates(1.0 * island.rows * island.columns * count.iterations),
+      multiply_adds(count.multiply_adds) {}
 
 void World::remember() {
     const Eigen::Index last = lambda_.cols() - 1;

@@ -8,7 +8,9 @@
 #include "engine/solvers/solver.h"
 #include "engine/sources.h"
 #include "engine/system_equation.h"
+#include "engine/threads.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <numeric>
@@ -55,6 +57,7 @@ class World {
     solvers::Termination termination;
     std::unique_ptr<SmallSteps> small_steps;  // for islands without an exact answer; null: iterations of the solver
     std::unique_ptr<Rest> rest;  // what leaves out of steps what rests; null: nothing is left out. Not for RATTLE.
+    std::unique_ptr<Threads> threads;  // that share a step; null: one. The bits do not depend on it
     OrientationStep rotate = rotate_splitting;
 
     // Advances by dt [s], above zero.
@@ -101,7 +104,15 @@ class World {
         int sweeps = 0;
         double row_updates = 0.0, multiply_adds = 0.0;
 
-        void add(const Island& island, const solvers::SolveCount& count);
+        Work() = default;
+        Work(const Island& island, const solvers::SolveCount& count);
+        // That of other islands in the same round.
+        void add(const Work& other) {
+            sweeps = std::max(sweeps, other.sweeps);
+            row_updates += other.row_updates;
+            multiply_adds += other.multiply_adds;
+        }
+        // That of another round.
         void operator+=(const Work& other) {
             sweeps += other.sweeps;
             row_updates += other.row_updates;
@@ -115,8 +126,16 @@ class World {
     void append_rows(double dt);
     void append_unforeseen(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
-    void solve(const Island& island, Columns* first_guess, Work& work);
-    void take_small_steps(const Island& island, Work& work);
+    Work solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
+    solvers::SolveCount take_small_steps(const Island& island, IslandSolver::Bench& bench);
+    void set_up_benches();
+    // Chooses the islands of which `predicate` says so.
+    template <typename Predicate>
+    void choose(const Predicate& predicate);
+    // Calls `solve(island, bench)` with each island that is `chosen`: with the small ones at the same time, where
+    // there are threads, and with one large one after the other, so that all threads help with it.
+    template <typename Solve>
+    Work solve_chosen(const Solve& solve);
     void note_changed(const Island& island);
     // Solves all islands from the guesses of their rows and writes forces_.
     Work solve_islands();
@@ -149,6 +168,12 @@ class World {
     SystemEquation system_;
     Islands islands_;
     IslandSolver island_solver_;
+    // One per thread. The first one works with what the world was given, the others with what is like it.
+    std::vector<IslandSolver::Bench> benches_;
+    std::vector<std::unique_ptr<solvers::Solver>> other_solvers_;
+    std::vector<std::unique_ptr<SmallSteps>> other_small_steps_;
+    std::vector<int> chosen_;  // islands to be solved, by number
+    std::vector<Work> works_;  // of these
     Columns lambda_, first_guess_;
     std::vector<NewForce> changed_;                    // one per body, what the last solves may have given it
     std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row

@@ -76,10 +76,10 @@ class CostReport {
     }
 
     Entry entry_of(const CostCase& one) const {
-        const Choices choices = run_of(one.scene, one.options);
+        const Choices choices = run_of(one.scene, one.options).on_one_thread();
         const std::string file = "everything/" + one.file_name() + ".json";
         write_file(request_.folder / file, scene_file_text(with_everything(spelled_out(choices))));
-        const Choices everything = understand((request_.folder / file).string(), {});
+        const Choices everything = understand((request_.folder / file).string(), {}).on_one_thread();
 
         Options run{{"seconds", to_text(one.start)}};
         Entry entry{.name = one.name, .start = one.start, .as_it_is = {}, .with_everything = {}};

@@ -16,6 +16,8 @@
 #include "engine/solvers/single_row.h"
 #include "engine/solvers/sweep.h"
 
+#include <algorithm>
+
 namespace pushfactor::engine::solvers {
 
 namespace {
@@ -53,9 +55,11 @@ class Auto {
                      Columns& lambda) {
         if (island.rows == 1) return solve_single_row(system, island, lambda);
         SolveCount count;
-        rows_.load(system, island, lambda);
         exact_.take(island);
         const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
+        const bool is_heap = !termination.lasts && !is_thread && !exact_.is_tree();
+        if (is_heap && termination.iterations == 0) return count;
+        rows_.load(system, island, lambda);
         if (termination.lasts || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
         } else {
@@ -75,12 +79,12 @@ class Auto {
 
     bool pays_off(const Termination& termination, double guessed) {
         if (!(termination.credit > 0.0)) return false;
-        exact_.plan();
-        const double factorisation = columns * exact_.factorisation(rows_);
         const bool is_near = guessed <= near_guess * rows_.fastest();
         const double least = is_near ? least_factorisations : least_from_afar;
-        return least * factorisation <= termination.credit &&
-               factorisation <= most_sweeps_a_factorisation * rows_.pass_work();
+        const double most =
+            std::min(termination.credit / least, most_sweeps_a_factorisation * rows_.pass_work()) / columns;
+        exact_.plan(most);
+        return exact_.factorisation(rows_) <= most;
     }
 
     // Returns whether that led anywhere; else the forces are those from before.
@@ -110,10 +114,10 @@ class Auto {
         count.multiply_adds += rows_.look_work();
         const double swept = rows_.residual();
         if (swept <= far * rows_.fastest()) return;
-        exact_.plan();
-        const double factorisation = exact_.factorisation(rows_);
-        if (factorisation > sweeps_an_exact_step * rows_.pass_work()) return;
-        if (exact_steps * columns * factorisation > termination.credit) return;
+        const double most =
+            std::min(sweeps_an_exact_step * rows_.pass_work(), termination.credit / (exact_steps * columns));
+        exact_.plan(most);
+        if (exact_.factorisation(rows_) > most) return;
         Effort effort(termination.credit, exact_steps);
         exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
         count.gave_up = rows_.residual() > 0.5 * swept;

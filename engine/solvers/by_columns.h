@@ -3,6 +3,8 @@
 
 #include "engine/solvers/solver.h"
 
+#include <memory>
+
 namespace pushfactor::engine::solvers {
 
 // `Method<columns>` has a member solve() like that of Solver, for islands of that many columns: one, or two when
@@ -16,6 +18,8 @@ class ByColumns : public Solver {
         return island.columns == 2 ? two_.solve(system, island, termination, lambda)
                                    : one_.solve(system, island, termination, lambda);
     }
+
+    std::unique_ptr<Solver> another() const override { return std::make_unique<ByColumns>(); }
 
   private:
     Method<1> one_;

@@ -84,6 +84,8 @@ void sweep(const SystemEquation& system, const std::vector<int>& rows, const Mat
 
 class Dense : public Solver {
   public:
+    std::unique_ptr<Solver> another() const override { return std::make_unique<Dense>(); }
+
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                      Columns& lambda) override {
         const bool checked = termination.tolerance_high > 0.0;

@@ -7,19 +7,35 @@
 
 namespace pushfactor::engine::solvers {
 
-void Elimination::find(int bodies, std::span<const std::pair<int, int>> pairs) {
+namespace {
+
+// Of a symmetric matrix, for a node with so many below it and so many products: its diagonal block, each block
+// below it, and each product.
+double symmetric_work_of(double below, double products) {
+    return 56.0 + 126.0 * below + 216.0 * products;
+}
+
+}  // namespace
+
+void Elimination::find(int bodies, std::span<const std::pair<int, int>> pairs, double most_work) {
     std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(bodies));
     for (const auto& [a, b] : pairs) {
         neighbours[static_cast<std::size_t>(a)].push_back(b);
         neighbours[static_cast<std::size_t>(b)].push_back(a);
     }
-    order(std::move(neighbours));
-    number_blocks();
+    if (order(std::move(neighbours), most_work)) {
+        number_blocks();
+        return;
+    }
+    nodes_.clear();
+    node_of_.clear();
+    block_count_ = 0;
+    symmetric_work_ = general_work_ = std::numeric_limits<double>::infinity();
 }
 
-// Least degree first; the neighbours of an eliminated body become neighbours of each other. Among equals the one
-// with the lowest number, so that the order depends on nothing else.
-void Elimination::order(std::vector<std::vector<int>> neighbours) {
+// Returns whether that stays within the work. Least degree first; the neighbours of an eliminated body become
+// neighbours of each other. Among equals the one with the lowest number, so that the order depends on nothing else.
+bool Elimination::order(std::vector<std::vector<int>> neighbours, double most_work) {
     std::set<std::pair<std::size_t, int>> left;  // degree and body
     for (std::size_t body = 0; body < neighbours.size(); ++body) {
         auto& own = neighbours[body];
@@ -30,8 +46,12 @@ void Elimination::order(std::vector<std::vector<int>> neighbours) {
     node_of_.assign(neighbours.size(), -1);
     nodes_.clear();
     std::vector<std::vector<int>> below;  // as bodies
+    double work = 0.0;
     while (!left.empty()) {
         const int body = left.begin()->second;
+        const auto degree = static_cast<double>(left.begin()->first);
+        work += symmetric_work_of(degree, 0.5 * degree * (degree + 1.0));
+        if (work > most_work) return false;
         left.erase(left.begin());
         const std::vector<int> around = std::move(neighbours[static_cast<std::size_t>(body)]);
         for (const int other : around) {
@@ -51,6 +71,7 @@ void Elimination::order(std::vector<std::vector<int>> neighbours) {
         for (const int body : below[k]) nodes_[k].below.push_back(node_of(body));
         std::sort(nodes_[k].below.begin(), nodes_[k].below.end());
     }
+    return true;
 }
 
 // Where each block of the factor lies, and which products go where.
@@ -68,11 +89,10 @@ void Elimination::number_blocks() {
                 node.updates.push_back({target, node.blocks[i], node.blocks[j]});
             }
         }
-        // Of the diagonal block, of each block below it, and of each product; a matrix that is not symmetric has
-        // the products above the diagonal too.
         const auto below = static_cast<double>(node.below.size());
         const auto products = static_cast<double>(node.updates.size());
-        symmetric_work_ += 56.0 + 126.0 * below + 216.0 * products;
+        symmetric_work_ += symmetric_work_of(below, products);
+        // A matrix that is not symmetric has the products above the diagonal too.
         general_work_ += 216.0 + 216.0 * below + 216.0 * (2.0 * products - below);
     }
 }

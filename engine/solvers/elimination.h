@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,8 +23,10 @@ class Elimination {
     };
 
     // For `bodies` bodies with a block each, connected as in `pairs`: body numbers below `bodies`, in any order and
-    // number. Least degree goes first, so that little fills in.
-    void find(int bodies, std::span<const std::pair<int, int>> pairs);
+    // number. Least degree goes first, so that little fills in. Gives up where a factorisation would take more than
+    // `most_work` multiply-adds: a heap of thousands would fill gigabytes before anybody saw that it does not pay.
+    void find(int bodies, std::span<const std::pair<int, int>> pairs,
+              double most_work = std::numeric_limits<double>::infinity());
 
     const std::vector<Node>& nodes() const { return nodes_; }
     // Blocks on the diagonal and below it, the diagonal ones first, in the order of elimination.
@@ -36,14 +39,14 @@ class Elimination {
     // The block of two connected nodes, the earlier one first.
     int block_between(int earlier, int later) const;
 
-    // Multiply-adds of a factorisation of a symmetric matrix, and of one of any other.
+    // Multiply-adds of a factorisation of a symmetric matrix, and of one of any other; infinite where it gave up.
     double symmetric_work() const { return symmetric_work_; }
     double general_work() const { return general_work_; }
     // Of a solution with the factors.
     double solve_work() const { return 72.0 * static_cast<double>(block_count_); }
 
   private:
-    void order(std::vector<std::vector<int>> neighbours);
+    bool order(std::vector<std::vector<int>> neighbours, double most_work);
     void number_blocks();
 
     std::vector<int> node_of_;

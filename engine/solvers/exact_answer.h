@@ -8,6 +8,8 @@
 #include "engine/solvers/structures.h"
 #include "engine/solvers/unit_rows.h"
 
+#include <limits>
+
 namespace pushfactor::engine::solvers {
 
 // The largest speed that a row of the problem asks for while there are no forces [m/s].
@@ -28,10 +30,13 @@ class ExactAnswer {
         return pairs > 0 && pairs < structure_->movable;
     }
 
-    // Plans the factorisation. Comes second, and costs more where there are many pairs.
-    void plan() { structures_.plan(*structure_); }
+    // Plans the factorisation, if it takes at most this many multiply-adds. Comes second.
+    void plan(double most_work = std::numeric_limits<double>::infinity()) {
+        structures_.plan(*structure_, most_work);
+    }
 
-    // Multiply-adds of one factorisation, rows included. Needs the plan.
+    // Multiply-adds of one factorisation, rows included; may be infinite where that is more than was asked for.
+    // Needs the plan.
     template <int columns>
     double factorisation(const UnitRows<columns>& rows) const {
         const Elimination& order = structure_->order;

@@ -51,6 +51,10 @@ class Solver {
     virtual SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                              Columns& lambda) = 0;
 
+    // One that does the same, for another thread to solve other islands at the same time; null: there is none, and
+    // islands are solved one after the other.
+    virtual std::unique_ptr<Solver> another() const { return nullptr; }
+
     // Solves `system` island by island, but for those whose guess will do. Counts the most iterations of an island
     // and the work of all of them.
     SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda);

@@ -1,7 +1,9 @@
 #include "engine/solvers/structures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace pushfactor::engine::solvers {
 
@@ -66,10 +68,13 @@ Structure& Structures::make(const Island& island, std::uint64_t hash) {
     return made;
 }
 
-void Structures::plan(Structure& structure) {
-    if (structure.planned) return;
-    structure.order.find(structure.movable, structure.movable_pairs);
-    structure.planned = true;
+void Structures::plan(Structure& structure, double most_work) {
+    if (structure.planned >= most_work) return;
+    // Further than asked for, because the next step may ask for a little more.
+    const double limit = 2.0 * most_work;
+    structure.order.find(structure.movable, structure.movable_pairs, limit);
+    const bool found = std::isfinite(structure.order.symmetric_work());
+    structure.planned = found ? std::numeric_limits<double>::infinity() : limit;
     size_ += structure.order.block_count();
     forget_some();
 }

@@ -7,6 +7,7 @@
 #include "engine/solvers/elimination.h"
 
 #include <cstdint>
+#include <limits>
 #include <list>
 #include <unordered_map>
 #include <utility>
@@ -18,10 +19,10 @@ struct Structure {
     std::uint64_t hash = 0;           // of the next three
     int movable = 0, body_count = 0;  // of the island
     using Pairs = std::vector<std::pair<int, int>>;
-    Pairs all_pairs;      // of bodies that rows connect, static ones included; ascending, each once
-    Pairs movable_pairs;  // of those the ones of two movable bodies
-    Elimination order;    // found once plan() has been called
-    bool planned = false;
+    Pairs all_pairs;       // of bodies that rows connect, static ones included; ascending, each once
+    Pairs movable_pairs;   // of those the ones of two movable bodies
+    Elimination order;     // found once plan() has been called
+    double planned = 0.0;  // multiply-adds up to which that was of interest; infinite once it is found
 };
 
 class Structures {
@@ -33,8 +34,8 @@ class Structures {
     // That of `island`; good until the next call.
     Structure& of(const Island& island);
 
-    // Plans the factorisation for what of() has returned. Costs more where there are many pairs.
-    void plan(Structure& structure);
+    // Plans the factorisation for what of() has returned, unless it takes more than `most_work` multiply-adds.
+    void plan(Structure& structure, double most_work = std::numeric_limits<double>::infinity());
 
   private:
     using Kept = std::list<Structure>;

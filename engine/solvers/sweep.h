@@ -13,16 +13,18 @@ namespace pushfactor::engine::solvers {
 // The rows of a block take their errors from the same velocities, and take off by u_i . u_k what the rows before
 // them have changed since: the same as one row after the other. The two rows of a disc want their forces before
 // either has moved, and then move together.
-template <int columns>
-[[gnu::flatten]] double sweep(UnitRows<columns>& system) {
+//
+// Of the blocks from `begin` up to `end`, whose bodies `bodies_of` gives the velocities of.
+template <int columns, typename BodiesOf>
+[[gnu::flatten]] double sweep(UnitRows<columns>& system, std::size_t begin, std::size_t end,
+                              const BodiesOf& bodies_of) {
     using Value = typename UnitRows<columns>::Value;
     using Block = typename UnitRows<columns>::Block;
-    system.couple();
     Value largest{};
-    system.for_each_block([&](const Block& block, auto count, auto disc) {
+    system.for_each_block(begin, end, [&](const Block& block, auto count, auto disc) {
         auto* row = system.rows_of(block);
         Velocity x[columns];
-        unrolled<columns>([&](auto c) { x[c] = system.at_bodies(block, c); });
+        unrolled<columns>([&](auto c) { x[c] = bodies_of(block, c); });
         Value wanted[count], changes[count];
         unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
         const auto move = [&](auto i, Value moved) {
@@ -43,9 +45,18 @@ template <int columns>
                 if constexpr (disc < 0 || i != disc) move(i, system.clamped(row[i], wanted[i]));
             }
         });
-        system.template push<count>(block, changes);
+        system.template push<count>(block, changes, x);
     });
     return Lanes<columns>::largest(largest);
+}
+
+// Of all blocks.
+template <int columns>
+double sweep(UnitRows<columns>& system) {
+    using Block = typename UnitRows<columns>::Block;
+    system.couple();
+    return sweep(system, 0, system.blocks.size(),
+                 [&](const Block& block, std::size_t c) { return system.at_bodies(block, c); });
 }
 
 // Repeats `pass`, which reads and writes every row once and returns the largest change of a row's velocity [m/s],

@@ -21,11 +21,13 @@
 #include "engine/islands.h"
 #include "engine/solvers/lanes.h"
 #include "engine/system_equation.h"
+#include "engine/threads.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace pushfactor::engine::solvers {
@@ -46,7 +48,8 @@ class UnitRows {
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
-    static constexpr int rows_of_a_block = 3;  // at most
+    static constexpr int rows_of_a_block = 3;           // at most
+    static constexpr std::size_t runs_of_a_part = 256;  // that a thread loads
     struct Block {
         int begin = 0, count = 0;  // of rows
         int a = 0, b = 0;          // bodies
@@ -60,25 +63,44 @@ class UnitRows {
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         load(system, island, guess, 0, system.dt);
     }
-    // For a step of `dt` [s], with guesses from column `first` on.
+    // For a step of `dt` [s], with guesses from column `first` on. `threads` help; null: nobody does.
     void load(const SystemEquation& system, const Island& island, const Columns& guess, Eigen::Index first,
-              double dt) {
+              double dt, Threads* threads = nullptr) {
         rows.resize(static_cast<std::size_t>(island.rows));
         units_.resize(rows.size());
-        blocks.clear();
         coupled_ = false;
-        int number = 0;
-        for (const RowRun& run : island.runs) {
-            for (int j = run.begin; j < run.end; ++j, ++number) {
-                Row& row = rows[static_cast<std::size_t>(number)];
-                row.a = run.a;
-                row.b = run.b;
-                row.unit = &units_[static_cast<std::size_t>(number)];
-                row.scale = std::sqrt(system.diagonal[j]);
-                units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
-                load_row(system, island, run, guess, first, dt, j, row);
-                add_to_block(number);
+        blocks.clear();
+        const auto weigh = [&](const RowRun& run, int j, int number) {
+            Row& row = rows[static_cast<std::size_t>(number)];
+            row.a = run.a;
+            row.b = run.b;
+            row.unit = &units_[static_cast<std::size_t>(number)];
+            row.scale = std::sqrt(system.diagonal[j]);
+            units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
+        };
+        const auto fill = [&](const RowRun& run, int j, int number) {
+            load_row(system, island, run, guess, first, dt, j, rows[static_cast<std::size_t>(number)]);
+        };
+        const auto for_rows = [&](std::size_t begin, std::size_t end, const auto& visit) {
+            for (const RowRun& run : island.runs.subspan(begin, end - begin)) {
+                for (int j = run.begin, number = run.first; j < run.end; ++j, ++number) visit(run, j, number);
             }
+        };
+        if (threads) {
+            // Bounds may be in terms of any row before, which has to have its scale.
+            const auto share = [&](const auto& visit) {
+                threads->share(island.runs.size(), runs_of_a_part,
+                               [&](std::size_t begin, std::size_t end, int) { for_rows(begin, end, visit); });
+            };
+            share(weigh);
+            share(fill);
+            for (int number = 0; number < island.rows; ++number) add_to_block(number);
+        } else {
+            for_rows(0, island.runs.size(), [&](const RowRun& run, int j, int number) {
+                weigh(run, j, number);
+                fill(run, j, number);
+                add_to_block(number);
+            });
         }
         velocity.resize(static_cast<std::size_t>(island.body_count));
         movable = island.movable();
@@ -170,10 +192,23 @@ class UnitRows {
                 reinterpret_cast<Two*>(x_of(block.b).data() + 6 * c)};
     }
 
+    // The same for threads that work on other blocks of the same static bodies at the same time: `still` stands for
+    // these, and is zero.
+    Velocity at_bodies(const Block& block, std::size_t c, BodyVelocity& still) {
+        BodyVelocity& a = block.a < movable ? x_of(block.a) : still;
+        BodyVelocity& b = block.b < movable ? x_of(block.b) : still;
+        return {reinterpret_cast<Two*>(a.data() + 6 * c), reinterpret_cast<Two*>(b.data() + 6 * c)};
+    }
+
     // Calls `visit` with each block, and with the number of its rows and the place of its disc as constants.
     template <typename Visit>
     void for_each_block(const Visit& visit) {
-        for (Block& block : blocks) {
+        for_each_block(0, blocks.size(), visit);
+    }
+    // Of those from `begin` up to `end`.
+    template <typename Visit>
+    void for_each_block(std::size_t begin, std::size_t end, const Visit& visit) {
+        for (Block& block : std::span(blocks).subspan(begin, end - begin)) {
             const auto with_disc = [&](auto count) {
                 if (block.disc < 0) visit(block, count, std::integral_constant<int, -1>());
                 if constexpr (count > 1) {
@@ -199,13 +234,20 @@ class UnitRows {
     // Adds to the velocities of a block's bodies what its rows make of the changes of their y.
     template <std::size_t count>
     void push(const Block& block, const Value (&changes)[count]) {
+        Velocity x[columns];
+        unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
+        push<count>(block, changes, x);
+    }
+    // Whose velocities are these.
+    template <std::size_t count>
+    void push(const Block& block, const Value (&changes)[count], const Velocity (&x)[columns]) {
         const Row* row = rows_of(block);
         Axis u[count];
         unrolled<count>([&](auto i) { u[i] = axis_of(*row[i].unit); });
         unrolled<columns>([&](auto c) {
             double y[count];
             unrolled<count>([&](auto i) { y[i] = Lanes<columns>::in(changes[i], c); });
-            add(at_bodies(block, c), u, y);
+            add(x[c], u, y);
         });
     }
 

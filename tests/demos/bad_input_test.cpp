@@ -43,7 +43,8 @@ const char* const everything = R"({
               "distance_forces_n": [[0, 0]], "contact_forces": [{"a": "ground", "b": "box", "points": [
                   {"feature": 1, "position_m": [0, 0, 0], "normal_n": [1, 1], "friction_first_n": [0, 0, 0],
                    "friction_last_n": [0, 0, 0]}]}],
-              "places": [{"body": "box", "still_s": 0.5, "position_m": [0, 2, 0], "orientation_wxyz": [1, 0, 0, 0]}],
+              "places": [{"body": "box", "wide": true, "still_s": 0.5, "position_m": [0, 2, 0],
+                          "orientation_wxyz": [1, 0, 0, 0]}],
               "at_rest": [["box"]]},
     "options": {"seconds": 0.1},
     "camera": {"eye_m": [0, 2, 9], "target_m": [0, 1, 0], "field_of_view_deg": 40, "floor_m": 0},
@@ -140,6 +141,7 @@ const std::vector<Field> fields{
     {"state", "places", "/state/places", no_lists},
     {"state", "at_rest", "/state/at_rest", both(no_lists, {"[\"box\"]", "[[\"wrong\"]]", "[[\"ground\"]]"})},
     {"place", "body", "/state/places/0/body", no_words},
+    {"place", "wide", "/state/places/0/wide", {"1", "\"yes\"", "null"}},
     {"place", "still_s", "/state/places/0/still_s", both(no_numbers, {"-1"})},
     {"place", "position_m", "/state/places/0/position_m", no_vectors},
     {"place", "orientation_wxyz", "/state/places/0/orientation_wxyz", {"1", "[1, 0, 0]", "[2, 0, 0, 0]"}},

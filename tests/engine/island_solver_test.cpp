@@ -54,8 +54,10 @@ struct Step {
     }
     void solve(solvers::Solver& by, Columns* first_guess = nullptr,
                const solvers::Termination& termination = usual) {
+        IslandSolver::Bench bench{.solver = &by};
         for (const Island& island : islands.all()) {
-            solver.solve(by, termination, frozen.system, island, {Budget::Take::rest}, first_guess, lambda, forces);
+            solver.solve(bench, termination, frozen.system, island, {Budget::Take::rest}, first_guess, lambda,
+                         forces);
         }
     }
     double residual() const { return natural_residual(frozen.system, lambda); }
@@ -209,13 +211,14 @@ TEST_CASE("a solver that never ends is asked for no more iterations than there a
     const Frozen frozen = landing_tower();
     Step step(frozen);
     const Island& island = step.islands.all().front();
+    IslandSolver::Bench bench{.solver = &endless};
     for (int look = 0; look < 3; ++look) {
-        step.solver.solve(endless, usual, frozen.system, island, {Budget::Take::half}, nullptr, step.lambda,
+        step.solver.solve(bench, usual, frozen.system, island, {Budget::Take::half}, nullptr, step.lambda,
                           step.forces);
     }
     CHECK(asked == 13 + 6 + 3);
     while (step.solver.can_go_on(island, usual)) {
-        step.solver.go_on(endless, usual, frozen.system, island, step.lambda, step.forces);
+        step.solver.go_on(bench, usual, frozen.system, island, step.lambda, step.forces);
     }
     CHECK(asked == usual.iterations);
 }

@@ -39,7 +39,7 @@ void run_for_errors(const Sweep& sweep, const Choices& choices, const std::funct
 
 // CPU time in us of each step, up to the one that was not finite any more.
 std::vector<double> step_times(const Choices& choices, const std::function<void()>& check) {
-    Simulation run(choices.build(), choices.settings, thread_cpu_us);
+    Simulation run(choices.on_one_thread().build(), choices.settings, thread_cpu_us);
     std::vector<double> times;
     try {
         while (run.sample().step < whole_steps(choices.settings)) {

@@ -1,0 +1,45 @@
+// Every scene and a member of every family: the bits do not depend on the number of threads.
+#include "demos/catalogue.h"
+#include "demos/families/family.h"
+#include "demos/named_run.h"
+#include "tests/catch.h"
+#include "tests/scene_fixture.h"
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+
+namespace {
+
+std::uint64_t hash_of(const SceneDescription& scene, const Settings& settings, int threads, int steps) {
+    Settings with = settings;
+    with.threads = threads;
+    Simulation simulation(build_scene(scene, with), with);
+    for (int i = 0; i < steps; ++i) simulation.advance();
+    return engine::state_hash(simulation.scene().world.bodies);
+}
+
+}  // namespace
+
+TEST_CASE("every scene has the same bits with one thread and with more") {
+    for (const SceneEntry& entry : catalogue()) {
+        for (const char* const preset : {"default", "exact"}) {
+            INFO(entry.name << ", preset " << preset);
+            const Choices choices = run_of(std::string(entry.name), {{"preset", preset}});
+            const std::uint64_t one = hash_of(choices.description, choices.settings, 1, 60);
+            CHECK(hash_of(choices.description, choices.settings, 2, 60) == one);
+        }
+    }
+    // Large enough that threads share an island.
+    const Choices heap = run_of("funnel", {{"count", "700"}, {"rest", "on"}});
+    CHECK(hash_of(heap.description, heap.settings, 2, 120) == hash_of(heap.description, heap.settings, 1, 120));
+}
+
+TEST_CASE("members of all families have the same bits with one thread and with more") {
+    for (const families::Family& family : families::families()) {
+        const families::Member member = draw_member(family, {.seed = 3, .small = true});
+        INFO(member.command());
+        const Settings settings = preset_settings("default");
+        const std::uint64_t one = hash_of(member.prospect.scene, settings, 1, 60);
+        CHECK(hash_of(member.prospect.scene, settings, 2, 60) == one);
+    }
+}
