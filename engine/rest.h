@@ -35,7 +35,7 @@ class Rest {
         double time;   // s
         double bound;  // of the size of a body
     };
-    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5}, {16.0, 8e-2}}};
+    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5}, {8.0, 2e-2}}};
 
     // Where a body has been within the bound of a span, and since when.
     struct Stay {

@@ -183,7 +183,7 @@ void World::set_up_benches() {
     benches_.front().solver = solver.get();
     benches_.front().small_steps = small_steps.get();
     for (std::size_t k = 1; k < count; ++k) {
-        if (!other_solvers_[k - 1]) other_solvers_[k - 1] = solver->another();
+        if (!other_solvers_[k - 1] && solver) other_solvers_[k - 1] = solver->another();
         if (!other_small_steps_[k - 1] && small_steps) other_small_steps_[k - 1] = small_steps->another();
         benches_[k].solver = other_solvers_[k - 1].get();
         benches_[k].small_steps = other_small_steps_[k - 1].get();
