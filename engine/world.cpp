@@ -15,10 +15,10 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Rows of an island from which on threads help with it, and of all smaller ones together from which on each thread
-// takes some: what threads cost is that of some hundred rows.
+// Rows of an island from which on threads help with it, and of a step from which on each thread takes some islands:
+// what threads cost is that of some hundred rows.
 constexpr int shared_by_threads = 2000;
-constexpr int worth_threads = 400;
+constexpr std::size_t worth_threads = 400;
 
 bool has_row_from(const Island& island, std::size_t first_row) {
     return static_cast<std::size_t>(island.runs.back().end) > first_row;
@@ -195,36 +195,38 @@ template <typename Solve>
 World::Work World::solve_chosen(const Solve& solve) {
     if (chosen_.empty()) return {};
     set_up_benches();
-    endings_.resize(rows_.size());
+    if (small_steps) endings_.resize(rows_.size());
     const std::span<const Island> islands = islands_.all();
-    const auto is_small = [&](int number) {
-        return islands[static_cast<std::size_t>(number)].rows < shared_by_threads;
+    Work work;
+    if (benches_.size() == 1 || rows_.size() < worth_threads) {
+        for (const int number : chosen_) {
+            work.add(solve(islands[static_cast<std::size_t>(number)], benches_.front()));
+        }
+    } else {
+        solve_side_by_side(solve);
+        for (const Work& of_island : works_) work.add(of_island);
+    }
+    for (const int number : chosen_) note_changed(islands[static_cast<std::size_t>(number)]);
+    return work;
+}
+
+template <typename Solve>
+void World::solve_side_by_side(const Solve& solve) {
+    const auto island_of = [this](int number) -> const Island& {
+        return islands_.all()[static_cast<std::size_t>(number)];
     };
     works_.assign(chosen_.size(), {});
-    const auto solve_one = [&](std::size_t k, IslandSolver::Bench& bench) {
-        works_[k] = solve(islands[static_cast<std::size_t>(chosen_[k])], bench);
-    };
-    const auto large = std::stable_partition(chosen_.begin(), chosen_.end(), is_small) - chosen_.begin();
-    const auto small_ones = static_cast<std::size_t>(large);
-    int rows = 0;
-    for (std::size_t k = 0; k < small_ones; ++k) rows += islands[static_cast<std::size_t>(chosen_[k])].rows;
-    if (benches_.size() > 1 && rows >= worth_threads) {
-        threads->share(small_ones, 1, [&](std::size_t begin, std::size_t end, int slot) {
-            for (std::size_t k = begin; k < end; ++k) solve_one(k, benches_[static_cast<std::size_t>(slot)]);
-        });
-    } else {
-        for (std::size_t k = 0; k < small_ones; ++k) solve_one(k, benches_.front());
-    }
-    benches_.front().threads = threads.get();
-    for (std::size_t k = small_ones; k < chosen_.size(); ++k) solve_one(k, benches_.front());
-    benches_.front().threads = nullptr;
-
-    Work work;
-    for (std::size_t k = 0; k < chosen_.size(); ++k) {
-        work.add(works_[k]);
-        note_changed(islands[static_cast<std::size_t>(chosen_[k])]);
-    }
-    return work;
+    const auto first_large = std::stable_partition(
+        chosen_.begin(), chosen_.end(), [&](int number) { return island_of(number).rows < shared_by_threads; });
+    const auto small = static_cast<std::size_t>(first_large - chosen_.begin());
+    threads->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
+        IslandSolver::Bench& bench = benches_[static_cast<std::size_t>(slot)];
+        for (std::size_t k = begin; k < end; ++k) works_[k] = solve(island_of(chosen_[k]), bench);
+    });
+    IslandSolver::Bench& first = benches_.front();
+    first.threads = threads.get();
+    for (std::size_t k = small; k < chosen_.size(); ++k) works_[k] = solve(island_of(chosen_[k]), first);
+    first.threads = nullptr;
 }
 
 void World::guess(std::size_t first_row, Columns& lambda) const {

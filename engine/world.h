@@ -132,10 +132,13 @@ class World {
     // Chooses the islands of which `predicate` says so.
     template <typename Predicate>
     void choose(const Predicate& predicate);
-    // Calls `solve(island, bench)` with each island that is `chosen`: with the small ones at the same time, where
-    // there are threads, and with one large one after the other, so that all threads help with it.
+    // Calls `solve(island, bench)` with each island that is chosen.
     template <typename Solve>
     Work solve_chosen(const Solve& solve);
+    // With the small ones at the same time, and with one large one after the other, so that all threads help with
+    // it.
+    template <typename Solve>
+    void solve_side_by_side(const Solve& solve);
     void note_changed(const Island& island);
     // Solves all islands from the guesses of their rows and writes forces_.
     Work solve_islands();
