@@ -47,7 +47,7 @@ struct Choices {
 
     Scene build() const { return build_scene(description, settings); }
 
-    // The same run by the calling thread alone, for whoever counts the CPU time of that. The same bits.
+    // The same run with one thread, for measurements of CPU time. The state hash does not depend on it.
     Choices on_one_thread() const {
         Choices choices = *this;
         choices.settings.threads = 1;

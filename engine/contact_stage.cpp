@@ -56,7 +56,7 @@ ContactStage::ContactStage(std::vector<collision::Collider> colliders, const Con
                                [](const collision::Collider& collider) { return collider.restitution > 0.0; });
 }
 
-// Before somebody says otherwise.
+// The default, until leave_out_others() is called.
 void ContactStage::wake_all(std::size_t bodies) {
     all_bodies_ = awake_bodies_ = Awake(bodies);
     all_colliders_ = awake_colliders_ = Awake(colliders_.size());

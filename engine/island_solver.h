@@ -55,7 +55,7 @@ class IslandSolver {
     struct Bench {
         solvers::Solver* solver = nullptr;
         SmallSteps* small_steps = nullptr;  // null: none are taken
-        Threads* threads = nullptr;         // that help with the island; null: nobody does
+        Threads* threads = nullptr;         // that share the work on the island; null: one thread
         std::vector<double> saved{};        // lambda of the island before it was solved
         std::vector<Vector6> velocities{};  // of its bodies, while it is measured
     };

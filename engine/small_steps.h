@@ -81,7 +81,7 @@ class SmallSteps {
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
     // receives their means over the step: in the first column with those of the push, in the last one without.
-    // Writes what its bodies are moved by. `threads` help; null: nobody does.
+    // Writes what its bodies are moved by. `threads` share the work; null: one thread.
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
                               const Division& division, Threads* threads, Columns& lambda,
                               ConstraintForces& forces);

@@ -53,7 +53,7 @@ struct SystemEquation {
 // Writes 6.2.9 for the bodies with their forces and these rows into `system`, whose memory is reused.
 // `rows` must outlive its use. Bodies take part that are among those `awake` (ascending), or all; the others are as
 // if they were static.
-// `threads` help; null: nobody does.
+// `threads` share the work; null: one thread.
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
                   double dt, SystemEquation& system, Threads* threads = nullptr);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,

@@ -62,7 +62,7 @@ void SweepPipeline::sweep(UnitRows<1>& rows, int sweeps, Threads& threads, const
     threads.together([&] { work(rows, sweeps, before, after); });
 }
 
-// The sweep with the lowest number that is not done is always somebody's, and waits for nobody.
+// No deadlock: the unfinished sweep with the lowest number has been taken by a thread and waits for no other sweep.
 void SweepPipeline::work(UnitRows<1>& rows, int sweeps, const Part& before, const Part& after) {
     UnitRows<1>::BodyVelocity still = UnitRows<1>::BodyVelocity::Zero();
     for (int sweep; (sweep = next_.fetch_add(1, std::memory_order_relaxed)) < sweeps;) {

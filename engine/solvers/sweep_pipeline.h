@@ -44,7 +44,7 @@ class SweepPipeline {
     std::vector<std::size_t> last_block_;  // by movable body: the last one that acts on it
     std::vector<std::size_t> needs_;       // by part: parts that the sweep before has to have passed
     std::vector<Progress> progress_;       // by sweep
-    std::atomic<int> next_ = 0;            // the sweep that nobody has taken yet
+    std::atomic<int> next_ = 0;            // the first sweep that no thread has taken yet
 };
 
 }  // namespace pushfactor::engine::solvers

@@ -63,7 +63,7 @@ class UnitRows {
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         load(system, island, guess, 0, system.dt);
     }
-    // For a step of `dt` [s], with guesses from column `first` on. `threads` help; null: nobody does.
+    // For a step of `dt` [s], with guesses from column `first` on. `threads` share the work; null: one thread.
     void load(const SystemEquation& system, const Island& island, const Columns& guess, Eigen::Index first,
               double dt, Threads* threads = nullptr) {
         rows.resize(static_cast<std::size_t>(island.rows));

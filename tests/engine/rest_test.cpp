@@ -1,4 +1,4 @@
-// Rest: what may be left out of steps and what never may, what wakes it, and that nobody else notices.
+// Rest: which bodies may be left out of steps and which may not, what wakes them, and that the others move alike.
 #include "engine/rest.h"
 
 #include "engine/distance_constraint.h"
@@ -364,7 +364,7 @@ TEST_CASE("a stack of which the lowest cube goes falls in the same step") {
     ContactScene scene;
     add_ground_and_tower(scene);
     settle_tower(scene);
-    // Taken away by hand, as whoever moves a body has to wake it.
+    // Code that moves a body has to wake it.
     scene.world.bodies[1].position.x() += 20.0;
     scene.world.rest->wake(1);
     CHECK(scene.world.step(dt).at_rest == 0);
