@@ -133,8 +133,7 @@ const std::array options{
         "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
         "islands: a colour for each; rest: what is at rest, and what keeps the others awake; several with commas",
         "some of contacts, forces, push, velocities, islands, rest with commas, forces, push and velocities also "
-        "with "
-        "a scale like forces:50",
+        "with a scale like forces:50",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
