@@ -28,7 +28,6 @@ class Awake {
     std::span<const int> members() const { return members_; }  // ascending
     bool has(int number) const { return is_awake_[static_cast<std::size_t>(number)] != 0; }
     std::size_t of() const { return is_awake_.size(); }  // the others included
-    bool is_all() const { return members_.size() == is_awake_.size(); }
 
   private:
     std::vector<char> is_awake_;  // by number

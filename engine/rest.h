@@ -12,8 +12,8 @@
 // awake nor wakes. So it is groups of bodies that push each other which come to rest, parts of islands.
 //
 // A group wakes as a whole: when a row with a body that is awake has a force, while the group is taken for static;
-// when a source says that a force on it, or a row, acts otherwise from now on; or when wake() is called. Until
-// then nothing about it changes, so that it cannot wake by itself.
+// when a source says that a force on it acts otherwise from now on; or when wake() is called. Until then nothing
+// about it changes, so that it cannot wake by itself.
 //
 // Not from the paper, which measures how long a stack stands without it.
 #pragma once

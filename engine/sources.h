@@ -93,8 +93,6 @@ class ConstraintSource {
     virtual bool can_leave_out() const { return false; }
     // From now on those awake are these; called before the first step in which they are others.
     virtual void leave_out_others(std::span<const Body> /*bodies*/, const Awake& /*awake*/) {}
-    // As for forces: those on which rows would act otherwise at `until`.
-    virtual SomeBodies acts_anew(double /*from*/, double /*until*/) { return {}; }
 
     // The forces that the next step should begin with, one for each row that the source has appended in this step,
     // in that order: the answers, or something between them and the guesses.

@@ -391,10 +391,11 @@ void World::integrate(double dt) {
 
 // What is to change with the next step wakes now, so that a state that is saved here knows it.
 void World::settle(double dt) {
-    const auto wake = [this](const SomeBodies& bodies_of) {
-        if (bodies_of.all) rest->wake_all();
-        for (const int body : bodies_of.some) rest->wake(body);
-    };
+    for (const auto& source : forces) {
+        const SomeBodies pushed = source->pushed_anew(time_ - dt, time_);
+        if (pushed.all) rest->wake_all();
+        for (const int body : pushed.some) rest->wake(body);
+    }
     const auto forbid = [&](const Appended& part) {
         if (constraints[part.source]->can_leave_out()) return;
         for (std::size_t j = part.begin; j < part.end; ++j) {
@@ -402,8 +403,6 @@ void World::settle(double dt) {
             rest->wake(rows_[j].body_b);
         }
     };
-    for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
-    for (const auto& source : constraints) wake(source->acts_anew(time_ - dt, time_));
     std::for_each(appended_.begin(), appended_.end(), forbid);
     rest->end_step(bodies, system_, islands_, lambda_, dt);
 }
