@@ -20,16 +20,13 @@ PushFactor contact_push(double gap, const Correction& correction, double slop, d
 
 }  // namespace
 
-ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal, double gap,
-                                  const Correction& correction, double slop, double dt,
-                                  std::vector<ConstraintRow>& rows) {
-    ConstraintRow& row = rows.emplace_back();
+void write_contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
+                       double slop, double dt, ConstraintRow& row) {
     point.place(row, normal);
     row.push = contact_push(gap, correction, slop, dt);
     row.bounds.c_min = 0.0;
     row.error = gap > 0.0 && gap <= touching * slop ? 0.0 : gap;
     row.label = {.kind = RowKind::contact, .point = 0, .gap = gap};
-    return row;
 }
 
 }  // namespace pushfactor::engine

@@ -18,9 +18,8 @@
 
 namespace pushfactor::engine {
 
-// `gap` and `slop` in metres.
-ConstraintRow& append_contact_row(const PairPoint& point, const Vector3& normal, double gap,
-                                  const Correction& correction, double slop, double dt,
-                                  std::vector<ConstraintRow>& rows);
+// Writes it into `row`, which is as it was made. `gap` and `slop` in metres.
+void write_contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
+                       double slop, double dt, ConstraintRow& row);
 
 }  // namespace pushfactor::engine

@@ -7,6 +7,9 @@ namespace pushfactor::engine {
 
 namespace {
 
+// What a thread takes at a time.
+constexpr std::size_t contacts_of_a_part = 256;
+
 // A gap beyond this share of the size is one, and not what the solver has left of a contact.
 constexpr double apart_share = 1e-5;
 
@@ -86,10 +89,10 @@ void ContactStage::all_forces(ContactCache& into) const {
 }
 
 // Each surface velocity is across the normal as far as friction is concerned.
-Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair) const {
-    const auto run = [this](int collider, const Body& body) -> Vector3 {
-        const Vector3& velocity = colliders_[static_cast<std::size_t>(collider)].surface_velocity;
-        return velocity.isZero(0.0) ? Vector3::Zero() : body.orientation * velocity;
+Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const {
+    const auto run = [&](int collider, const Body& body) -> Vector3 {
+        const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
+        return runs_at(own, time) ? Vector3(body.orientation * own.surface_velocity) : Vector3::Zero();
     };
     return run(touch.pair.a, pair.body_a) - run(touch.pair.b, pair.body_b);
 }
@@ -103,8 +106,8 @@ struct ContactStage::TouchFriction {
 };
 
 ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
-                                                      double dt) const {
-    const Vector3 belt = belt_of(touch, pair);
+                                                      const StepStart& step) const {
+    const Vector3 belt = belt_of(touch, pair, step.time);
     const Vector3& normal = touch.normal;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
     const FrictionBound bound = friction_->bound({.bodies = pair,
@@ -112,7 +115,7 @@ ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& to
                                                   .friction = touch.friction,
                                                   .points = static_cast<int>(touch.points.size()),
                                                   .size = touch.size,
-                                                  .dt = dt});
+                                                  .dt = step.dt});
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,
@@ -120,14 +123,11 @@ ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& to
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
-void ContactStage::append_normal(Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
-                                 std::vector<ConstraintRow>& rows) {
+void ContactStage::write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
+                                ConstraintRow& row) const {
     const collision::Touch& touch = *contact.touch;
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
-    contact.normal_row = static_cast<int>(rows.size());
-    ++own_rows_;
-    ConstraintRow& row =
-        append_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, rows);
+    write_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, row);
     if (restitution_ && touch.restitution > 0.0) {
         const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, dt));
         row.push = rebound.push;
@@ -137,8 +137,8 @@ void ContactStage::append_normal(Contact& contact, const BodyPair& pair, const P
     row.guess = forces_[contact.force].normal;
 }
 
-void ContactStage::append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
-                                   std::vector<ConstraintRow>& rows) {
+void ContactStage::write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
+                                  std::span<ConstraintRow> rows) const {
     const Vector3& normal = contact.touch->normal;
     const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
@@ -146,12 +146,11 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
     const FrictionBound& bound = apart ? shared.apart : shared.bound;
     contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), bound.least_sliding,
                                          shared.resting);
-    contact.friction_row = static_cast<int>(rows.size());
-    own_rows_ += 2;
     for (const Disc which : {Disc::first, Disc::second}) {
-        const Vector3& tangent = contact.tangents[which == Disc::first ? 0 : 1];
-        ConstraintRow& row =
-            append_friction_row(at, tangent, bound.at(contact.normal_row, which), tangent.dot(shared.belt), rows);
+        const std::size_t k = which == Disc::first ? 0 : 1;
+        const Vector3& tangent = contact.tangents[k];
+        ConstraintRow& row = rows[static_cast<std::size_t>(contact.friction_row) + k];
+        write_friction_row(at, tangent, bound.at(contact.normal_row, which), tangent.dot(shared.belt), row);
         const ContactForce& force = forces_[contact.force];
         row.label.point = contact.point;
         row.label.gap = point.gap;
@@ -161,7 +160,8 @@ void ContactStage::append_friction(Contact& contact, const PairPoint& at, const 
 
 // The contacts of the touches in the order given.
 std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const collision::Touch> touches,
-                                                            std::span<const ContactIndex> order) {
+                                                            std::span<const ContactIndex> order,
+                                                            Threads* threads) {
     std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
     for (const collision::Touch& touch : touches) {
@@ -173,58 +173,83 @@ std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const coll
     const std::size_t before = contacts_.size();
     contacts_.resize(before + order.size());
     const std::span<Contact> added = std::span(contacts_).subspan(before);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto touch = static_cast<std::size_t>(order[i].touch);
-        added[i].touch = &touches[touch];
-        added[i].point = order[i].point;
-        added[i].force = first_force_[touch] + static_cast<std::size_t>(order[i].point);
-        added[i].friction_row = -1;
-    }
+    share(threads, order.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto touch = static_cast<std::size_t>(order[i].touch);
+            added[i].touch = &touches[touch];
+            added[i].point = order[i].point;
+            added[i].force = first_force_[touch] + static_cast<std::size_t>(order[i].point);
+        }
+    });
     return added;
 }
 
-// As motion_of() has them, with the rotations that the detector has made.
-void ContactStage::find_motions(std::span<const Body> bodies) {
-    motions_.resize(bodies.size());
-    for (const int index : awake_bodies_.members()) {
-        const auto i = static_cast<std::size_t>(index);
-        const Body& body = bodies[i];
-        if (body.is_static()) continue;
-        const Matrix3& rotation = detector_.poses()[i].rotation;
-        const Vector3 in_body = rotation.transpose() * body.angular_momentum;
-        motions_[i] = {velocity(body), rotation * body.inverse_inertia.cwiseProduct(in_body)};
+// A row each and two of friction, side by side, or all of friction after all others.
+void ContactStage::number_rows(std::span<Contact> contacts, std::size_t first_row) {
+    const int foreign_rows = static_cast<int>(first_row) - own_rows_;
+    const bool interleaved = choices_.order != RowOrder::normals_first;
+    const int normals = friction_ && interleaved ? 3 : 1;
+    int normal = static_cast<int>(first_row);
+    int friction = interleaved ? normal + 1 : normal + static_cast<int>(contacts.size());
+    for (Contact& contact : contacts) {
+        contact.foreign_rows = foreign_rows;
+        contact.normal_row = normal;
+        contact.friction_row = friction_ ? friction : -1;
+        normal += normals;
+        friction += interleaved ? 3 : 2;
     }
+    own_rows_ += static_cast<int>(contacts.size()) * (friction_ ? 3 : 1);
+}
+
+// As motion_of() has them, with the rotations that the detector has made.
+void ContactStage::find_motions(const StepStart& step) {
+    motions_.resize(step.bodies.size());
+    const std::span<const int> awake = awake_bodies_.members();
+    share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int index : awake.subspan(begin, end - begin)) {
+            const auto i = static_cast<std::size_t>(index);
+            const Body& body = step.bodies[i];
+            if (body.is_static()) continue;
+            const Matrix3& rotation = detector_.poses()[i].rotation;
+            const Vector3 in_body = rotation.transpose() * body.angular_momentum;
+            motions_[i] = {velocity(body), rotation * body.inverse_inertia.cwiseProduct(in_body)};
+        }
+    });
 }
 
 void ContactStage::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                                  std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
-    const std::span<Contact> contacts = add_contacts(touches, order.put(choices_.order, touches, bodies));
-    const int foreign_rows = static_cast<int>(rows.size()) - own_rows_;
-    const bool interleaved = choices_.order != RowOrder::normals_first;
-    const auto append = [&](bool normals, bool tangents) {
-        for (std::size_t i = 0; i < contacts.size();) {
-            const collision::Touch& touch = *contacts[i].touch;
-            const BodyPair pair = bodies_of(touch, bodies);
-            std::optional<TouchFriction> shared;
-            if (tangents) shared = friction_of(touch, pair, dt);
-            for (; i < contacts.size() && contacts[i].touch == &touch; ++i) {
-                Contact& contact = contacts[i];
-                const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);
-                contact.foreign_rows = foreign_rows;
-                if (normals) append_normal(contact, pair, at, dt, rows);
-                if (tangents) append_friction(contact, at, *shared, rows);
-            }
+                                  const StepStart& step, std::vector<ConstraintRow>& rows) {
+    const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.threads);
+    const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
+    number_rows(contacts, rows.size());
+    rows.resize(rows.size() + contacts.size() * (friction_ ? 3 : 1));
+    share(step.threads, contacts.size(), contacts_of_a_part,
+          [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, rows); });
+}
+
+// Of the contacts from `begin` up to `end`.
+void ContactStage::write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end,
+                              const StepStart& step, std::span<ConstraintRow> rows) const {
+    for (std::size_t i = begin; i < end;) {
+        const collision::Touch& touch = *contacts[i].touch;
+        const BodyPair pair = bodies_of(touch, step.bodies);
+        std::optional<TouchFriction> shared;
+        if (friction_) shared = friction_of(touch, pair, step);
+        for (; i < end && contacts[i].touch == &touch; ++i) {
+            Contact& contact = contacts[i];
+            const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);
+            write_normal(contact, pair, at, step.dt, rows[static_cast<std::size_t>(contact.normal_row)]);
+            if (friction_) write_friction(contact, at, *shared, rows);
         }
-    };
-    append(true, friction_ && interleaved);
-    if (friction_ && !interleaved) append(false, true);
+    }
 }
 
-collision::Sweep::Step ContactStage::collision_step(std::span<const Body> bodies, double dt) const {
-    return {colliders_, bodies, dt, choices_.detection, awake_colliders_.members(), any_bounces_};
+collision::Sweep::Step ContactStage::collision_step(const StepStart& step) const {
+    return {colliders_, step.bodies, step.dt, choices_.detection, awake_colliders_.members(), any_bounces_};
 }
 
-void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+void ContactStage::append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) {
+    const std::span<const Body> bodies = step.bodies;
     // First what refers to the touches of the last step, whose points and meetings the search throws away.
     contacts_.clear();
     unforeseen_.clear();
@@ -236,28 +261,27 @@ void ContactStage::append_rows(std::span<const Body> bodies, double dt, std::vec
         (awake_anew_ ? all_bodies_ : awake_bodies_).members(),
     };
     awake_anew_ = false;
-    if (sweep_) foresight_.look_ahead(colliders_, bodies, dt, awake.moved_colliders);
-    std::vector<collision::Touch>& touches =
-        detector_.detect(colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr, awake);
-    if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(bodies, dt));
+    if (sweep_) foresight_.look_ahead(colliders_, bodies, step.dt, awake.moved_colliders, step.threads);
+    std::vector<collision::Touch>& touches = detector_.detect(
+        colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr, awake, step.threads);
+    if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(step));
     touches_ = touches;
-    if (sweep_) touches_ = sweep_->refine(touches_, collision_step(bodies, dt), detector_);
-    if (friction_) find_motions(bodies);
+    if (sweep_) touches_ = sweep_->refine(touches_, collision_step(step), detector_);
+    if (friction_) find_motions(step);
     forces_.clear();
     own_rows_ = 0;
     if (cache_) cache_->recall(touches_, forces_);
-    append_touches(touches_, order_, bodies, dt, rows);
+    append_touches(touches_, order_, step, rows);
 }
 
-void ContactStage::append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
-                                     std::span<const NewForce> changed, double dt,
-                                     std::vector<ConstraintRow>& rows) {
+void ContactStage::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
+                                     std::span<const NewForce> changed, std::vector<ConstraintRow>& rows) {
     if (!sweep_) return;
-    const auto found = sweep_->look(forces, changed, collision_step(bodies, dt), detector_);
+    const auto found = sweep_->look(forces, changed, collision_step(step), detector_);
     if (found.empty()) return;
     // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();
-    append_touches(found, unforeseen_order_, bodies, dt, rows);
+    append_touches(found, unforeseen_order_, step, rows);
     // The sweep keeps its touches until the next look only.
     unforeseen_.insert(unforeseen_.end(), found.begin(), found.end());
     for (Contact& contact : std::span(contacts_).subspan(before)) {

@@ -50,9 +50,9 @@ class ContactStage : public ConstraintSource {
     void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
-    void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
-    void append_unforeseen(std::span<const Body> bodies, std::span<const Vector6> forces,
-                           std::span<const NewForce> changed, double dt, std::vector<ConstraintRow>& rows) override;
+    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override;
+    void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
+                           std::span<const NewForce> changed, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
@@ -85,18 +85,22 @@ class ContactStage : public ConstraintSource {
     };
     struct TouchFriction;
 
-    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                        std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows);
-    std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order);
-    void find_motions(std::span<const Body> bodies);
-    void append_normal(Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
-                       std::vector<ConstraintRow>& rows);
-    void append_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
-                         std::vector<ConstraintRow>& rows);
+    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
+                        std::vector<ConstraintRow>& rows);
+    std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
+                                    Threads* threads);
+    void number_rows(std::span<Contact> contacts, std::size_t first_row);
+    void find_motions(const StepStart& step);
+    void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
+                    std::span<ConstraintRow> rows) const;
+    void write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
+                      ConstraintRow& row) const;
+    void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
+                        std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
-    collision::Sweep::Step collision_step(std::span<const Body> bodies, double dt) const;
-    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, double dt) const;
-    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair) const;
+    collision::Sweep::Step collision_step(const StepStart& step) const;
+    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
+    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
     void store_forces();
 
     std::vector<collision::Collider> colliders_;

@@ -56,12 +56,12 @@ DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const 
     }
 }
 
-void DistanceConstraints::append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) {
+void DistanceConstraints::append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) {
     for (const std::size_t i : acting_) {
         if (is_ball_joint(distances_[i])) {
-            append_joint(i, bodies, dt, rows);
+            append_joint(i, step.bodies, step.dt, rows);
         } else {
-            append_bar(i, bodies, dt, rows);
+            append_bar(i, step.bodies, step.dt, rows);
         }
     }
 }

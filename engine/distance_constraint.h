@@ -62,7 +62,7 @@ class DistanceConstraints : public ConstraintSource {
     // `cached`: start from the forces of the step before (6.2.3).
     DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached);
 
-    void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override;
+    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;

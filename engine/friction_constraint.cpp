@@ -57,14 +57,12 @@ std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& s
     return {first, normal.cross(first)};
 }
 
-ConstraintRow& append_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds,
-                                   double speed, std::vector<ConstraintRow>& rows) {
-    ConstraintRow& row = rows.emplace_back();
+void write_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed,
+                        ConstraintRow& row) {
     point.place(row, tangent);
     row.push.lasting = speed;
     row.bounds = bounds;
     row.label.kind = RowKind::friction;
-    return row;
 }
 
 }  // namespace pushfactor::engine

@@ -103,9 +103,9 @@ class RelativeMotion {
 std::array<Vector3, 2> friction_tangents(const Vector3& normal, const Vector3& sliding, double least_sliding,
                                          const Vector3& resting);
 
-// Aims at `speed` [m/s] of b over a along the tangent: zero, or what a belt runs (8.1: "constant speed motors", a
-// push that lasts).
-ConstraintRow& append_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds,
-                                   double speed, std::vector<ConstraintRow>& rows);
+// Writes one of the two rows into `row`, which is as it was made: it aims at `speed` [m/s] of b over a along the
+// tangent, zero or what a belt runs (8.1: "constant speed motors", a push that lasts).
+void write_friction_row(const PairPoint& point, const Vector3& tangent, const Bounds& bounds, double speed,
+                        ConstraintRow& row);
 
 }  // namespace pushfactor::engine

@@ -63,6 +63,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
                                         const SystemEquation& system, const Island& island, const Allowed& allowed,
                                         Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
+    if (bench.threads) bench.runs_of.find(island);
     Outcome outcome;
     solvers::SolveCount count;
     const auto is_for_small_steps = [&](double residual) {
@@ -72,7 +73,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         outcome.unfinished = true;
     } else if (fixed_number) {
         count = bench.solver->solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
-        find_forces(system, island, lambda, forces);
+        find_forces(system, island, lambda, forces, bench);
     } else {
         outcome.residuals = measure(system, island, lambda, forces, bench);
         const solvers::Termination own = warm_start_.termination(island, usual);
@@ -105,12 +106,13 @@ Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, 
 // What they leave has no tolerance of its own: the next small step sees it.
 solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEquation& system,
                                                    std::span<const Body> bodies, const Island& island,
-                                                   Columns& lambda, ConstraintForces& forces) {
+                                                   Columns& lambda, ConstraintForces& forces,
+                                                   std::span<Lambda> ending) {
     Outcome outcome = outcome_of(island);
     SmallSteps& small_steps = *bench.small_steps;
     const SmallSteps::Division division =
         small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
-    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces);
+    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces, ending);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;
     outcome.residuals = {small_steps.residual(), small_steps.residual()};
@@ -122,6 +124,7 @@ solvers::SolveCount IslandSolver::go_on(Bench& bench, const solvers::Termination
                                         const SystemEquation& system, const Island& island, Columns& lambda,
                                         ConstraintForces& forces) {
     const auto termination = budget_.limits(island, usual, Budget::Take::rest);
+    if (bench.threads) bench.runs_of.find(island);
     Outcome outcome = outcome_of(island);
     const solvers::SolveCount count =
         find_better(bench, termination, system, island, nullptr, lambda, forces, outcome);
@@ -161,18 +164,25 @@ void IslandSolver::note(const Island& island, const Outcome& outcome, const solv
 }
 
 void IslandSolver::find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
-                               ConstraintForces& forces) {
-    constraint_forces(system, island, lambda, 0, forces.moving);
-    if (island.columns == 2) constraint_forces(system, island, lambda, 1, forces.lasting);
+                               ConstraintForces& forces, const Bench& bench) {
+    const auto find = [&](Eigen::Index column, std::vector<Vector6>& into) {
+        if (bench.threads) {
+            constraint_forces(system, island, bench.runs_of, lambda, column, *bench.threads, into);
+        } else {
+            constraint_forces(system, island, lambda, column, into);
+        }
+    };
+    find(0, forces.moving);
+    if (island.columns == 2) find(1, forces.lasting);
 }
 
 IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, const Island& island,
                                               const Columns& lambda, ConstraintForces& forces, Bench& bench) {
-    find_forces(system, island, lambda, forces);
+    find_forces(system, island, lambda, forces, bench);
     Residuals residuals{};
-    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, bench.velocities);
+    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, bench.velocities, bench.threads);
     if (island.columns == 2) {
-        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, bench.velocities);
+        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, bench.velocities, bench.threads);
     }
     return residuals;
 }
@@ -250,7 +260,7 @@ bool IslandSolver::guard(const SystemEquation& system, const Island& island, con
         });
     }
     if (refused) copy_to_last(island, lambda);
-    if (refused || first_guess) find_forces(system, island, lambda, forces);
+    if (refused || first_guess) find_forces(system, island, lambda, forces, bench);
     return refused;
 }
 

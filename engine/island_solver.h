@@ -56,6 +56,7 @@ class IslandSolver {
         solvers::Solver* solver = nullptr;
         SmallSteps* small_steps = nullptr;  // null: none are taken
         Threads* threads = nullptr;         // that share the work on the island; null: one thread
+        RunsOfBodies runs_of{};             // with threads: of the island
         std::vector<double> saved{};        // lambda of the island before it was solved
         std::vector<Vector6> velocities{};  // of its bodies, while it is measured
     };
@@ -81,9 +82,11 @@ class IslandSolver {
                               const Island& island, const Allowed& allowed, Columns* first_guess, Columns& lambda,
                               ConstraintForces& forces);
 
-    // Takes an island that is unfinished through the step in small ones.
+    // Takes an island that is unfinished through the step in small ones. Writes into `ending` (by row of the step)
+    // what the next step begins with [N].
     solvers::SolveCount take_small_steps(Bench& bench, const SystemEquation& system, std::span<const Body> bodies,
-                                         const Island& island, Columns& lambda, ConstraintForces& forces);
+                                         const Island& island, Columns& lambda, ConstraintForces& forces,
+                                         std::span<Lambda> ending);
 
     // The same for an island that was solved in this step and has the same rows still.
     solvers::SolveCount go_on(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
@@ -108,7 +111,7 @@ class IslandSolver {
 
   private:
     static void find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
-                            ConstraintForces& forces);
+                            ConstraintForces& forces, const Bench& bench);
     static Residuals measure(const SystemEquation& system, const Island& island, const Columns& lambda,
                              ConstraintForces& forces, Bench& bench);
     bool is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,

@@ -13,6 +13,9 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+// What a thread takes at a time.
+constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400;
+
 // 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
@@ -34,18 +37,6 @@ int Island::number_of(int row) const {
     return run.first + row - run.begin;
 }
 
-namespace {
-
-// Calls `visit(row, j, a, b)` with each row of the island, its index in the step and the numbers of its bodies.
-template <typename Visit>
-void each_row(const SystemEquation& system, const Island& island, const Visit& visit) {
-    for (const RowRun& run : island.runs) {
-        for (int j = run.begin; j < run.end; ++j) visit(system.rows[at(j)], j, at(run.a), at(run.b));
-    }
-}
-
-}  // namespace
-
 void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                        Eigen::Index column, std::vector<Vector6>& forces) {
     for (const int body : island.bodies) forces[at(body)].setZero();
@@ -58,22 +49,72 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
     }
 }
 
-double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
-                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations) {
-    accelerations.assign(at(island.body_count), Vector6::Zero());
-    for (std::size_t k = 0; k < island.bodies.size(); ++k) {
-        const auto body = at(island.bodies[k]);
-        accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
-    }
-    double largest = 0.0;
-    RowResiduals residuals(system, lambda, column);
-    each_row(system, island, [&](const ConstraintRow& row, int j, std::size_t a, std::size_t b) {
-        const double w =
-            row.jacobian.a.dot(accelerations[a]) + row.jacobian.b.dot(accelerations[b]) - system.b(j, column);
-        const double miss = residuals.next(j, w);
-        if (!(miss <= largest)) largest = miss;
+void RunsOfBodies::find(const Island& island) {
+    const auto each_side = [&](const auto& visit) {
+        for (std::size_t k = 0; k < island.runs.size(); ++k) {
+            const RowRun& run = island.runs[k];
+            if (run.a < island.movable()) visit(at(run.a), static_cast<int>(2 * k));
+            if (run.b < island.movable()) visit(at(run.b), static_cast<int>(2 * k + 1));
+        }
+    };
+    begin_.assign(island.bodies.size() + 1, 0);
+    each_side([this](std::size_t body, int) { ++begin_[body + 1]; });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    sides_.resize(at(begin_.back()));
+    next_.assign(begin_.begin(), begin_.end());
+    each_side([this](std::size_t body, int side) { sides_[at(next_[body]++)] = side; });
+}
+
+void constraint_forces(const SystemEquation& system, const Island& island, const RunsOfBodies& runs_of,
+                       const Columns& lambda, Eigen::Index column, Threads& threads, std::vector<Vector6>& forces) {
+    threads.share(island.bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t k = begin; k < end; ++k) {
+            Vector6 sum = Vector6::Zero();
+            for (const int side : runs_of.of(k)) {
+                const RowRun& run = island.runs[at(side / 2)];
+                for (int j = run.begin; j < run.end; ++j) {
+                    const Jacobian& jacobian = system.rows[at(j)].jacobian;
+                    sum += (side % 2 == 0 ? jacobian.a : jacobian.b) * lambda(j, column);
+                }
+            }
+            forces[at(island.bodies[k])] = sum;
+        }
     });
-    return largest;
+}
+
+double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
+                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
+                        Threads* threads) {
+    accelerations.assign(at(island.body_count), Vector6::Zero());
+    share(threads, island.bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto body = at(island.bodies[k]);
+            accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
+        }
+    });
+    const auto largest_of = [&](std::span<const RowRun> runs) {
+        double largest = 0.0;
+        RowResiduals residuals(system, lambda, column);
+        for (const RowRun& run : runs) {
+            const Vector6 &of_a = accelerations[at(run.a)], &of_b = accelerations[at(run.b)];
+            for (int j = run.begin; j < run.end; ++j) {
+                const ConstraintRow& row = system.rows[at(j)];
+                const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+                const double miss = residuals.next(j, w);
+                if (!(miss <= largest)) largest = miss;
+            }
+        }
+        return largest;
+    };
+    if (!threads) return largest_of(island.runs);
+    std::vector<double> of_parts((island.runs.size() + runs_of_a_part - 1) / runs_of_a_part);
+    threads->share(of_parts.size(), 1, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t first = k * runs_of_a_part;
+            of_parts[k] = largest_of(island.runs.subspan(first, std::min(runs_of_a_part, island.runs.size() - first)));
+        }
+    });
+    return *std::max_element(of_parts.begin(), of_parts.end());
 }
 
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda) {
@@ -107,14 +148,13 @@ bool Islands::find_runs(const SystemEquation& system, int first_new) {
     for (int begin = again ? found_.back().begin : 0; begin < row_count; ++count) {
         const int a = rows[begin].body_a, b = rows[begin].body_b;
         const bool a_moves = moves(system, a), b_moves = moves(system, b);
-        Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves, 1};
+        Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves, 1, false};
         for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
             // A bound that follows another row needs that row's force.
             const int leader = rows[run.end].bounds.of_row;
-            const bool is_new = run.end >= first_new;
-            if (is_new && leader >= 0 && leader < begin && run.movable >= 0) {
-                new_followers_.push_back({run.movable, leader});
-            }
+            if (leader < 0 || leader >= begin || run.movable < 0) continue;
+            run.follows = true;
+            if (run.end >= first_new) new_followers_.push_back({run.movable, leader});
         }
         if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
         begin = run.end;
@@ -219,6 +259,7 @@ void Islands::gather_runs() {
         runs_[at(begin_[at(of_body(run.movable))]++)] = {run.begin, run.end, island.rows, run.body_a, run.body_b};
         island.rows += run.end - run.begin;
         island.columns = std::max(island.columns, run.columns);
+        island.follows_others = island.follows_others || run.follows;
     }
 }
 

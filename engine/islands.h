@@ -8,6 +8,7 @@
 #pragma once
 
 #include "engine/system_equation.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <vector>
@@ -29,6 +30,7 @@ struct Island {
     int rows = 0;
     int body_count = 0;  // static ones included
     int columns = 1;     // 2 when some row corrects for a single frame (8.1)
+    bool follows_others = false;  // whether the bounds of some row follow a row of another run
 
     int movable() const { return static_cast<int>(bodies.size()); }
     // The number in the island of `row` of the step, which must be one of the island's.
@@ -40,12 +42,34 @@ struct Island {
 void constraint_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                        Eigen::Index column, std::vector<Vector6>& forces);
 
+// Which runs of an island act on each of its movable bodies, so that threads can go through these body by body.
+class RunsOfBodies {
+  public:
+    void find(const Island& island);
+
+    // Of one body; ascending. Twice the place of the run in island.runs, and one more where it is its body b.
+    std::span<const int> of(std::size_t body) const {
+        return std::span(sides_).subspan(static_cast<std::size_t>(begin_[body]),
+                                         static_cast<std::size_t>(begin_[body + 1] - begin_[body]));
+    }
+
+  private:
+    std::vector<int> begin_;  // by movable body, into sides_, and where the last one's end
+    std::vector<int> sides_, next_;
+};
+
+// constraint_forces() of an island on threads, to the same bits.
+void constraint_forces(const SystemEquation& system, const Island& island, const RunsOfBodies& runs_of,
+                       const Columns& lambda, Eigen::Index column, Threads& threads, std::vector<Vector6>& forces);
+
 // Natural-map residual of one island [m/s], as that of the system.
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
 
 // The same of one column, whose `forces` constraint_forces() has written. `accelerations` is memory to be reused.
+// `threads` share the work; null: one thread.
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
-                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations);
+                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
+                        Threads* threads = nullptr);
 
 class Islands {
   public:
@@ -75,6 +99,7 @@ class Islands {
         int movable;         // one of them, -1 when both are static
         bool joins;          // whether both can move
         int columns;
+        bool follows;  // whether the bounds of some row follow one before `begin`
         friend bool operator==(const Found&, const Found&) = default;
     };
     struct Follower {

@@ -18,7 +18,8 @@ struct Penetration {
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
 
 // The same with a detector that is kept from state to state: it finds what is near faster, where little has moved.
+// `threads` share the work; null: one thread.
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
-                        collision::Detector& detector);
+                        collision::Detector& detector, Threads* threads = nullptr);
 
 }  // namespace pushfactor::engine

@@ -15,6 +15,9 @@ namespace {
 constexpr double quanta_a_size = 256.0;
 constexpr double rounds_up_at = 0.54;
 
+// What a thread takes at a time.
+constexpr std::size_t keys_of_a_part = 500;
+
 // The largest power of two that is not above a positive number.
 double power_of_two(double number) {
     constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
@@ -50,19 +53,21 @@ bool ContactOrder::before(const Key& a, const Key& b) {
 }
 
 std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
-                                                std::span<const Body> bodies) {
+                                                std::span<const Body> bodies, Threads* threads) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
     // Begins with the order of the last call, from which little changes while bodies rest.
     if (keys_.size() != touches.size()) {
         keys_.resize(touches.size());
         for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].touch = static_cast<int>(i);
     }
-    for (Key& key : keys_) {
-        const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
-        key.height = by_height ? height_of(touch, bodies) : 0.0;
-        key.on_movable = by_height && !rests_on_static(touch, bodies);
-    }
-    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) std::sort(keys_.begin(), keys_.end(), before);
+    share(threads, keys_.size(), keys_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (Key& key : std::span(keys_).subspan(begin, end - begin)) {
+            const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
+            key.height = by_height ? height_of(touch, bodies) : 0.0;
+            key.on_movable = by_height && !rests_on_static(touch, bodies);
+        }
+    });
+    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) sort_distinct(threads, keys_, before);
 
     contacts_.clear();
     for (const Key& key : keys_) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/collision/detector.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <vector>
@@ -25,9 +26,10 @@ struct ContactIndex {
 class ContactOrder {
   public:
     // All points of `touches` (ascending order of creation, as the detector gives them) in the named order; good
-    // until the next call. Height is measured along world y, to a fraction of the size of a pair.
+    // until the next call. Height is measured along world y, to a fraction of the size of a pair. `threads` share the
+    // work; null: one thread.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
-                                      std::span<const Body> bodies);
+                                      std::span<const Body> bodies, Threads* threads = nullptr);
 
   private:
     struct Key {

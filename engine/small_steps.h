@@ -26,9 +26,9 @@
 // would move them so.
 #pragma once
 
+#include "engine/dissection.h"
 #include "engine/islands.h"
 #include "engine/solvers/solver.h"
-#include "engine/solvers/sweep_pipeline.h"
 #include "engine/solvers/unit_rows.h"
 #include "engine/threads.h"
 
@@ -81,16 +81,14 @@ class SmallSteps {
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
     // receives their means over the step: in the first column with those of the push, in the last one without.
-    // Writes what its bodies are moved by. `threads` share the work; null: one thread.
+    // Writes what its bodies are moved by, and into `ending` (by row of the step) what the next step begins with
+    // [N]. `threads` share the work; null: one thread.
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
-                              const Division& division, Threads* threads, Columns& lambda,
-                              ConstraintForces& forces);
+                              const Division& division, Threads* threads, Columns& lambda, ConstraintForces& forces,
+                              std::span<Lambda> ending);
 
     // What the rows still get wrong at the end of the last one [m/s], each with what it aims at there.
     double residual() const { return residual_; }
-
-    // What the next step begins with [N], by row of the island of the last solve().
-    std::span<const Lambda> ending() const { return ending_; }
 
   private:
     // A row that acts one way, and not while it is open.
@@ -105,37 +103,70 @@ class SmallSteps {
         int of_step;      // number in the step
         double want;      // sqrt(kg) m
     };
+    // What one thread knows of a part of the island. Not in the cache lines of another one.
+    struct alignas(64) PartState {
+        std::size_t begin_block = 0, end_block = 0;  // of rows_
+        std::vector<OneSided> one_sided{};
+        std::vector<Pushed> pushed{};
+        bool drives = false;    // whether some row brings energy by itself
+        bool is_pushed = false; // whether the push moves some row
+        double residual = 0.0;  // m/s
+    };
+    // Sums over the bodies of a leaf: their order does not depend on the threads.
+    struct alignas(64) LeafSums {
+        double gain = 0.0;                   // J
+        double along = 0.0, squared = 0.0;  // impulse with base_, and with itself [J]
+    };
+    // The step at hand.
+    struct Step {
+        const SystemEquation& system;
+        std::span<const Body> bodies;
+        Division division;
+        double h;  // s
+        Columns& lambda;
+        ConstraintForces& forces;
+        std::span<Lambda> ending;
+    };
+    using Part = Dissection::Part;
 
-    void begin(const SystemEquation& system, std::span<const Body> bodies, const Island& island, double h);
-    void aim(double h, std::size_t first_row, std::size_t end_row);
-    bool brings_energy() const;
-    void forget_hits();
-    void small_step(double h, int sweeps, Threads* threads);
-    void kick_at_once(int steps, double dt);
-    void store(const SystemEquation& system, const Island& island, double h, Columns& lambda);
-    bool push_apart(const SystemEquation& system, const Island& island, Columns& lambda);
-    void write_moving_forces(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
-                             ConstraintForces& forces) const;
+    void size(const Island& island);
+    void work(const Step& step, Team& team);
+    void load(const Step& step, Team& team);
+    void begin(const Step& step, Team& team);
+    void small_step(const Step& step, int sweeps, Team& team);
+    void aim(double h, const Part& part);
+    double impulse_gain(std::size_t body) const;
+    double gain(Team& team);
+    void forget_hits(Team& team);
+    void keep_hits_of(const Part& part);
+    void kick_at_once(const Step& step, Team& team);
+    void store(const Step& step, Team& team);
+    void push_apart(const Step& step, Team& team);
+    void plan_push(const Step& step, const Part& part);
+    void write_moving_forces(const Step& step, Team& team) const;
     double moved_along(const solvers::UnitRows<1>::Row& row) const;
+    template <typename Visit>
+    void each_row(const Part& part, const Visit& visit) const;
+    template <typename Visit>
+    void each_body(Team& team, const Visit& visit) const;
+    PartState& state_of(const Part& part) { return states_[dissection_.number_of(part)]; }
 
     std::optional<Division> division_;
     double residual_ = 0.0;
+    Dissection dissection_;  // of the island at hand
     solvers::UnitRows<1> rows_;
-    solvers::SweepPipeline pipeline_;
+    std::vector<PartState> states_;
+    std::vector<LeafSums> sums_;
     // By movable body of the island:
     std::vector<Vector6> start_;    // x at the start of the step
     std::vector<Vector6> pull_;     // x that the external forces add in a small step
     std::vector<Vector6> base_;     // x before the rows act
-    std::vector<double> before_;    // y of the small step before the last one
-    std::vector<double> kept_;      // share of y, while hits are forgotten
-    bool drives_ = false;           // whether some row brings energy by itself
     std::vector<Vector6> impulse_;  // x that the rows have added in the last small step
     std::vector<Vector6> moved_;    // d
     // By row of the island:
-    std::vector<double> sum_;  // of y over the small steps
-    std::vector<Lambda> ending_;
-    std::vector<OneSided> one_sided_;
-    std::vector<Pushed> pushed_;
+    std::vector<double> before_;  // y of the small step before the last one
+    std::vector<double> kept_;    // share of y, while hits are forgotten
+    std::vector<double> sum_;     // of y over the small steps
 };
 
 }  // namespace pushfactor::engine

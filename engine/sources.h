@@ -6,6 +6,7 @@
 #include "engine/body.h"
 #include "engine/constraint_row.h"
 #include "engine/motion.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <vector>
@@ -72,21 +73,28 @@ class ForceSource {
     virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
 };
 
+// A step as it begins.
+struct StepStart {
+    std::span<const Body> bodies;  // with their external forces
+    double dt = 0.0;               // s, of the step
+    double time = 0.0;             // s since the start of the world
+    Threads* threads = nullptr;    // that may share the work; null: one thread. The rows do not depend on them
+};
+
 // Appends the rows that restrict the bodies in this step (section 5) and gets back its own answers (6.2.3).
 class ConstraintSource {
   public:
     virtual ~ConstraintSource() = default;
 
-    // Appends rows for the state of `bodies` and a step of `dt` [s]. Their order is kept: nobody sorts later.
-    virtual void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) = 0;
+    // Appends the rows of a step. Their order is kept: nobody sorts later.
+    virtual void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) = 0;
 
     // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first
     // column [N and N m, one per body], as found with the rows so far; none when nothing is missing. Called again
     // while other sources or this one append some. Since the last call, and in the first one since append_rows(),
     // only the bodies that `changed` (one per body) names have got other forces.
-    virtual void append_unforeseen(std::span<const Body> /*bodies*/, std::span<const Vector6> /*forces*/,
-                                   std::span<const NewForce> /*changed*/, double /*dt*/,
-                                   std::vector<ConstraintRow>& /*rows*/) {}
+    virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
+                                   std::span<const NewForce> /*changed*/, std::vector<ConstraintRow>& /*rows*/) {}
 
     // Whether the source leaves out rows between bodies that rest, or rest and are static, and remembers what it
     // had for them (rest.h). Bodies that rows of another one act on do not come to rest.

@@ -6,12 +6,50 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <exception>
 #include <thread>
 
 namespace pushfactor::engine {
 
+namespace {
+
+// Looks until `is_there`, and hands the core over when that takes long, as when there are fewer cores than threads.
+template <typename IsThere>
+void wait_until(const IsThere& is_there) {
+    for (int looks = 0; !is_there(); ++looks) {
+        if (looks > 2000) std::this_thread::yield();
+    }
+}
+
+// Parts per thread: enough that one which takes longer does not hold up the others for long.
+constexpr std::size_t parts_per_thread = 8;
+
+// In cache lines of their own, as is everything that several threads write.
+struct alignas(64) Counter {
+    std::atomic<std::size_t> value = 0;
+};
+
+}  // namespace
+
+struct Team::Meeting {
+    alignas(64) std::atomic<int> arrived = 0;
+    alignas(64) std::atomic<unsigned> round = 0;
+};
+
+void Team::wait_for_all() {
+    if (size_ == 1) return;
+    const unsigned round = meeting_->round.load(std::memory_order_relaxed);
+    if (meeting_->arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+        meeting_->arrived.store(0, std::memory_order_relaxed);
+        meeting_->round.store(round + 1, std::memory_order_release);
+    } else {
+        wait_until([&] { return meeting_->round.load(std::memory_order_acquire) != round; });
+    }
+}
+
 // What is written before a task begins is read in it, and what it has written after it has ended. The library sees
-// to that, but the thread sanitizer does not see into the library: so it is said once more.
+// to that, but the thread sanitizer does not see into the library, so it is said once more.
 struct Threads::Arena {
     explicit Arena(int count) : of_tbb(count) {}
 
@@ -32,7 +70,57 @@ struct Threads::Arena {
     std::atomic<unsigned> begun = 0, ended = 0;
 };
 
-Threads::Threads(int count) : count_(std::clamp(count, 1, all())), arena_(std::make_unique<Arena>(count_)) {}
+// The threads at hand during keep_at_hand(). Helpers come when they are awake, and take part in what is posted from
+// then on.
+struct Threads::Crew {
+    // The last job: its number, and in the lowest byte how many take part, or `dismissed`.
+    static constexpr std::uint64_t size_mask = 0xff, one_job = 0x100;
+    static constexpr std::uint64_t dismissed = 0;
+
+    alignas(64) std::atomic<std::uint64_t> posted = 1;
+    alignas(64) std::atomic<int> helpers = 0;
+    const std::function<void(Team&)>* work = nullptr;  // read by those only who take part
+    Team::Meeting meeting;
+
+    void take_part(int member, int size) noexcept {
+        Team team;
+        team.member_ = member;
+        team.size_ = size;
+        team.meeting_ = &meeting;
+        (*work)(team);
+        team.wait_for_all();
+    }
+
+    void help() {
+        std::uint64_t seen = posted.load(std::memory_order_acquire);
+        const int member = 1 + helpers.fetch_add(1, std::memory_order_acq_rel);
+        while ((seen & size_mask) != dismissed) {
+            wait_until([&] { return posted.load(std::memory_order_acquire) != seen; });
+            seen = posted.load(std::memory_order_acquire);
+            const int size = static_cast<int>(seen & size_mask);
+            if (member < size) take_part(member, size);
+        }
+    }
+
+    void post(const std::function<void(Team&)>& job) {
+        const int size = 1 + helpers.load(std::memory_order_acquire);
+        work = &job;
+        posted.store(next_number() + static_cast<std::uint64_t>(size), std::memory_order_release);
+        take_part(0, size);
+    }
+
+    void dismiss() { posted.store(next_number() + dismissed, std::memory_order_release); }
+
+    std::uint64_t next_number() const {
+        return (posted.load(std::memory_order_relaxed) / one_job + 1) * one_job;
+    }
+};
+
+// A job must not find more members than its number has room for.
+constexpr int most_threads = 255;
+
+Threads::Threads(int count)
+    : count_(std::clamp(count, 1, std::min(all(), most_threads))), arena_(std::make_unique<Arena>(count_)) {}
 
 Threads::~Threads() = default;
 
@@ -40,32 +128,87 @@ int Threads::all() {
     return tbb::this_task_arena::max_concurrency();
 }
 
-void Threads::let_others_run() {
-    std::this_thread::yield();
-}
-
 void Threads::share(std::size_t count, std::size_t grain, const Part& work) {
     if (count_ == 1 || count <= grain) {
         if (count > 0) work(0, count, 0);
+        return;
+    }
+    const std::size_t least = std::max(grain, count / (parts_per_thread * static_cast<std::size_t>(count_)));
+    if (crew_) {
+        share_at_hand(count, least, work);
         return;
     }
     const auto part = [&](const tbb::blocked_range<std::size_t>& range) {
         arena_->as_task([&] { work(range.begin(), range.end(), tbb::this_task_arena::current_thread_index()); });
     };
     arena_->execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), part, tbb::simple_partitioner());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), part, tbb::simple_partitioner());
     });
 }
 
-void Threads::together(const std::function<void()>& work) {
-    if (count_ == 1) {
+// Each member begins with a stretch of its own, and helps with the others when that is done.
+void Threads::share_at_hand(std::size_t count, std::size_t grain, const Part& work) {
+    const std::size_t parts = (count + grain - 1) / grain;
+    std::vector<Counter> taken(static_cast<std::size_t>(count_));  // of each stretch
+    std::atomic<bool> failed = false;
+    std::exception_ptr failure;
+    const auto job = [&](Team& team) {
+        const auto size = static_cast<std::size_t>(team.size());
+        for (std::size_t k = 0; k < size; ++k) {
+            const std::size_t stretch = (static_cast<std::size_t>(team.member()) + k) % size;
+            const std::size_t first = stretch * parts / size, end = (stretch + 1) * parts / size;
+            for (;;) {
+                const std::size_t part = first + taken[stretch].value.fetch_add(1, std::memory_order_relaxed);
+                if (part >= end) break;
+                try {
+                    work(part * grain, std::min(count, (part + 1) * grain), team.member());
+                } catch (...) {
+                    if (!failed.exchange(true)) failure = std::current_exception();
+                }
+            }
+        }
+    };
+    crew_->post(job);
+    if (failure) std::rethrow_exception(failure);
+}
+
+void Threads::as_team(const std::function<void(Team& team)>& work) {
+    if (crew_) {
+        crew_->post(work);
+    } else {
+        Team alone;
+        work(alone);
+    }
+}
+
+void Threads::keep_at_hand(const std::function<void()>& work) {
+    if (count_ == 1 || crew_) {
         work();
         return;
     }
-    arena_->execute([&] {
-        tbb::parallel_for(
-            0, count_, [&](int) { arena_->as_task(work); }, tbb::simple_partitioner());
-    });
+    Crew crew;
+    const auto leader = std::this_thread::get_id();
+    bool led = false;
+    std::exception_ptr failure;
+    const auto come = [&](int) {
+        arena_->as_task([&] {
+            if (std::this_thread::get_id() != leader || led) {
+                crew.help();
+                return;
+            }
+            led = true;
+            try {
+                crew_ = &crew;
+                work();
+            } catch (...) {
+                failure = std::current_exception();
+            }
+            crew_ = nullptr;
+            crew.dismiss();
+        });
+    };
+    arena_->execute([&] { tbb::parallel_for(0, count_, come, tbb::simple_partitioner()); });
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace pushfactor::engine

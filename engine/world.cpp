@@ -15,10 +15,13 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Rows of an island from which on threads help with it, and of a step from which on each thread takes some islands:
-// what threads cost is that of some hundred rows.
-constexpr int shared_by_threads = 2000;
+// Rows of an island from which on threads help with it; rows of a step, or bodies, from which on they share the step:
+// what threads cost is that of some hundred.
+constexpr int shared_by_threads = Dissection::least_rows;
 constexpr std::size_t worth_threads = 400;
+
+// What a thread takes at a time.
+constexpr std::size_t bodies_of_a_part = 250, rows_of_a_part = 1000;
 
 bool has_row_from(const Island& island, std::size_t first_row) {
     return static_cast<std::size_t>(island.runs.back().end) > first_row;
@@ -28,6 +31,16 @@ bool has_row_from(const Island& island, std::size_t first_row) {
 
 StepCount World::step(double dt, StageObserver* observer) {
     assert(dt > 0.0);
+    const bool is_large = rows_.size() >= worth_threads || awake_.members().size() >= worth_threads;
+    if (!threads || !is_large) return step_now(dt, observer);
+    StepCount count;
+    sharing_ = threads.get();
+    threads->keep_at_hand([&] { count = step_now(dt, observer); });
+    sharing_ = nullptr;
+    return count;
+}
+
+StepCount World::step_now(double dt, StageObserver* observer) {
     const auto ended = [observer](Stage stage) {
         if (observer) observer->stage_ended(stage);
     };
@@ -38,7 +51,7 @@ StepCount World::step(double dt, StageObserver* observer) {
         ended(Stage::forces);
         append_rows(dt);  // 5
         ended(Stage::rows);
-        build_system(bodies, awake_.members(), rows_, dt, system_, threads.get());  // 6: A lambda = b, 6.2.9
+        build_system(bodies, awake_.members(), rows_, dt, system_, sharing_);  // 6: A lambda = b, 6.2.9
         ended(Stage::system);
         work = solve_and_look(dt);  // 7, island by island
         ended(Stage::solve);
@@ -91,19 +104,21 @@ void World::add_forces(const Awake& to) {
 }
 
 void World::append_rows(double dt) {
+    const StepStart step = start_of(dt);
     rows_.clear();
     appended_.clear();
     for (std::size_t s = 0; s < constraints.size(); ++s) {
         const std::size_t begin = rows_.size();
-        constraints[s]->append_rows(bodies, dt, rows_);
+        constraints[s]->append_rows(step, rows_);
         appended_.push_back({s, begin, rows_.size()});
     }
 }
 
 void World::append_unforeseen(double dt) {
+    const StepStart step = start_of(dt);
     for (std::size_t s = 0; s < constraints.size(); ++s) {
         const std::size_t begin = rows_.size();
-        constraints[s]->append_unforeseen(bodies, forces_.moving, changed_, dt, rows_);
+        constraints[s]->append_unforeseen(step, forces_.moving, changed_, rows_);
         if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
     }
 }
@@ -174,11 +189,11 @@ World::Work World::finish_islands() {
 }
 
 void World::set_up_benches() {
-    const std::size_t count = threads ? static_cast<std::size_t>(threads->count()) : 1;
+    const std::size_t count = sharing_ ? static_cast<std::size_t>(sharing_->count()) : 1;
     const bool as_before = !benches_.empty() && benches_.front().solver == solver.get();
     if (!as_before) other_solvers_.clear();
-    other_solvers_.resize(count - 1);
-    other_small_steps_.resize(count - 1);
+    other_solvers_.resize(std::max(count - 1, other_solvers_.size()));
+    other_small_steps_.resize(other_solvers_.size());
     benches_.resize(count);
     benches_.front().solver = solver.get();
     benches_.front().small_steps = small_steps.get();
@@ -198,7 +213,7 @@ World::Work World::solve_chosen(const Solve& solve) {
     if (small_steps) endings_.resize(rows_.size());
     const std::span<const Island> islands = islands_.all();
     Work work;
-    if (benches_.size() == 1 || rows_.size() < worth_threads) {
+    if (benches_.size() == 1) {
         for (const int number : chosen_) {
             work.add(solve(islands[static_cast<std::size_t>(number)], benches_.front()));
         }
@@ -219,23 +234,25 @@ void World::solve_side_by_side(const Solve& solve) {
     const auto first_large = std::stable_partition(
         chosen_.begin(), chosen_.end(), [&](int number) { return island_of(number).rows < shared_by_threads; });
     const auto small = static_cast<std::size_t>(first_large - chosen_.begin());
-    threads->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
+    sharing_->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
         IslandSolver::Bench& bench = benches_[static_cast<std::size_t>(slot)];
         for (std::size_t k = begin; k < end; ++k) works_[k] = solve(island_of(chosen_[k]), bench);
     });
     IslandSolver::Bench& first = benches_.front();
-    first.threads = threads.get();
+    first.threads = sharing_;
     for (std::size_t k = small; k < chosen_.size(); ++k) works_[k] = solve(island_of(chosen_[k]), first);
     first.threads = nullptr;
 }
 
 void World::guess(std::size_t first_row, Columns& lambda) const {
     const Eigen::Index last = lambda.cols() - 1;
-    for (std::size_t j = first_row; j < rows_.size(); ++j) {
-        const auto row = static_cast<Eigen::Index>(j);
-        lambda(row, 0) = rows_[j].guess.first;
-        lambda(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
-    }
+    share(sharing_, rows_.size() - first_row, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t j = first_row + begin; j < first_row + end; ++j) {
+            const auto row = static_cast<Eigen::Index>(j);
+            lambda(row, 0) = rows_[j].guess.first;
+            lambda(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
+        }
+    });
     for (const Island& island : islands_.all()) {
         if (island.columns > last || !has_row_from(island, first_row)) continue;
         for (const RowRun& run : island.runs) {
@@ -259,18 +276,9 @@ World::Work World::solve(const Island& island, Columns* first_guess, IslandSolve
     }
     Work work(island,
               island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
-    if (outcome_of(island).unfinished) work.add(Work(island, take_small_steps(island, bench)));
+    if (!outcome_of(island).unfinished) return work;
+    work.add(Work(island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
     return work;
-}
-
-solvers::SolveCount World::take_small_steps(const Island& island, IslandSolver::Bench& bench) {
-    const solvers::SolveCount count =
-        island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_);
-    const std::span<const Lambda> ending = bench.small_steps->ending();
-    for (const RowRun& run : island.runs) {
-        std::copy_n(ending.begin() + run.first, run.end - run.begin, endings_.begin() + run.begin);
-    }
-    return count;
 }
 
 World::Work::Work(const Island& island, const solvers::SolveCount& count)
@@ -329,7 +337,7 @@ void World::prepare(double dt) {
     find_awake();
     add_forces();
     append_rows(dt);
-    build_system(bodies, awake_.members(), rows_, dt, system_);
+    build_system(bodies, awake_.members(), rows_, dt, system_, sharing_);
     solve_islands();
     remember();
 }
@@ -366,27 +374,33 @@ void World::kick_back_half(double dt) {
 }
 
 void World::integrate(double dt) {
-    for (const int index : awake_.members()) {
-        const auto i = static_cast<std::size_t>(index);
-        Body& body = bodies[i];
-        if (body.is_static()) continue;
-        const Vector6& f_cv = forces_.moving[i];
-
-        // Momenta that live for this move only, where there is a single-frame push (8.1).
-        const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
-        const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
-        body.position = advance_position(body, p, dt);
-        body.orientation = rotate(body, l, dt);
-
-        if (!has_lasting_force(i)) {
-            body.linear_momentum = p;
-            body.angular_momentum = l;
-            continue;
+    const std::span<const int> awake = awake_.members();
+    share(sharing_, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int index : awake.subspan(begin, end - begin)) {
+            const auto i = static_cast<std::size_t>(index);
+            integrate(bodies[i], i, dt);
         }
-        const Vector6& f_c0 = forces_.lasting[i];
-        body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
-        body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
+    });
+}
+
+void World::integrate(Body& body, std::size_t i, double dt) {
+    if (body.is_static()) return;
+    const Vector6& f_cv = forces_.moving[i];
+
+    // Momenta that live for this move only, where there is a single-frame push (8.1).
+    const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
+    const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
+    body.position = advance_position(body, p, dt);
+    body.orientation = rotate(body, l, dt);
+
+    if (!has_lasting_force(i)) {
+        body.linear_momentum = p;
+        body.angular_momentum = l;
+        return;
     }
+    const Vector6& f_c0 = forces_.lasting[i];
+    body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
+    body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
 }
 
 // What is to change with the next step wakes now, so that a state that is saved here knows it.

@@ -123,11 +123,12 @@ class World {
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);
+    StepCount step_now(double dt, StageObserver* observer);
+    StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
     void append_unforeseen(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
     Work solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
-    solvers::SolveCount take_small_steps(const Island& island, IslandSolver::Bench& bench);
     void set_up_benches();
     // Chooses the islands of which `predicate` says so.
     template <typename Predicate>
@@ -156,6 +157,7 @@ class World {
     // Where an island has one column, the forces that move its bodies are those that last.
     bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
+    void integrate(Body& body, std::size_t i, double dt);
     void settle(double dt);
     StepCount count(const Work& work) const;
 
@@ -165,6 +167,7 @@ class World {
     };
 
     double time_ = 0.0;
+    Threads* sharing_ = nullptr;  // this step; null: it is too small, or there are none
     Awake awake_;  // bodies
     std::vector<ConstraintRow> rows_;
     std::vector<Appended> appended_;

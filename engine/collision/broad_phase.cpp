@@ -20,6 +20,9 @@ Vector3 reach_of(const Shape& shape, const Pose& pose) {
 // So many are compared each with each in less time than a grid takes to fill and search.
 constexpr std::size_t few = 96;
 
+// What a thread takes at a time.
+constexpr std::size_t boxes_of_a_part = 250, candidates_of_a_part = 2000;
+
 // When so many of the boxes have left, all of them are looked at anew.
 constexpr double most_left = 0.5;
 
@@ -46,39 +49,47 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 
 }  // namespace
 
-void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
-                       std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
-                       std::span<const int> moved) {
+// The finite ones and the planes among `moved`, and where the former are in bounds_.
+void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
+                             std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
-    if (all) {
-        bounds_.clear();
-        place_.assign(colliders.size(), -1);
-    }
+    if (all) place_.assign(colliders.size(), -1);
     planes_.clear();  // they are static, so all of them are looked at
     looked_at_.clear();
+    int place = 0;
     for (const int i : moved) {
         const Collider& collider = at(colliders, i);
-        const auto body = static_cast<std::size_t>(collider.body);
-        const Pose& pose = poses[body];
         if (std::holds_alternative<collision::Plane>(collider.shape)) {
+            const Pose& pose = poses[static_cast<std::size_t>(collider.body)];
             planes_.push_back({.point = pose.position, .up = pose.rotation.col(1), .collider = i});
             continue;
         }
-        const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
-        if (all) {
-            place_[static_cast<std::size_t>(i)] = static_cast<int>(bounds_.size());
-            bounds_.emplace_back();
-        }
-        const int place = place_[static_cast<std::size_t>(i)];
-        looked_at_.push_back(place);
-        Bounds& box = bounds_[static_cast<std::size_t>(place)];
-        box.centre = pose.position;
-        box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
-        box.slack = slack_share * size;
-        box.collider = i;
-        box.body = collider.body;
-        box.idle = bodies[body].is_static() || !awake.has(i);
+        if (all) place_[static_cast<std::size_t>(i)] = place++;
+        looked_at_.push_back(place_[static_cast<std::size_t>(i)]);
     }
+    if (all) bounds_.resize(static_cast<std::size_t>(place));
+}
+
+void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
+                       std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
+                       std::span<const int> moved, Threads* threads) {
+    list_shapes(colliders, poses, moved);
+    share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int i : moved.subspan(begin, end - begin)) {
+            const Collider& collider = at(colliders, i);
+            if (std::holds_alternative<collision::Plane>(collider.shape)) continue;
+            const auto body = static_cast<std::size_t>(collider.body);
+            const Pose& pose = poses[body];
+            const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
+            Bounds& box = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
+            box.centre = pose.position;
+            box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
+            box.slack = slack_share * size;
+            box.collider = i;
+            box.body = collider.body;
+            box.idle = bodies[body].is_static() || !awake.has(i);
+        }
+    });
 }
 
 // Whether the candidates are of the same colliders, on the same planes.
@@ -99,31 +110,43 @@ bool BroadPhase::uses_grid() const {
     return wide_.size() > few;
 }
 
-void BroadPhase::update_candidates() {
+void BroadPhase::update_candidates(Threads* threads) {
     if (!has_same_shapes()) {
-        find_all_candidates();
+        find_all_candidates(threads);
         return;
     }
-    left_.clear();
-    bool some_came_to_rest = false;
-    for (const int place : looked_at_) {
-        Bounds& wide = wide_[static_cast<std::size_t>(place)];
-        const Bounds& box = bounds_[static_cast<std::size_t>(place)];
-        const bool woke = wide.idle && !box.idle;
-        some_came_to_rest = some_came_to_rest || (box.idle && !wide.idle);
-        wide.idle = box.idle;
-        if (woke || !holds(wide, box, box.slack)) left_.push_back(place);
-    }
+    const bool some_came_to_rest = find_left(threads);
     if (some_came_to_rest) std::erase_if(candidates_, [this](const Candidate& c) { return !can_move(c); });
     if (left_.empty()) return;
     put_again_ += left_.size();
     // The grid forgets places that have been left only when it is filled anew.
     const bool many = static_cast<double>(left_.size()) > most_left * static_cast<double>(wide_.size());
     if (many || put_again_ > 8 * wide_.size()) {
-        find_all_candidates();
+        find_all_candidates(threads);
     } else {
-        find_candidates_of_left();
+        find_candidates_of_left(threads);
     }
+}
+
+// Lists the boxes that have left their wide box or have woken. Returns whether some have come to rest.
+bool BroadPhase::find_left(Threads* threads) {
+    has_left_.resize(wide_.size());
+    share(threads, looked_at_.size(), boxes_of_a_part, [this](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const auto place = static_cast<std::size_t>(looked_at_[k]);
+            const bool woke = wide_[place].idle && !bounds_[place].idle;
+            has_left_[place] = woke || !holds(wide_[place], bounds_[place], bounds_[place].slack);
+        }
+    });
+    left_.clear();
+    bool some_came_to_rest = false;
+    for (const int place : looked_at_) {
+        const auto box = static_cast<std::size_t>(place);
+        some_came_to_rest = some_came_to_rest || (bounds_[box].idle && !wide_[box].idle);
+        wide_[box].idle = bounds_[box].idle;
+        if (has_left_[box]) left_.push_back(place);
+    }
+    return some_came_to_rest;
 }
 
 void BroadPhase::widen(std::size_t index) {
@@ -132,74 +155,78 @@ void BroadPhase::widen(std::size_t index) {
     box.reach += Vector3::Constant(box.slack);
 }
 
-void BroadPhase::find_all_candidates() {
+void BroadPhase::find_all_candidates(Threads* threads) {
     wide_.resize(bounds_.size());
     wide_planes_ = planes_;
     candidates_.clear();
     put_again_ = 0;
     const int count = static_cast<int>(wide_.size());
     for (std::size_t i = 0; i < wide_.size(); ++i) widen(i);
-    for (int i = 0; i < count; ++i) add_with_planes(i);
     if (uses_grid()) {
         grid_.clear(wide_.size());
         for (int i = 0; i < count; ++i) grid_.insert(i, wide_[static_cast<std::size_t>(i)]);
-        for (int i = 0; i < count; ++i) {
-            grid_.visit_pairs_from(i, wide_[static_cast<std::size_t>(i)], [&](int j) { add_if_near(i, j); });
-        }
-    } else {
-        for (int i = 0; i < count; ++i) {
-            for (int j = 0; j < i; ++j) add_if_near(i, j);
-        }
     }
-    std::sort(candidates_.begin(), candidates_.end(),
-              [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
+        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
+            add_with_planes(i, found);
+            const auto add = [&](int j) { add_if_near(i, j, found); };
+            if (uses_grid()) {
+                grid_.visit_pairs_from(i, wide_[static_cast<std::size_t>(i)], add);
+            } else {
+                for (int j = 0; j < i; ++j) add(j);
+            }
+        }
+    };
+    candidate_search_.append_to(candidates_, threads, wide_.size(), boxes_of_a_part, find);
+    sort_distinct(threads, candidates_, [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
 }
 
-void BroadPhase::find_candidates_of_left() {
-    has_left_.assign(wide_.size(), 0);
-    for (const int i : left_) has_left_[static_cast<std::size_t>(i)] = 1;
+void BroadPhase::find_candidates_of_left(Threads* threads) {
     const auto left = [this](int box) { return box >= 0 && has_left_[static_cast<std::size_t>(box)]; };
     std::erase_if(candidates_, [&](const Candidate& c) { return left(c.box) || left(c.other); });
 
-    const auto others = static_cast<std::ptrdiff_t>(candidates_.size());
     for (const int i : left_) {
         if (uses_grid()) grid_.remove(i);
         widen(static_cast<std::size_t>(i));
         if (uses_grid()) grid_.insert(i, wide_[static_cast<std::size_t>(i)]);
     }
-    for (const int i : left_) {
-        add_with_planes(i);
-        // A pair of two that have left is found by both.
-        const auto add = [&](int j) {
-            if (j != i && !(left(j) && j < i)) add_if_near(i, j);
-        };
-        if (uses_grid()) {
-            grid_.visit_neighbours(i, wide_[static_cast<std::size_t>(i)], add);
-        } else {
-            for (int j = 0; j < static_cast<int>(wide_.size()); ++j) add(j);
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
+        for (const int i : std::span(left_).subspan(begin, end - begin)) {
+            add_with_planes(i, found);
+            // A pair of two that have left is found by both.
+            const auto add = [&](int j) {
+                if (j != i && !(left(j) && j < i)) add_if_near(i, j, found);
+            };
+            if (uses_grid()) {
+                grid_.visit_neighbours(i, wide_[static_cast<std::size_t>(i)], add);
+            } else {
+                for (int j = 0; j < static_cast<int>(wide_.size()); ++j) add(j);
+            }
         }
-    }
+    };
+    const auto others = static_cast<std::ptrdiff_t>(candidates_.size());
+    candidate_search_.append_to(candidates_, threads, left_.size(), boxes_of_a_part, find);
     const auto before = [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; };
     std::sort(candidates_.begin() + others, candidates_.end(), before);
     std::inplace_merge(candidates_.begin(), candidates_.begin() + others, candidates_.end(), before);
 }
 
-void BroadPhase::add_with_planes(int index) {
+void BroadPhase::add_with_planes(int index, std::vector<Candidate>& found) const {
     const Bounds& box = wide_[static_cast<std::size_t>(index)];
     for (int p = 0; p < static_cast<int>(wide_planes_.size()); ++p) {
         const Plane& plane = wide_planes_[static_cast<std::size_t>(p)];
         if (box.idle || !reaches(box, plane)) continue;
         const auto [a, b] = std::minmax(plane.collider, box.collider);
-        candidates_.push_back({{a, b}, index, -1 - p});
+        found.push_back({{a, b}, index, -1 - p});
     }
 }
 
-void BroadPhase::add_if_near(int index, int other) {
+void BroadPhase::add_if_near(int index, int other, std::vector<Candidate>& found) const {
     const Bounds& box = wide_[static_cast<std::size_t>(index)];
     const Bounds& near = wide_[static_cast<std::size_t>(other)];
     if (!overlap(box, near) || (box.idle && near.idle) || box.body == near.body) return;
     const auto [a, b] = std::minmax(box.collider, near.collider);
-    candidates_.push_back({{a, b}, index, other});
+    found.push_back({{a, b}, index, other});
 }
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
@@ -211,13 +238,16 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                              std::span<const Pose> poses, double margin, const Foresight* foresight,
-                                             const Awake& awake, std::span<const int> moved) {
-    bound(colliders, bodies, poses, margin, foresight, awake, moved);
-    update_candidates();
+                                             const Awake& awake, std::span<const int> moved, Threads* threads) {
+    bound(colliders, bodies, poses, margin, foresight, awake, moved, threads);
+    update_candidates(threads);
     pairs_.clear();
-    for (const Candidate& candidate : candidates_) {
-        if (is_near(candidate)) pairs_.push_back(candidate.pair);
-    }
+    const auto find = [this](std::size_t begin, std::size_t end, std::vector<Pair>& found) {
+        for (const Candidate& candidate : std::span(candidates_).subspan(begin, end - begin)) {
+            if (is_near(candidate)) found.push_back(candidate.pair);
+        }
+    };
+    pair_search_.append_to(pairs_, threads, candidates_.size(), candidates_of_a_part, find);
     return pairs_;
 }
 
@@ -239,7 +269,7 @@ void BroadPhase::put(int collider, const BoundingBox& box) {
 }
 
 std::span<const Pair> BroadPhase::find_pairs_of(const std::vector<bool>& of) {
-    update_candidates();
+    update_candidates(nullptr);
     pairs_.clear();
     const auto is_of = [&of](int collider) { return of[static_cast<std::size_t>(collider)]; };
     for (const Candidate& candidate : candidates_) {

@@ -7,6 +7,7 @@
 #include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
 #include "engine/collision/foresight.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <vector>
@@ -24,10 +25,11 @@ class BroadPhase {
     // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, and the
     // paths of their colliders with `foresight`, in ascending order. Never two colliders of one body, never two
     // that are static or not `awake`: such a row could move nothing. `poses` are those of the bodies. Only the
-    // colliders `moved` (ascending) are looked at; the others are where they were in the last call.
+    // colliders `moved` (ascending) are looked at; the others are where they were in the last call. `threads` share
+    // the work; null: one thread.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin, const Foresight* foresight,
-                                     const Awake& awake, std::span<const int> moved);
+                                     const Awake& awake, std::span<const int> moved, Threads* threads = nullptr);
 
     // The same where nothing rests.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
@@ -61,15 +63,18 @@ class BroadPhase {
     };
 
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
-               double margin, const Foresight* foresight, const Awake& awake, std::span<const int> moved);
+               double margin, const Foresight* foresight, const Awake& awake, std::span<const int> moved,
+               Threads* threads);
+    void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, std::span<const int> moved);
     bool has_same_shapes() const;
     bool uses_grid() const;
-    void update_candidates();
-    void find_all_candidates();
-    void find_candidates_of_left();
+    void update_candidates(Threads* threads);
+    bool find_left(Threads* threads);
+    void find_all_candidates(Threads* threads);
+    void find_candidates_of_left(Threads* threads);
     void widen(std::size_t index);
-    void add_with_planes(int index);
-    void add_if_near(int index, int other);
+    void add_with_planes(int index, std::vector<Candidate>& found) const;
+    void add_if_near(int index, int other, std::vector<Candidate>& found) const;
     bool is_near(const Candidate& candidate) const;
     bool can_move(const Candidate& candidate) const;  // one of the two at least
 
@@ -88,6 +93,8 @@ class BroadPhase {
     std::vector<int> left_;       // boxes that have left their wide box, or have woken
     std::vector<char> has_left_;  // by box
     std::vector<Pair> pairs_;
+    Search<Candidate> candidate_search_;
+    Search<Pair> pair_search_;
 };
 
 }  // namespace pushfactor::engine::collision

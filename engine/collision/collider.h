@@ -33,7 +33,11 @@ struct Collider {
     double restitution = 0.0;  // epsilon 0..1; a pair has the larger
     // How fast the surface itself runs, as a conveyor belt does [m/s, body frame]; friction drives with it.
     Vector3 surface_velocity = Vector3::Zero();
+    double surface_from = 0.0;  // s since the start of the world, from when on it runs
 };
+
+// Whether its surface runs in a step that begins at `time` [s].
+bool runs_at(const Collider& collider, double time);
 
 // Where a body is: maps its frame to the world.
 struct Pose {

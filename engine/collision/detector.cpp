@@ -15,6 +15,9 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
     return std::min(size_a, size_b);
 }
 
+// What a thread takes at a time.
+constexpr std::size_t bodies_of_a_part = 500, pairs_of_a_part = 256;
+
 // Takes out those points beyond the margin that the step does not bring together.
 void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
     int kept = 0;
@@ -65,45 +68,100 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      const Detection& detection, const Foresight* foresight,
-                                     const AwakeColliders& awake) {
+                                     const AwakeColliders& awake, Threads* threads) {
     poses_.resize(bodies.size());
-    for (const int body : awake.moved_bodies) {
-        poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
+    share(threads, awake.moved_bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int body : awake.moved_bodies.subspan(begin, end - begin)) {
+            poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
+        }
+    });
+    const Scene scene{colliders, bodies, detection, foresight};
+    const std::span<const Pair> pairs = broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight,
+                                                                awake.colliders, awake.moved_colliders, threads);
+    const bool alone = !threads || pairs.size() <= pairs_of_a_part;
+    const std::size_t parts = alone ? 1 : (pairs.size() + pairs_of_a_part - 1) / pairs_of_a_part;
+    if (found_.size() < parts) found_.resize(parts);
+    if (alone) {
+        find(scene, pairs, found_.front());
+    } else {
+        threads->share(parts, 1, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::size_t first = k * pairs_of_a_part;
+                find(scene, pairs.subspan(first, std::min(pairs_of_a_part, pairs.size() - first)), found_[k]);
+            }
+        });
     }
+    put_together(threads, parts);
+    return touches_;
+}
 
-    touches_.clear();
-    points_.clear();
-    beside_.clear();
-    for (const Pair& pair : broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight,
-                                                    awake.colliders, awake.moved_colliders)) {
-        Touch& touch = touches_.emplace_back();
-        name_pair(pair, colliders, bodies, touch);
+void Detector::find(const Scene& scene, std::span<const Pair> pairs, Found& found) const {
+    const std::span<const Collider> colliders = scene.colliders;
+    const Foresight* const foresight = scene.foresight;
+    Manifold& manifold = found.manifold;
+    found.touches.clear();
+    found.points.clear();
+    found.beside.clear();
+    for (const Pair& pair : pairs) {
+        Touch& touch = found.touches.emplace_back();
+        name_pair(pair, colliders, scene.bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
         combine_surfaces(colliders, touch);
-        const double margin = detection.margin * touch.size;
+        const double margin = scene.detection.margin * touch.size;
         const bool foreseen = foresight && touch.restitution <= 0.0;
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
                 colliders[static_cast<std::size_t>(pair.b)].shape, pose_b,
-                foreseen ? margin + foresight->path(pair.a) + foresight->path(pair.b) : margin, manifold_);
-        if (foreseen) keep_closing_points(touch, margin, *foresight, manifold_);
-        if (manifold_.count == 0) {
-            if (foreseen && may_meet(pair, colliders, margin, *foresight, manifold_)) beside_.push_back(pair);
-            touches_.pop_back();
+                foreseen ? margin + foresight->path(pair.a) + foresight->path(pair.b) : margin, manifold);
+        if (foreseen) keep_closing_points(touch, margin, *foresight, manifold);
+        if (manifold.count == 0) {
+            if (foreseen && may_meet(pair, colliders, margin, *foresight, manifold)) found.beside.push_back(pair);
+            found.touches.pop_back();
             continue;
         }
-        if (detection.reduce_to_four_points) reduce_to_four(manifold_, pose_a.rotation);
-        touch.normal = manifold_.normal;
-        touch.doubtful = manifold_.other_gap + detection.permitted * touch.size >= 0.0;
-        touch.points = manifold_.points();  // as many; where they are is said below, when all have been found
-        points_.insert(points_.end(), touch.points.begin(), touch.points.end());
+        if (scene.detection.reduce_to_four_points) reduce_to_four(manifold, pose_a.rotation);
+        touch.normal = manifold.normal;
+        touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
+        touch.points = manifold.points();  // as many; where they are is said when all have been found
+        found.points.insert(found.points.end(), touch.points.begin(), touch.points.end());
     }
-    std::span<const ContactPoint> left = points_;
-    for (Touch& touch : touches_) {
-        touch.points = left.first(touch.points.size());
-        left = left.subspan(touch.points.size());
+}
+
+// What has been found in this many parts, in their order.
+void Detector::put_together(Threads* threads, std::size_t parts) {
+    std::size_t touches = 0, points = 0;
+    beside_.clear();
+    for (Found& found : std::span(found_).first(parts)) {
+        found.first_touch = touches;
+        found.first_point = points;
+        touches += found.touches.size();
+        points += found.points.size();
+        beside_.insert(beside_.end(), found.beside.begin(), found.beside.end());
     }
-    return touches_;
+    if (parts == 1) {
+        touches_.swap(found_.front().touches);
+        points_.swap(found_.front().points);
+    } else {
+        touches_.resize(touches);
+        points_.resize(points);
+    }
+    share(parts > 1 ? threads : nullptr, parts, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Found& found = found_[k];
+            if (parts > 1) {
+                std::copy(found.touches.begin(), found.touches.end(),
+                          touches_.begin() + static_cast<std::ptrdiff_t>(found.first_touch));
+                std::copy(found.points.begin(), found.points.end(),
+                          points_.begin() + static_cast<std::ptrdiff_t>(found.first_point));
+            }
+            const std::size_t count = parts > 1 ? found.touches.size() : touches;
+            std::span<const ContactPoint> left = std::span(points_).subspan(found.first_point);
+            for (Touch& touch : std::span(touches_).subspan(found.first_touch, count)) {
+                touch.points = left.first(touch.points.size());
+                left = left.subspan(touch.points.size());
+            }
+        }
+    });
 }
 
 }  // namespace pushfactor::engine::collision

@@ -61,9 +61,10 @@ class Detector {
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const Foresight* foresight = nullptr);
 
-    // The same, but for touches between what is static or not `awake`.
+    // The same, but for touches between what is static or not `awake`. `threads` share the work; null: one thread.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                               const Detection& detection, const Foresight* foresight, const AwakeColliders& awake);
+                               const Detection& detection, const Foresight* foresight, const AwakeColliders& awake,
+                               Threads* threads = nullptr);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
     BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()
@@ -73,12 +74,31 @@ class Detector {
     std::span<const Pair> beside() const { return beside_; }
 
   private:
+    // What was found for pairs next to each other.
+    struct Found {
+        std::vector<Touch> touches;  // with as many points as they have, but not with these
+        std::vector<ContactPoint> points;
+        std::vector<Pair> beside;
+        Manifold manifold;                        // of the pair at hand
+        std::size_t first_touch = 0, first_point = 0;  // of all
+    };
+    // What detect() was given.
+    struct Scene {
+        std::span<const Collider> colliders;
+        std::span<const Body> bodies;
+        const Detection& detection;
+        const Foresight* foresight;
+    };
+
+    void find(const Scene& scene, std::span<const Pair> pairs, Found& found) const;
+    void put_together(Threads* threads, std::size_t parts);
+
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
     std::vector<ContactPoint> points_;  // of all touches, in their order
     std::vector<Pair> beside_;
-    Manifold manifold_;  // of the pair at hand
+    std::vector<Found> found_;  // part by part of the pairs
 };
 
 }  // namespace pushfactor::engine::collision

@@ -10,26 +10,29 @@ double path_of(const Collider& collider, double speed, double rate, double dt) {
 }
 
 void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
-                           std::span<const int> which) {
+                           std::span<const int> which, Threads* threads) {
+    constexpr std::size_t colliders_of_a_part = 500;
     bodies_ = bodies;
     dt_ = dt;
     paths_.resize(colliders.size());
-    for (const int index : which) {
-        const Collider& collider = colliders[static_cast<std::size_t>(index)];
-        const Body& body = bodies[static_cast<std::size_t>(collider.body)];
-        double& path = paths_[static_cast<std::size_t>(index)];
-        path = 0.0;
-        if (body.is_static()) continue;
-        const double size = size_of(collider.shape);
-        // The largest inverse moment bounds the rate of turning.
-        const double turning = body.inverse_inertia.maxCoeff();
-        const double speed = velocity(body).norm(), rate = body.angular_momentum.norm() * turning;
-        if (path_of(collider, speed, rate, dt) > dangerous * size) continue;
-        const double with_force = body.inverse_mass * (body.linear_momentum + dt * body.force).norm();
-        path =
-            std::min(path_of(collider, std::max(speed, with_force), rate + dt * body.torque.norm() * turning, dt),
-                     dangerous * size);
-    }
+    share(threads, which.size(), colliders_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int index : which.subspan(begin, end - begin)) {
+            paths_[static_cast<std::size_t>(index)] = path_of_step(colliders[static_cast<std::size_t>(index)]);
+        }
+    });
+}
+
+double Foresight::path_of_step(const Collider& collider) const {
+    const Body& body = bodies_[static_cast<std::size_t>(collider.body)];
+    if (body.is_static()) return 0.0;
+    const double size = size_of(collider.shape);
+    // The largest inverse moment bounds the rate of turning.
+    const double turning = body.inverse_inertia.maxCoeff();
+    const double speed = velocity(body).norm(), rate = body.angular_momentum.norm() * turning;
+    if (path_of(collider, speed, rate, dt_) > dangerous * size) return 0.0;
+    const double with_force = body.inverse_mass * (body.linear_momentum + dt_ * body.force).norm();
+    return std::min(path_of(collider, std::max(speed, with_force), rate + dt_ * body.torque.norm() * turning, dt_),
+                    dangerous * size);
 }
 
 double Foresight::closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const {

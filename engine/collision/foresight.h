@@ -12,6 +12,7 @@
 #include "engine/awake.h"
 #include "engine/collision/collider.h"
 #include "engine/motion.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <vector>
@@ -25,9 +26,9 @@ inline constexpr double dangerous = 0.25;
 class Foresight {
   public:
     // For the coming step of `dt` [s], with the external forces of `bodies`. Only the colliders `which` are looked
-    // at; the others, which rest, are as they were in the last call.
+    // at; the others, which rest, are as they were in the last call. `threads` share the work; null: one thread.
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
-                    std::span<const int> which);
+                    std::span<const int> which, Threads* threads = nullptr);
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt) {
         look_ahead(colliders, bodies, dt, Awake(colliders.size()).members());
     }
@@ -43,6 +44,8 @@ class Foresight {
     double most_closing(const Collider& a, const Collider& b, const Vector3& normal) const;
 
   private:
+    double path_of_step(const Collider& collider) const;
+
     std::span<const Body> bodies_;
     double dt_ = 0.0;
     std::vector<double> paths_;  // by collider

@@ -21,7 +21,6 @@
 #include "engine/islands.h"
 #include "engine/solvers/lanes.h"
 #include "engine/system_equation.h"
-#include "engine/threads.h"
 
 #include <algorithm>
 #include <array>
@@ -48,8 +47,7 @@ class UnitRows {
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
-    static constexpr int rows_of_a_block = 3;           // at most
-    static constexpr std::size_t runs_of_a_part = 256;  // that a thread loads
+    static constexpr int rows_of_a_block = 3;  // at most
     struct Block {
         int begin = 0, count = 0;  // of rows
         int a = 0, b = 0;          // bodies
@@ -61,50 +59,49 @@ class UnitRows {
     // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes
     // one of zeros.
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
-        load(system, island, guess, 0, system.dt);
+        begin(island);
+        for (const RowRun& run : island.runs) load_run(system, island, run, guess, 0, system.dt);
+        add_blocks();
+        follow();
     }
-    // For a step of `dt` [s], with guesses from column `first` on. `threads` share the work; null: one thread.
-    void load(const SystemEquation& system, const Island& island, const Columns& guess, Eigen::Index first,
-              double dt, Threads* threads = nullptr) {
+
+    // The same in steps, of which all but the first and the third may be shared by threads, run by run and block by
+    // block: first this, for the number of rows and bodies.
+    void begin(const Island& island) {
         rows.resize(static_cast<std::size_t>(island.rows));
         units_.resize(rows.size());
-        coupled_ = false;
+        velocity.resize(static_cast<std::size_t>(island.body_count));
+        movable = island.movable();
         blocks.clear();
-        const auto weigh = [&](const RowRun& run, int j, int number) {
+        coupled_ = false;
+    }
+    // Second, each run, for a step of `dt` [s], with guesses from column `first` on.
+    void load_run(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
+                  Eigen::Index first, double dt) {
+        for (int j = run.begin, number = run.first; j < run.end; ++j, ++number) {
             Row& row = rows[static_cast<std::size_t>(number)];
             row.a = run.a;
             row.b = run.b;
             row.unit = &units_[static_cast<std::size_t>(number)];
             row.scale = std::sqrt(system.diagonal[j]);
             units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
-        };
-        const auto fill = [&](const RowRun& run, int j, int number) {
-            load_row(system, island, run, guess, first, dt, j, rows[static_cast<std::size_t>(number)]);
-        };
-        const auto for_rows = [&](std::size_t begin, std::size_t end, const auto& visit) {
-            for (const RowRun& run : island.runs.subspan(begin, end - begin)) {
-                for (int j = run.begin, number = run.first; j < run.end; ++j, ++number) visit(run, j, number);
-            }
-        };
-        if (threads) {
-            // Bounds may be in terms of any row before, which has to have its scale.
-            const auto share = [&](const auto& visit) {
-                threads->share(island.runs.size(), runs_of_a_part,
-                               [&](std::size_t begin, std::size_t end, int) { for_rows(begin, end, visit); });
-            };
-            share(weigh);
-            share(fill);
-            for (int number = 0; number < island.rows; ++number) add_to_block(number);
-        } else {
-            for_rows(0, island.runs.size(), [&](const RowRun& run, int j, int number) {
-                weigh(run, j, number);
-                fill(run, j, number);
-                add_to_block(number);
-            });
+            load_row(system, island, run, guess, first, dt, j, row);
         }
-        velocity.resize(static_cast<std::size_t>(island.body_count));
-        movable = island.movable();
-        follow();
+    }
+    // Third.
+    void add_blocks() {
+        for (int j = 0; j < static_cast<int>(rows.size()); ++j) add_to_block(j);
+    }
+    // Fourth: the velocities that follow from the forces. By follow(), or for movable bodies with velocities of zero
+    // by adding the blocks that act on them one after the other.
+    [[gnu::flatten]] void add_velocities(std::size_t begin_block, std::size_t end_block, BodyVelocity& still) {
+        for_each_block(begin_block, end_block, [&](const Block& block, auto count, auto) {
+            Value y[count];
+            unrolled<count>([&](auto i) { y[i] = Lanes<columns>::of(rows_of(block)[i].y); });
+            Velocity x[columns];
+            unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c, still); });
+            push<count>(block, y, x);
+        });
     }
 
     // Writes the answer [N] for the rows of the island that was loaded; both columns of `lambda` when it has one.
@@ -181,8 +178,8 @@ class UnitRows {
     double set(Row& row, int c, double y) {
         const double change = y - row.y[at(c)];
         row.y[at(c)] = y;
-        x_of(row.a).col(c) += row.unit->a * change;
-        x_of(row.b).col(c) += row.unit->b * change;
+        if (row.a < movable) x_of(row.a).col(c) += row.unit->a * change;
+        if (row.b < movable) x_of(row.b).col(c) += row.unit->b * change;
         return change;
     }
 
@@ -252,20 +249,20 @@ class UnitRows {
     }
 
     // The bodies' velocities anew from all forces, which removes what roundings have left behind.
-    [[gnu::flatten]] void follow() {
+    void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
-        for_each_block([&](const Block& block, auto count, auto) {
-            Value y[count];
-            unrolled<count>([&](auto i) { y[i] = Lanes<columns>::of(rows_of(block)[i].y); });
-            push<count>(block, y);
-        });
+        BodyVelocity still = BodyVelocity::Zero();
+        add_velocities(0, blocks.size(), still);
     }
 
     // Writes the couplings of the blocks, if they are not there yet.
     void couple() {
-        if (coupled_) return;
+        if (!coupled_) couple(0, blocks.size());
         coupled_ = true;
-        for_each_block([&](Block& block, auto count, auto) {
+    }
+    // Of some blocks.
+    void couple(std::size_t begin_block, std::size_t end_block) {
+        for_each_block(begin_block, end_block, [&](Block& block, auto count, auto) {
             const Row* row = rows_of(block);
             unrolled<count>([&](auto i) {
                 unrolled<i>([&](auto k) {
@@ -277,9 +274,11 @@ class UnitRows {
     }
 
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
-    [[gnu::flatten]] double residual() {
+    double residual() { return residual(0, blocks.size()); }
+    // Of the rows of some blocks.
+    [[gnu::flatten]] double residual(std::size_t begin_block, std::size_t end_block) {
         Value largest{};
-        for_each_block([&](const Block& block, auto count, auto disc) {
+        for_each_block(begin_block, end_block, [&](const Block& block, auto count, auto disc) {
             Velocity x[columns];
             unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
             Value moved[count];

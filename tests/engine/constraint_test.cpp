@@ -25,8 +25,9 @@ Vector6 velocity_of(const Body& body) {
 }
 
 ConstraintRow contact(const BodyPair& pair, double gap, const Correction& correction, double slop = 0.0) {
-    std::vector<ConstraintRow> rows;
-    return append_contact_row(PairPoint(pair, {0.3, 0, 0.1}), Vector3::UnitY(), gap, correction, slop, 0.1, rows);
+    ConstraintRow row;
+    write_contact_row(PairPoint(pair, {0.3, 0, 0.1}), Vector3::UnitY(), gap, correction, slop, 0.1, row);
+    return row;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Threads: every part of the work once, and the bits of one thread, whatever their number.
 #include "engine/threads.h"
 
+#include "engine/dissection.h"
 #include "engine/solvers/sweep.h"
-#include "engine/solvers/sweep_pipeline.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/rows.h"

@@ -26,15 +26,15 @@ class Rail : public ConstraintSource {
         across_[1] = direction.cross(across_[0]);
     }
 
-    void append_rows(std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows) override {
-        const Vector3 offset = bodies[static_cast<std::size_t>(slider_)].position - point_;
+    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override {
+        const Vector3 offset = step.bodies[static_cast<std::size_t>(slider_)].position - point_;
         for (std::size_t k = 0; k < 2; ++k) {
             const double error = across_[k].dot(offset);
             ConstraintRow& row = rows.emplace_back();
             row.body_a = ground_;
             row.body_b = slider_;
             row.jacobian.b.head<3>() = across_[k];
-            row.push = correct({.kind = PushKind::single_frame, .beta = 1.0}, -error, dt);
+            row.push = correct({.kind = PushKind::single_frame, .beta = 1.0}, -error, step.dt);
             row.guess = forces_[k];
         }
     }

@@ -80,7 +80,7 @@ TEST_CASE("5.2: half the difference of squares grows with the square of the scal
         const auto row = [](double s) {
             std::vector<ConstraintRow> rows;
             DistanceConstraints({{.body_a = 0, .body_b = 1, .length = s}}, {PushKind::persistent, 0.2}, false)
-                .append_rows(ball_at(1.1 * s), dt, rows);
+                .append_rows({ball_at(1.1 * s), dt}, rows);
             return rows.front();
         };
         CHECK(row(scale).label.gap == Approx(scale * row(1.0).label.gap));  // c = |p_ab| - l
@@ -94,8 +94,8 @@ TEST_CASE("5.3: a normal from a to b parts the bodies by d, one from b to a pres
     const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.5, {0, 0.5 - depth, 0})};
     const auto depth_after = [&](const Vector3& normal) {
         std::vector<ConstraintRow> rows;
-        append_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, Vector3::Zero()), normal, -depth,
-                           {PushKind::persistent, 1.0}, 0.0, dt, rows);
+        write_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, Vector3::Zero()), normal, -depth,
+                          {PushKind::persistent, 1.0}, 0.0, dt, rows.emplace_back());
         CHECK(rows[0].push.lasting == Approx(depth / dt));  // 5.3.1, where c = -d
         return 0.5 - step_with(bodies, rows, dt).bodies[1].position.y();
     };
@@ -112,8 +112,8 @@ TEST_CASE("5.3: whether the block of a static body is zero or not makes no diffe
         const std::vector<Body> bodies = static_a ? std::vector{wall, box} : std::vector{box, wall};
         std::vector<ConstraintRow> rows;
         const Vector3 point(0.4, 0.1, 0.1), n = Vector3(static_a ? 1 : -1, 2, static_a ? 2 : -2) / 3.0;
-        append_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, point), n, -0.01, {PushKind::persistent, 0.2},
-                           0.0, dt, rows);
+        write_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, point), n, -0.01, {PushKind::persistent, 0.2},
+                          0.0, dt, rows.emplace_back());
         const Literal simplified = step_with(bodies, rows, dt);
         rows[0].jacobian.a = stacked(-n, -(point - bodies[0].position).cross(n));
         rows[0].jacobian.b = stacked(n, (point - bodies[1].position).cross(n));

@@ -73,7 +73,7 @@ double fastest_of_intersecting_stack(double share) {
     double fastest = 0.0;
     for (int n = 0; n < 30; ++n) {
         std::vector<ConstraintRow> rows;
-        stage.append_rows(bodies, step, rows);
+        stage.append_rows({bodies, step}, rows);
         Columns lambda = Columns::Zero(static_cast<Eigen::Index>(rows.size()), 1);
         const std::vector<Vector6> moving = sweep(bodies, rows, step, lambda);
         for (ConstraintRow& row : rows) row.push = {};
@@ -113,8 +113,8 @@ TEST_CASE(
     "8.1: the constraint is met when f_cv turns the body as well; moving it alone leaves what the turn would do") {
     const std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1.0, {1.0, 0.4, 0.2}, {0, 0.2, 0})};
     std::vector<ConstraintRow> rows;
-    append_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, {0.5, 0, 0}), Vector3::UnitY(), -0.01,
-                       {PushKind::persistent, 1.0}, 0.0, dt, rows);
+    write_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, {0.5, 0, 0}), Vector3::UnitY(), -0.01,
+                      {PushKind::persistent, 1.0}, 0.0, dt, rows.emplace_back());
     const double push = rows[0].push.lasting;
     const tests::Literal moving = tests::step_with(bodies, rows, dt);  // f_cv
     rows[0].push = {};

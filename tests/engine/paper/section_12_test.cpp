@@ -56,7 +56,7 @@ TEST_CASE("12.1: the derivative of a length is along it") {
     const auto error = [&](double t) {
         const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.1, p_ab + t * rate)};
         std::vector<ConstraintRow> rows;
-        DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false).append_rows(bodies, dt, rows);
+        DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false).append_rows({bodies, dt}, rows);
         return rows[0].label.gap;
     };
     const double h = 1e-4;
@@ -81,7 +81,7 @@ TEST_CASE("12.2: products with J are those of Figure 11") {
                         {.body = 2, .shape = collision::Sphere{0.5}}},
                        {.correction = no_push, .slop = 0.0, .detection = {.margin = 0.01}});
     std::vector<ConstraintRow> rows;
-    stage.append_rows(bodies, dt, rows);
+    stage.append_rows({bodies, dt}, rows);
     REQUIRE(rows.size() == 2);
 
     // J = [a; b] for the one body that moves and no rotation.
@@ -223,7 +223,7 @@ TEST_CASE("12.3: 6.2.2 is for rows without push and not at a bound") {
     sliding[1].linear_momentum = {1, 0, 0};
     std::vector<ConstraintRow> rows;
     const PairPoint at_centre({0, 1, sliding[0], sliding[1]}, sliding[1].position);
-    append_friction_row(at_centre, Vector3::UnitX(), {.c_min = -1.0, .c_max = 1.0}, 0.0, rows);
+    write_friction_row(at_centre, Vector3::UnitX(), {.c_min = -1.0, .c_max = 1.0}, 0.0, rows.emplace_back());
     const Frozen slides(sliding, rows, dt);
     Columns bounded = slides.zero();
     solvers::make_solver("pgs")->solve(slides.system, {.iterations = 5}, bounded);

@@ -186,7 +186,7 @@ pushfactor::tests::Frozen measured_in(double kilogram, double metre, double seco
                                .length = 1.2 * metre};
     engine::DistanceConstraints source({bar}, {engine::PushKind::persistent, 0.2}, false);
     std::vector<engine::ConstraintRow> rows;
-    source.append_rows(bodies, second / 60.0, rows);
+    source.append_rows({bodies, second / 60.0}, rows);
     return {bodies, rows, second / 60.0};
 }
 

@@ -42,7 +42,7 @@ struct Chain {
     }
     Frozen frozen() const {
         std::vector<ConstraintRow> rows;
-        DistanceConstraints(distances, {PushKind::persistent, 1.0}, false).append_rows(bodies, dt, rows);
+        DistanceConstraints(distances, {PushKind::persistent, 1.0}, false).append_rows({bodies, dt}, rows);
         return {bodies, rows, dt};
     }
 };

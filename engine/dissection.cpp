@@ -1,0 +1,156 @@
+#include "engine/dissection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Rows of a leaf at least, halvings at most, and the share of the rows that may cross planes: those are swept on
+// fewer threads, and what is too narrow for more leaves would be swept in another order for nothing.
+constexpr int least_rows_of_leaf = 1000;
+constexpr int most_halvings = 6;
+constexpr double most_crossing = 0.2;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+int halvings_for(int rows) {
+    int halvings = 0;
+    while (halvings < most_halvings && (rows >> (halvings + 1)) >= least_rows_of_leaf) ++halvings;
+    return halvings;
+}
+
+// Parts of lower heights come first: where those of this height begin.
+int parts_below(int height, int halvings) {
+    return (2 << halvings) - (2 << (halvings - height));
+}
+
+}  // namespace
+
+void Dissection::cut(std::span<const Body> bodies, const Island& island) {
+    int halvings = island.rows < least_rows || island.follows_others ? 0 : halvings_for(island.rows);
+    if (halvings > 0) {
+        order_.resize(at(island.movable()));
+        std::iota(order_.begin(), order_.end(), 0);
+        leaf_of_.resize(order_.size());
+        halve(bodies, island, 0, island.movable(), halvings, 0);
+        while (halvings > 0 && !put_runs(island, halvings)) {
+            --halvings;
+            for (int& leaf : leaf_of_) leaf /= 2;
+        }
+    }
+    if (halvings == 0) {
+        leave_whole(island);
+    } else {
+        put_bodies(island, halvings);
+    }
+    list_parts();
+}
+
+void Dissection::leave_whole(const Island& island) {
+    island_ = island;
+    leaves_.assign(1, {0, island.movable()});
+    parts_.assign(1, {0, static_cast<int>(island.runs.size()), 0, island.rows});
+    rounds_.assign(1, {});
+}
+
+// Upright is along y, as in the order of rows (row_order.h). Bodies at equal places are told apart by their numbers.
+void Dissection::halve(std::span<const Body> bodies, const Island& island, int begin, int end, int halvings,
+                       int leaf) {
+    const auto first = order_.begin() + begin, last = order_.begin() + end;
+    if (halvings == 0) {
+        for (auto body = first; body != last; ++body) leaf_of_[at(*body)] = leaf;
+        return;
+    }
+    const auto place = [&](int body, int axis) { return bodies[at(island.bodies[at(body)])].position[axis]; };
+    const auto extent = [&](int axis) {
+        const auto [low, high] =
+            std::minmax_element(first, last, [&](int a, int b) { return place(a, axis) < place(b, axis); });
+        return low == last ? 0.0 : place(*high, axis) - place(*low, axis);
+    };
+    const int axis = extent(0) >= extent(2) ? 0 : 2;
+    const int middle = begin + (end - begin) / 2;
+    std::nth_element(first, order_.begin() + middle, last, [&](int a, int b) {
+        const double at_a = place(a, axis), at_b = place(b, axis);
+        return at_a != at_b ? at_a < at_b : a < b;
+    });
+    halve(bodies, island, begin, middle, halvings - 1, 2 * leaf);
+    halve(bodies, island, middle, end, halvings - 1, 2 * leaf + 1);
+}
+
+// Finds the part of each run, and the order that follows. Returns whether few enough rows cross planes.
+bool Dissection::put_runs(const Island& island, int halvings) {
+    const auto leaf = [&](int body) { return body < island.movable() ? leaf_of_[at(body)] : -1; };
+    part_of_.resize(island.runs.size());
+    begin_.assign(at(parts_below(halvings, halvings) + 2), 0);
+    int crossing = 0;
+    for (std::size_t k = 0; k < island.runs.size(); ++k) {
+        const RowRun& run = island.runs[k];
+        int a = leaf(run.a), b = leaf(run.b), height = 0;
+        if (a < 0) a = b;
+        if (b < 0) b = a;
+        for (; a != b; ++height) {
+            a /= 2;
+            b /= 2;
+        }
+        if (height > 0) crossing += run.end - run.begin;
+        part_of_[k] = parts_below(height, halvings) + a;
+        ++begin_[at(part_of_[k]) + 1];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    return crossing <= most_crossing * island.rows;
+}
+
+// Writes the island in the new order, ascending within each part.
+void Dissection::put_bodies(const Island& island, int halvings) {
+    std::stable_sort(order_.begin(), order_.end(), [this](int a, int b) {
+        return leaf_of_[at(a)] != leaf_of_[at(b)] ? leaf_of_[at(a)] < leaf_of_[at(b)] : a < b;
+    });
+    number_.resize(at(island.body_count));
+    std::iota(number_.begin(), number_.end(), 0);  // static ones keep theirs
+    bodies_.resize(order_.size());
+    leaves_.assign(std::size_t{1} << halvings, {});
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+        number_[at(order_[k])] = static_cast<int>(k);
+        bodies_[k] = island.bodies[at(order_[k])];
+        leaves_[at(leaf_of_[at(order_[k])])].end = static_cast<int>(k) + 1;
+    }
+    for (std::size_t k = 1; k < leaves_.size(); ++k) leaves_[k].begin = leaves_[k - 1].end;
+
+    const std::size_t parts = begin_.size() - 1;
+    runs_.resize(island.runs.size());
+    next_.assign(begin_.begin(), begin_.end());
+    for (std::size_t k = 0; k < island.runs.size(); ++k) runs_[at(next_[at(part_of_[k])]++)] = island.runs[k];
+    int rows = 0;
+    parts_.clear();
+    for (std::size_t k = 0; k < parts; ++k) {
+        Part part{.begin_run = begin_[k], .end_run = begin_[k + 1], .begin_row = rows, .end_row = rows};
+        for (int r = part.begin_run; r < part.end_run; ++r) {
+            RowRun& run = runs_[at(r)];
+            run.first = part.end_row;
+            run.a = number_[at(run.a)];
+            run.b = number_[at(run.b)];
+            part.end_row += run.end - run.begin;
+        }
+        rows = part.end_row;
+        parts_.push_back(part);
+    }
+    island_ = island;
+    island_.bodies = bodies_;
+    island_.runs = runs_;
+    rounds_.assign(at(halvings) + 1, {});
+}
+
+void Dissection::list_parts() {
+    std::span<const Part> left = parts_;
+    for (std::size_t height = 0; height < rounds_.size(); ++height) {
+        const std::size_t count = std::size_t{1} << (rounds_.size() - 1 - height);
+        rounds_[height].parts = left.first(count);
+        left = left.subspan(count);
+    }
+}
+
+}  // namespace pushfactor::engine
