@@ -9,6 +9,8 @@ namespace {
 
 constexpr double position_tolerance = 0.02;  // of the size of the pair
 
+constexpr std::size_t touches_of_a_part = 256;  // that a thread takes
+
 }  // namespace
 
 bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const {
@@ -20,26 +22,25 @@ bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::C
 // Each force once: first to the points of the same feature, then to the nearest of the others, pair by pair in
 // ascending order of their distances.
 void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                            std::span<ContactForce> forces) {
+                            std::span<ContactForce> forces) const {
     const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
-    taken_.assign(known.size(), 0);
-    given_.assign(points.size(), 0);
+    std::vector<char> taken(known.size(), 0), given(points.size(), 0);
     const auto give = [&](std::size_t point, std::size_t from) {
         forces[point] = known[from].force;
-        given_[point] = taken_[from] = 1;
+        given[point] = taken[from] = 1;
     };
     for (std::size_t p = 0; p < points.size(); ++p) {
-        for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
-            if (!taken_[k] && known[k].feature == points[p].feature) give(p, k);
+        for (std::size_t k = 0; k < known.size() && !given[p]; ++k) {
+            if (!taken[k] && known[k].feature == points[p].feature) give(p, k);
         }
     }
     for (;;) {
         double nearest = reach;
         std::size_t point = points.size(), from = 0;
         for (std::size_t p = 0; p < points.size(); ++p) {
-            for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
+            for (std::size_t k = 0; k < known.size() && !given[p]; ++k) {
                 const double distance = (known[k].position - points[p].position).norm();
-                if (taken_[k] || !(distance < nearest)) continue;
+                if (taken[k] || !(distance < nearest)) continue;
                 nearest = distance;
                 point = p;
                 from = k;
@@ -50,19 +51,45 @@ void ContactCache::hand_out(const Entry& entry, std::span<const collision::Conta
     }
 }
 
-void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) {
-    auto entry = entries_.begin();
+void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
+                          Threads* threads) const {
+    std::size_t count = forces.size();
+    if (!threads) {
+        for (const collision::Touch& touch : touches) count += touch.points.size();
+        const std::size_t first = forces.size();
+        forces.resize(count);
+        recall(touches, std::span(forces).subspan(first));
+        return;
+    }
+    std::vector<std::size_t> first_of_part;  // into forces
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+        if (k % touches_of_a_part == 0) first_of_part.push_back(count);
+        count += touches[k].points.size();
+    }
+    forces.resize(count);
+    share(threads, first_of_part.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t part = begin; part < end; ++part) {
+            const std::size_t first = part * touches_of_a_part;
+            recall(touches.subspan(first, std::min(touches_of_a_part, touches.size() - first)),
+                   std::span(forces).subspan(first_of_part[part]));
+        }
+    });
+}
+
+// Writes the forces of some touches.
+void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces) const {
+    if (touches.empty()) return;
+    auto entry = std::lower_bound(entries_.begin(), entries_.end(), touches.front().pair,
+                                  [](const Entry& a, const collision::Pair& pair) { return a.pair < pair; });
     for (const collision::Touch& touch : touches) {
         while (entry != entries_.end() && entry->pair < touch.pair) ++entry;
-        const bool known = entry != entries_.end() && entry->pair == touch.pair;
-        if (known && is_as_before(*entry, touch.points)) {
-            for (std::size_t i = 0; i < touch.points.size(); ++i) forces.push_back(points_[entry->first + i].force);
-            continue;
-        }
-        const std::size_t first = forces.size();
-        forces.resize(first + touch.points.size());
-        if (known) {
-            hand_out(*entry, touch.points, position_tolerance * touch.size, std::span(forces).subspan(first));
+        const std::span<ContactForce> own = forces.first(touch.points.size());
+        forces = forces.subspan(own.size());
+        if (entry == entries_.end() || entry->pair != touch.pair) continue;
+        if (is_as_before(*entry, touch.points)) {
+            for (std::size_t i = 0; i < own.size(); ++i) own[i] = points_[entry->first + i].force;
+        } else {
+            hand_out(*entry, touch.points, position_tolerance * touch.size, own);
         }
     }
 }
@@ -85,12 +112,25 @@ void ContactCache::store(const collision::Touch& touch, std::span<const ContactF
     }
 }
 
-void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces) {
-    clear();
-    for (const collision::Touch& touch : touches) {
-        store(touch, forces.first(touch.points.size()));
-        forces = forces.subspan(touch.points.size());
+void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
+                         Threads* threads) {
+    entries_.resize(touches.size());
+    points_.resize(forces.size());
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+        const auto points = static_cast<int>(touches[k].points.size());
+        entries_[k] = {touches[k].pair, count, points};
+        count += touches[k].points.size();
     }
+    share(threads, touches.size(), touches_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t first = entries_[k].first;
+            for (std::size_t i = 0; i < touches[k].points.size(); ++i) {
+                const collision::ContactPoint& point = touches[k].points[i];
+                points_[first + i] = {point.feature, point.position, forces[first + i]};
+            }
+        }
+    });
 }
 
 }  // namespace pushfactor::engine

@@ -3,6 +3,7 @@
 
 #include "engine/collision/detector.h"
 #include "engine/constraint_row.h"
+#include "engine/threads.h"
 
 #include <span>
 #include <utility>
@@ -21,6 +22,10 @@ struct ContactForce {
 class ContactCache {
   public:
     struct Point {
+        // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+        Point() {}  // NOLINT(modernize-use-equals-default)
+        Point(std::uint32_t of, const Vector3& at, const ContactForce& with) : feature(of), position(at), force(with) {}
+
         std::uint32_t feature = 0;
         Vector3 position;  // m, world frame
         ContactForce force;
@@ -33,11 +38,13 @@ class ContactCache {
 
     // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point
     // is the same as before when its feature is, or else when it is the nearest one within 2 % of the size. No
-    // force is given to two points.
-    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces);
+    // force is given to two points. `threads` share the work; null: one thread.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
+                Threads* threads = nullptr) const;
 
     // Replaces the cache. `forces` in the order of recall.
-    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces);
+    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
+               Threads* threads = nullptr);
 
     // The same touch after touch, in ascending order of the pair, once the cache is empty. `forces`: one per point.
     void clear();
@@ -70,13 +77,13 @@ class ContactCache {
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
+    void recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces) const;
     bool is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const;
     void hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                  std::span<ContactForce> forces);
+                  std::span<ContactForce> forces) const;
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
-    std::vector<char> taken_, given_;  // of the touch at hand: forces of before, points of now
 };
 
 }  // namespace pushfactor::engine

@@ -127,6 +127,7 @@ void ContactStage::write_normal(const Contact& contact, const BodyPair& pair, co
                                 ConstraintRow& row) const {
     const collision::Touch& touch = *contact.touch;
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
+    row = ConstraintRow();
     write_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, row);
     if (restitution_ && touch.restitution > 0.0) {
         const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, dt));
@@ -150,6 +151,7 @@ void ContactStage::write_friction(Contact& contact, const PairPoint& at, const T
         const std::size_t k = which == Disc::first ? 0 : 1;
         const Vector3& tangent = contact.tangents[k];
         ConstraintRow& row = rows[static_cast<std::size_t>(contact.friction_row) + k];
+        row = ConstraintRow();
         write_friction_row(at, tangent, bound.at(contact.normal_row, which), tangent.dot(shared.belt), row);
         const ContactForce& force = forces_[contact.force];
         row.label.point = contact.point;
@@ -218,13 +220,13 @@ void ContactStage::find_motions(const StepStart& step) {
 }
 
 void ContactStage::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                                  const StepStart& step, std::vector<ConstraintRow>& rows) {
+                                  const StepStart& step, RowList& rows) {
     const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
     number_rows(contacts, rows.size());
-    rows.resize(rows.size() + contacts.size() * (friction_ ? 3 : 1));
+    const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
     share(step.threads, contacts.size(), contacts_of_a_part,
-          [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, rows); });
+          [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, all); });
 }
 
 // Of the contacts from `begin` up to `end`.
@@ -248,8 +250,9 @@ collision::Sweep::Step ContactStage::collision_step(const StepStart& step) const
     return {colliders_, step.bodies, step.dt, choices_.detection, awake_colliders_.members(), any_bounces_};
 }
 
-void ContactStage::append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) {
+void ContactStage::append_rows(const StepStart& step, RowList& rows) {
     const std::span<const Body> bodies = step.bodies;
+    threads_ = step.threads;
     // First what refers to the touches of the last step, whose points and meetings the search throws away.
     contacts_.clear();
     unforeseen_.clear();
@@ -270,12 +273,12 @@ void ContactStage::append_rows(const StepStart& step, std::vector<ConstraintRow>
     if (friction_) find_motions(step);
     forces_.clear();
     own_rows_ = 0;
-    if (cache_) cache_->recall(touches_, forces_);
+    if (cache_) cache_->recall(touches_, forces_, step.threads);
     append_touches(touches_, order_, step, rows);
 }
 
 void ContactStage::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
-                                     std::span<const NewForce> changed, std::vector<ConstraintRow>& rows) {
+                                     std::span<const NewForce> changed, RowList& rows) {
     if (!sweep_) return;
     const auto found = sweep_->look(forces, changed, collision_step(step), detector_);
     if (found.empty()) return;
@@ -310,23 +313,26 @@ std::vector<ContactSite> ContactStage::sites() const {
 
 void ContactStage::remember(std::span<const Lambda> answers) {
     if (!cache_) return;
-    for (const Contact& contact : contacts_) {
+    const auto take = [&](const Contact& contact) {
         ContactForce& force = forces_[contact.force];
         const auto answer = [&](int row) { return answers[static_cast<std::size_t>(row - contact.foreign_rows)]; };
         force.normal = answer(contact.normal_row);
-        if (contact.friction_row < 0) continue;
+        if (contact.friction_row < 0) return;
         const Lambda along = answer(contact.friction_row);
         const Lambda across = answer(contact.friction_row + 1);
         force.friction_first = contact.tangents[0] * along.first + contact.tangents[1] * across.first;
         force.friction_last = contact.tangents[0] * along.last + contact.tangents[1] * across.last;
-    }
+    };
+    share(threads_, contacts_.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const Contact& contact : std::span(contacts_).subspan(begin, end - begin)) take(contact);
+    });
     store_forces();
 }
 
 // The cache wants them in ascending order of the pair.
 void ContactStage::store_forces() {
     if (unforeseen_.empty()) {
-        cache_->store(touches_, forces_);
+        cache_->store(touches_, forces_, threads_);
         return;
     }
     struct Known {

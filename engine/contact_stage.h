@@ -50,9 +50,9 @@ class ContactStage : public ConstraintSource {
     void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
-    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override;
+    void append_rows(const StepStart& step, RowList& rows) override;
     void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
-                           std::span<const NewForce> changed, std::vector<ConstraintRow>& rows) override;
+                           std::span<const NewForce> changed, RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
@@ -86,7 +86,7 @@ class ContactStage : public ConstraintSource {
     struct TouchFriction;
 
     void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
-                        std::vector<ConstraintRow>& rows);
+                        RowList& rows);
     std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
                                     Threads* threads);
     void number_rows(std::span<Contact> contacts, std::size_t first_row);
@@ -121,6 +121,7 @@ class ContactStage : public ConstraintSource {
     collision::Detector detector_;
     collision::Passing passing_;
     std::span<const collision::Touch> touches_;
+    Threads* threads_ = nullptr;
     std::deque<collision::Touch> unforeseen_;
     std::vector<Motion> motions_;  // by body, at the start of the step; for friction
     ContactOrder order_, unforeseen_order_;

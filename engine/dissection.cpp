@@ -1,6 +1,8 @@
 #include "engine/dissection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pushfactor::engine {
@@ -15,6 +17,11 @@ constexpr double most_crossing = 0.2;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
+}
+
+// A body that is nowhere is put somewhere, so that there is an order.
+double finite(double place) {
+    return std::isfinite(place) ? place : 0.0;
 }
 
 int halvings_for(int rows) {
@@ -33,10 +40,13 @@ int parts_below(int height, int halvings) {
 void Dissection::cut(std::span<const Body> bodies, const Island& island) {
     int halvings = island.rows < least_rows || island.follows_others ? 0 : halvings_for(island.rows);
     if (halvings > 0) {
-        order_.resize(at(island.movable()));
-        std::iota(order_.begin(), order_.end(), 0);
-        leaf_of_.resize(order_.size());
-        halve(bodies, island, 0, island.movable(), halvings, 0);
+        spots_.clear();
+        for (int k = 0; k < island.movable(); ++k) {
+            const Vector3& position = bodies[at(island.bodies[at(k)])].position;
+            spots_.push_back({{finite(position.x()), finite(position.z())}, k});
+        }
+        leaf_of_.resize(spots_.size());
+        halve(0, island.movable(), halvings, 0);
         while (halvings > 0 && !put_runs(island, halvings)) {
             --halvings;
             for (int& leaf : leaf_of_) leaf /= 2;
@@ -58,27 +68,27 @@ void Dissection::leave_whole(const Island& island) {
 }
 
 // Upright is along y, as in the order of rows (row_order.h). Bodies at equal places are told apart by their numbers.
-void Dissection::halve(std::span<const Body> bodies, const Island& island, int begin, int end, int halvings,
-                       int leaf) {
-    const auto first = order_.begin() + begin, last = order_.begin() + end;
+void Dissection::halve(int begin, int end, int halvings, int leaf) {
+    const auto first = spots_.begin() + begin, last = spots_.begin() + end;
     if (halvings == 0) {
-        for (auto body = first; body != last; ++body) leaf_of_[at(*body)] = leaf;
+        for (auto spot = first; spot != last; ++spot) leaf_of_[at(spot->body)] = leaf;
         return;
     }
-    const auto place = [&](int body, int axis) { return bodies[at(island.bodies[at(body)])].position[axis]; };
-    const auto extent = [&](int axis) {
-        const auto [low, high] =
-            std::minmax_element(first, last, [&](int a, int b) { return place(a, axis) < place(b, axis); });
-        return low == last ? 0.0 : place(*high, axis) - place(*low, axis);
+    const auto extent = [&](std::size_t axis) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (auto spot = first; spot != last; ++spot) {
+            low = std::min(low, spot->place[axis]);
+            high = std::max(high, spot->place[axis]);
+        }
+        return high - low;
     };
-    const int axis = extent(0) >= extent(2) ? 0 : 2;
+    const std::size_t axis = extent(0) >= extent(1) ? 0 : 1;
     const int middle = begin + (end - begin) / 2;
-    std::nth_element(first, order_.begin() + middle, last, [&](int a, int b) {
-        const double at_a = place(a, axis), at_b = place(b, axis);
-        return at_a != at_b ? at_a < at_b : a < b;
+    std::nth_element(first, spots_.begin() + middle, last, [axis](const Spot& a, const Spot& b) {
+        return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis] : a.body < b.body;
     });
-    halve(bodies, island, begin, middle, halvings - 1, 2 * leaf);
-    halve(bodies, island, middle, end, halvings - 1, 2 * leaf + 1);
+    halve(begin, middle, halvings - 1, 2 * leaf);
+    halve(middle, end, halvings - 1, 2 * leaf + 1);
 }
 
 // Finds the part of each run, and the order that follows. Returns whether few enough rows cross planes.
@@ -106,19 +116,21 @@ bool Dissection::put_runs(const Island& island, int halvings) {
 
 // Writes the island in the new order, ascending within each part.
 void Dissection::put_bodies(const Island& island, int halvings) {
-    std::stable_sort(order_.begin(), order_.end(), [this](int a, int b) {
-        return leaf_of_[at(a)] != leaf_of_[at(b)] ? leaf_of_[at(a)] < leaf_of_[at(b)] : a < b;
-    });
+    leaves_.assign(std::size_t{1} << halvings, {});
+    for (const int leaf : leaf_of_) ++leaves_[at(leaf)].end;
+    for (std::size_t k = 1; k < leaves_.size(); ++k) {
+        leaves_[k].begin = leaves_[k - 1].end;
+        leaves_[k].end += leaves_[k].begin;
+    }
+    next_.clear();
+    for (const Leaf& leaf : leaves_) next_.push_back(leaf.begin);
     number_.resize(at(island.body_count));
     std::iota(number_.begin(), number_.end(), 0);  // static ones keep theirs
-    bodies_.resize(order_.size());
-    leaves_.assign(std::size_t{1} << halvings, {});
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-        number_[at(order_[k])] = static_cast<int>(k);
-        bodies_[k] = island.bodies[at(order_[k])];
-        leaves_[at(leaf_of_[at(order_[k])])].end = static_cast<int>(k) + 1;
+    bodies_.resize(leaf_of_.size());
+    for (std::size_t k = 0; k < leaf_of_.size(); ++k) {
+        number_[k] = next_[at(leaf_of_[k])]++;
+        bodies_[at(number_[k])] = island.bodies[k];
     }
-    for (std::size_t k = 1; k < leaves_.size(); ++k) leaves_[k].begin = leaves_[k - 1].end;
 
     const std::size_t parts = begin_.size() - 1;
     runs_.resize(island.runs.size());

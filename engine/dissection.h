@@ -15,6 +15,7 @@
 #include "engine/islands.h"
 #include "engine/threads.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -84,8 +85,14 @@ class Dissection {
         }
     }
 
+    // A movable body of the island, and where it is seen from above [m].
+    struct Spot {
+        std::array<double, 2> place;
+        int body;  // old number
+    };
+
     void leave_whole(const Island& island);
-    void halve(std::span<const Body> bodies, const Island& island, int begin, int end, int halvings, int leaf);
+    void halve(int begin, int end, int halvings, int leaf);
     void put_bodies(const Island& island, int halvings);
     bool put_runs(const Island& island, int halvings);
     void list_parts();
@@ -96,12 +103,12 @@ class Dissection {
     std::vector<Leaf> leaves_;
     std::vector<Part> parts_;  // of all rounds
     std::vector<Round> rounds_;
-    std::vector<int> order_;    // of the movable bodies: old numbers in the new order
+    std::vector<Spot> spots_;
     std::vector<int> leaf_of_;  // by old number of a movable body
     std::vector<int> number_;   // new, by old one
     std::vector<int> part_of_;  // by old place of a run
     std::vector<int> begin_;    // by part, where its runs begin, and where the last one's end
-    std::vector<int> next_;     // by part, while its runs are put there
+    std::vector<int> next_;     // by leaf or part, while its bodies or runs are put there
 };
 
 }  // namespace pushfactor::engine

@@ -56,7 +56,7 @@ DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const 
     }
 }
 
-void DistanceConstraints::append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) {
+void DistanceConstraints::append_rows(const StepStart& step, RowList& rows) {
     for (const std::size_t i : acting_) {
         if (is_ball_joint(distances_[i])) {
             append_joint(i, step.bodies, step.dt, rows);
@@ -67,7 +67,7 @@ void DistanceConstraints::append_rows(const StepStart& step, std::vector<Constra
 }
 
 void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt,
-                                     std::vector<ConstraintRow>& rows) {
+                                     RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a;
@@ -87,7 +87,7 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
 }
 
 void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt,
-                                       std::vector<ConstraintRow>& rows) {
+                                       RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);

@@ -62,7 +62,7 @@ class DistanceConstraints : public ConstraintSource {
     // `cached`: start from the forces of the step before (6.2.3).
     DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached);
 
-    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override;
+    void append_rows(const StepStart& step, RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
@@ -77,8 +77,8 @@ class DistanceConstraints : public ConstraintSource {
     void set_forces(std::vector<DistanceForce> forces);
 
   private:
-    void append_bar(std::size_t index, std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows);
-    void append_joint(std::size_t index, std::span<const Body> bodies, double dt, std::vector<ConstraintRow>& rows);
+    void append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
+    void append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
 
     std::vector<Distance> distances_;
     Correction correction_;

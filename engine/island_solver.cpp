@@ -1,6 +1,7 @@
 #include "engine/island_solver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -8,14 +9,22 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Calls `visit` with each row of the island and each of its columns.
+constexpr std::size_t runs_of_a_part = 400;  // that a thread takes
+
+// Calls `visit` with each row of some runs and each of their columns.
 template <typename Visit>
-void each_force(const Island& island, const Visit& visit) {
-    for (const RowRun& run : island.runs) {
+void each_force(std::span<const RowRun> runs, int columns, const Visit& visit) {
+    for (const RowRun& run : runs) {
         for (Eigen::Index j = run.begin; j < run.end; ++j) {
-            for (Eigen::Index column = 0; column < island.columns; ++column) visit(j, column);
+            for (Eigen::Index column = 0; column < columns; ++column) visit(j, column);
         }
     }
+}
+
+// Of all runs of the island.
+template <typename Visit>
+void each_force(const Island& island, const Visit& visit) {
+    each_force(island.runs, island.columns, visit);
 }
 
 bool has_forces(const Island& island, const Columns& lambda) {
@@ -32,13 +41,19 @@ void copy_to_last(const Island& island, Columns& lambda) {
 }
 
 // Puts the forces within their bounds, those of rows that others follow first. Returns whether one was not.
-bool clamp(const SystemEquation& system, const Island& island, Columns& lambda) {
-    bool changed = false;
-    each_force(island, [&](Eigen::Index j, Eigen::Index column) {
-        changed = clamp_force(system.rows, j, column, lambda) || changed;
-    });
-    if (changed) copy_to_last(island, lambda);
-    return changed;
+bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, Threads* threads) {
+    std::atomic<bool> any = false;
+    share(island.follows_others ? nullptr : threads, island.runs.size(), runs_of_a_part,
+          [&](std::size_t begin, std::size_t end) {
+              bool changed = false;
+              each_force(island.runs.subspan(begin, end - begin), island.columns,
+                         [&](Eigen::Index j, Eigen::Index column) {
+                             changed = clamp_force(system.rows, j, column, lambda) || changed;
+                         });
+              if (changed) any.store(true, std::memory_order_relaxed);
+          });
+    if (any) copy_to_last(island, lambda);
+    return any;
 }
 
 // Of a solver that was asked for an exact one alone; lambda is as it was then.
@@ -67,7 +82,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     Outcome outcome;
     solvers::SolveCount count;
     const auto is_for_small_steps = [&](double residual) {
-        return !(residual <= allowed.iterates_up_to) && SmallSteps::suit(system, island);
+        return !(residual <= allowed.iterates_up_to) && SmallSteps::suit(island);
     };
     if (fixed_number && is_for_small_steps(std::numeric_limits<double>::max())) {
         outcome.unfinished = true;
@@ -138,7 +153,7 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
                                               const SystemEquation& system, const Island& island,
                                               Columns* first_guess, Columns& lambda, ConstraintForces& forces,
                                               Outcome& outcome) {
-    if (clamp(system, island, lambda)) outcome.residuals = measure(system, island, lambda, forces, bench);
+    if (clamp(system, island, lambda, bench.threads)) outcome.residuals = measure(system, island, lambda, forces, bench);
     save(island, lambda, bench);
     solvers::SolveCount count = bench.solver->solve(system, island, termination, lambda);
     if (termination.iterations == 0 && has_no_answer(count)) {
@@ -243,7 +258,7 @@ bool IslandSolver::guard(const SystemEquation& system, const Island& island, con
                          Columns* first_guess, Columns& lambda, ConstraintForces& forces, Bench& bench,
                          Residuals& found) {
     const Residuals nothing = of_no_forces(system, island);
-    if (first_guess) clamp(system, island, *first_guess);
+    if (first_guess) clamp(system, island, *first_guess, bench.threads);
     const Residuals first = first_guess ? measure(system, island, *first_guess, forces, bench) : guessed;
     bool refused = false;
     for (Eigen::Index column = 0; column < island.columns; ++column) {

@@ -14,7 +14,7 @@ std::size_t at(int index) {
 }
 
 // What a thread takes at a time.
-constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400;
+constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400, rows_of_a_part = 1000;
 
 // 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
 int columns_of(int begin, int end, const SystemEquation& system) {
@@ -127,51 +127,73 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
     return largest;
 }
 
-void Islands::find(const SystemEquation& system, int first_new) {
-    if (!find_runs(system, first_new)) return;
+void Islands::find(const SystemEquation& system, int first_new, Threads* threads) {
+    if (!find_runs(system, first_new, threads)) return;
     join_bodies(system);
     gather_bodies(system);
     gather_runs();
     number_static_bodies();
 }
 
+// The run that begins with a row.
+Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
+    const ConstraintRow* const rows = system.rows.data();
+    const int a = rows[begin].body_a, b = rows[begin].body_b, row_count = static_cast<int>(system.rows.size());
+    const bool a_moves = moves(system, a), b_moves = moves(system, b);
+    Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves};
+    for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
+        const ConstraintRow& row = rows[run.end];
+        const Bounds& bounds = row.bounds;
+        if (bounds.of_row >= 0) {
+            run.follows = run.follows || bounds.of_row < begin;
+            continue;
+        }
+        run.acts_both_ways = run.acts_both_ways || (std::isinf(bounds.c_min) && std::isinf(bounds.c_max));
+        run.rebounds = run.rebounds || (bounds.c_min >= 0.0 && row.push.lasting > 0.0) ||
+                       (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
+    }
+    if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
+    return run;
+}
+
 // Returns whether they are others than the last time.
-bool Islands::find_runs(const SystemEquation& system, int first_new) {
+bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* threads) {
     bool changed = body_count_ != system.inverse_mass.size();
     body_count_ = system.inverse_mass.size();
-    new_followers_.clear();
-    const ConstraintRow* const rows = system.rows.data();
-    const int row_count = static_cast<int>(system.rows.size());
+    const std::span<const ConstraintRow> rows = system.rows;
+    new_found_.clear();
     // The last run may go on with the new rows.
     const bool again = first_new > 0 && !found_.empty();
-    std::size_t count = again ? found_.size() - 1 : 0;
-    for (int begin = again ? found_.back().begin : 0; begin < row_count; ++count) {
-        const int a = rows[begin].body_a, b = rows[begin].body_b;
-        const bool a_moves = moves(system, a), b_moves = moves(system, b);
-        Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves, 1, false};
-        for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
-            // A bound that follows another row needs that row's force.
-            const int leader = rows[run.end].bounds.of_row;
-            if (leader < 0 || leader >= begin || run.movable < 0) continue;
-            run.follows = true;
-            if (run.end >= first_new) new_followers_.push_back({run.movable, leader});
+    const std::size_t known = again ? found_.size() - 1 : 0;
+    const int from = again ? found_.back().begin : 0;
+    const auto begins_run = [&](std::size_t j) {
+        return j == 0 || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
+    };
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
+        std::size_t j = at(from) + begin;
+        while (j < at(from) + end && j > at(from) && !begins_run(j)) ++j;
+        while (j < at(from) + end) {
+            found.push_back(run_from(system, static_cast<int>(j)));
+            j = at(found.back().end);
         }
-        if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
-        begin = run.end;
-        if (count == found_.size()) found_.emplace_back();
-        if (found_[count] == run) continue;
-        found_[count] = run;
-        changed = true;
+    };
+    run_search_.append_to(new_found_, threads, rows.size() - at(from), rows_of_a_part, find);
+    changed = changed || !std::equal(new_found_.begin(), new_found_.end(),
+                                     found_.begin() + static_cast<std::ptrdiff_t>(known), found_.end());
+    // Of those that follow others it is not known whom.
+    changed = changed || std::any_of(found_.begin(), found_.end(), [](const Found& run) { return run.follows; });
+    if (!changed) return false;
+    found_.resize(known);
+    found_.insert(found_.end(), new_found_.begin(), new_found_.end());
+    followers_.clear();
+    for (const Found& run : found_) {
+        for (int j = run.begin; run.follows && run.movable >= 0 && j < run.end; ++j) {
+            // A bound that follows another row needs that row's force.
+            const int leader = rows[at(j)].bounds.of_row;
+            if (leader >= 0 && leader < run.begin) followers_.push_back({run.movable, leader});
+        }
     }
-    changed = changed || count != found_.size();
-    found_.resize(count);
-    if (again) {
-        followers_.insert(followers_.end(), new_followers_.begin(), new_followers_.end());
-    } else {
-        changed = changed || new_followers_ != followers_;
-        followers_.swap(new_followers_);
-    }
-    return changed;
+    return true;
 }
 
 int Islands::root_of(int body) {
@@ -260,6 +282,8 @@ void Islands::gather_runs() {
         island.rows += run.end - run.begin;
         island.columns = std::max(island.columns, run.columns);
         island.follows_others = island.follows_others || run.follows;
+        island.acts_both_ways = island.acts_both_ways || run.acts_both_ways;
+        island.rebounds = island.rebounds || run.rebounds;
     }
 }
 

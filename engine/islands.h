@@ -30,7 +30,9 @@ struct Island {
     int rows = 0;
     int body_count = 0;  // static ones included
     int columns = 1;     // 2 when some row corrects for a single frame (8.1)
-    bool follows_others = false;  // whether the bounds of some row follow a row of another run
+    // Whether there are rows of which the bounds follow a row of another run; that act both ways without limit; that
+    // push their bodies apart or together beyond the step (a rebound).
+    bool follows_others = false, acts_both_ways = false, rebounds = false;
 
     int movable() const { return static_cast<int>(bodies.size()); }
     // The number in the island of `row` of the step, which must be one of the island's.
@@ -76,11 +78,12 @@ class Islands {
     // Finds the islands of `system`, in time linear in its rows and bodies; while the same rows act on the same
     // bodies as in the last call, they are found again at a glance. A row that no movable body takes part in
     // belongs to none.
-    void find(const SystemEquation& system) { find(system, 0); }
+    // `threads` share the work; null: one thread.
+    void find(const SystemEquation& system, Threads* threads = nullptr) { find(system, 0, threads); }
 
     // The same when rows have come behind those of the last call, the first of them row `first_new`.
     void find_again(const SystemEquation& system, std::size_t first_new) {
-        find(system, static_cast<int>(first_new));
+        find(system, static_cast<int>(first_new), nullptr);
     }
 
     // In ascending order of their first bodies; good until the next find().
@@ -98,18 +101,18 @@ class Islands {
         int body_a, body_b;  // of the world
         int movable;         // one of them, -1 when both are static
         bool joins;          // whether both can move
-        int columns;
-        bool follows;  // whether the bounds of some row follow one before `begin`
+        int columns = 1;
+        bool follows = false, acts_both_ways = false, rebounds = false;  // as in Island
         friend bool operator==(const Found&, const Found&) = default;
     };
     struct Follower {
         int body;    // a movable one, of a row whose bounds follow
         int leader;  // a row of other bodies
-        friend bool operator==(const Follower&, const Follower&) = default;
     };
 
-    void find(const SystemEquation& system, int first_new);
-    bool find_runs(const SystemEquation& system, int first_new);
+    void find(const SystemEquation& system, int first_new, Threads* threads);
+    bool find_runs(const SystemEquation& system, int first_new, Threads* threads);
+    static Found run_from(const SystemEquation& system, int begin);
     void join_bodies(const SystemEquation& system);
     void gather_bodies(const SystemEquation& system);
     void gather_runs();
@@ -119,8 +122,9 @@ class Islands {
 
     // What the islands follow from, as it was in the last find().
     std::size_t body_count_ = 0;
-    std::vector<Found> found_;
-    std::vector<Follower> followers_, new_followers_;
+    std::vector<Found> found_, new_found_;
+    Search<Found> run_search_;
+    std::vector<Follower> followers_;
     std::vector<int> joined_;     // movable bodies with rows
     std::vector<int> parent_;     // by body, in the forest of joined bodies; -1 without rows
     std::vector<int> island_of_;  // by body

@@ -62,7 +62,7 @@ class RattleStep {
             look_ahead(kick, drift);
         }
         std::copy(ahead_.begin(), ahead_.end(), world_.bodies.begin());
-        world_.rows_.swap(rows_ahead_);
+        std::swap(world_.rows_, rows_ahead_);
         world_.time_ += drift;
     }
 
@@ -193,7 +193,7 @@ class RattleStep {
 
     World& world_;
     std::vector<Body> ahead_;
-    std::vector<ConstraintRow> rows_ahead_;
+    RowList rows_ahead_;
     Columns change_;  // of lambda, N
     ConstraintForces forces_;
     std::vector<Move> moves_;  // by island

@@ -83,19 +83,8 @@ Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const V
 
 }  // namespace
 
-bool SmallSteps::suit(const SystemEquation& system, const Island& island) {
-    if (island.movable() < few) return false;
-    const auto refuses = [](const ConstraintRow& row) {
-        if (row.bounds.of_row >= 0) return false;
-        if (std::isinf(row.bounds.c_min) && std::isinf(row.bounds.c_max)) return true;
-        return (row.bounds.c_min >= 0.0 && row.push.lasting > 0.0) ||
-               (row.bounds.c_max <= 0.0 && row.push.lasting < 0.0);
-    };
-    return std::none_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
-        const auto rows =
-            system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
-        return std::any_of(rows.begin(), rows.end(), refuses);
-    });
+bool SmallSteps::suit(const Island& island) {
+    return island.movable() >= few && !island.acts_both_ways && !island.rebounds;
 }
 
 double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const Island& island) {

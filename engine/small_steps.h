@@ -64,7 +64,7 @@ class SmallSteps {
     // a bar acts both ways, because sweeps leave it a little wrong in every small step, and what it is wrong by has
     // no side on which it does no harm; and not where something bounces or its push stays in the momenta, because a
     // collision that a small step takes over from the one before happens twice.
-    static bool suit(const SystemEquation& system, const Island& island);
+    static bool suit(const Island& island);
 
     // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
     // travel, and when they are done the forces can be kept.

@@ -4,8 +4,8 @@
 
 #include "engine/awake.h"
 #include "engine/body.h"
-#include "engine/constraint_row.h"
 #include "engine/motion.h"
+#include "engine/row_list.h"
 #include "engine/threads.h"
 
 #include <span>
@@ -87,14 +87,14 @@ class ConstraintSource {
     virtual ~ConstraintSource() = default;
 
     // Appends the rows of a step. Their order is kept: nobody sorts later.
-    virtual void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) = 0;
+    virtual void append_rows(const StepStart& step, RowList& rows) = 0;
 
     // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first
     // column [N and N m, one per body], as found with the rows so far; none when nothing is missing. Called again
     // while other sources or this one append some. Since the last call, and in the first one since append_rows(),
     // only the bodies that `changed` (one per body) names have got other forces.
     virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
-                                   std::span<const NewForce> /*changed*/, std::vector<ConstraintRow>& /*rows*/) {}
+                                   std::span<const NewForce> /*changed*/, RowList& /*rows*/) {}
 
     // Whether the source leaves out rows between bodies that rest, or rest and are static, and remembers what it
     // had for them (rest.h). Bodies that rows of another one act on do not come to rest.

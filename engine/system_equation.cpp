@@ -3,6 +3,7 @@
 #include "engine/awake.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -124,10 +125,8 @@ void size_diagonal(SystemEquation& system) {
     system.diagonal.conservativeResize(count);
 }
 
-bool corrects(std::span<const ConstraintRow> rows) {
-    return std::any_of(rows.begin(), rows.end(), [](const ConstraintRow& row) {
-        return row.push.correcting != 0.0 || !row.bounds.in_momenta;
-    });
+bool corrects(const ConstraintRow& row) {
+    return row.push.correcting != 0.0 || !row.bounds.in_momenta;
 }
 
 }  // namespace
@@ -154,37 +153,48 @@ namespace {
 
 constexpr std::size_t rows_of_a_part = 1000;  // that a thread takes
 
-// The axes and right sides of the rows from `first` on. Those before have theirs.
+// The axes and right sides of the rows from `first` on, in as many columns as b has. Returns whether some of them
+// correct for a single frame.
+bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
+    const std::vector<Vector6>& free = system.free_acceleration;
+    const bool two_columns = system.column_count() == 2;
+    std::atomic<bool> any_corrects = false;
+    share(threads, rows.size() - first, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
+        bool some_correct = false;
+        for (std::size_t j = first + begin; j < first + end; ++j) {
+            const ConstraintRow& row = rows[j];
+            weigh(j, system);
+            const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                         row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            const auto index = static_cast<Eigen::Index>(j);
+            system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
+            if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
+            some_correct = some_correct || corrects(row);
+        }
+        if (some_correct) any_corrects.store(true, std::memory_order_relaxed);
+    });
+    return any_corrects;
+}
+
+// Begins with the columns of the last time, which are right but for when that changes: nobody has to know before.
 void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
                       Threads* threads) {
     system.rows = rows;
     size_diagonal(system);
-    const Eigen::Index before = system.column_count();
-    const bool two_columns = (first > 0 && before == 2) || corrects(rows.subspan(first));
     const auto count = static_cast<Eigen::Index>(rows.size());
+    const Eigen::Index before = std::max<Eigen::Index>(1, system.column_count());
     if (first == 0) {
-        system.b.resize(count, two_columns ? 2 : 1);
+        system.b.resize(count, before);
     } else {
-        system.b.conservativeResize(count, two_columns ? 2 : 1);
-        if (two_columns && before == 1) system.b.col(1) = system.b.col(0);
+        system.b.conservativeResize(count, before);
     }
-    const std::vector<Vector6>& free = system.free_acceleration;
-    const auto append = [&](std::size_t j) {
-        const ConstraintRow& row = rows[j];
-        weigh(j, system);
-        const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                     row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
-        const auto index = static_cast<Eigen::Index>(j);
-        system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
-        if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
-    };
-    const auto part = [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t j = first + begin; j < first + end; ++j) append(j);
-    };
-    if (threads) {
-        threads->share(rows.size() - first, rows_of_a_part, part);
-    } else {
-        part(0, rows.size() - first, 0);
+    const bool two_columns = write_rows(rows, first, system, threads) || (first > 0 && before == 2);
+    if (two_columns && before == 1) {
+        system.b.conservativeResize(count, 2);
+        system.b.col(1) = system.b.col(0);
+        write_rows(rows, first, system, threads);
+    } else if (!two_columns && before == 2) {
+        system.b.conservativeResize(count, 1);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/world.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 
 namespace pushfactor::engine {
@@ -149,7 +150,7 @@ void World::note_changed(const Island& island) {
 
 World::Work World::solve_islands() {
     island_solver_.begin(bodies.size(), awake_.members());
-    islands_.find(system_);
+    islands_.find(system_, sharing_);
     lambda_.resize(system_.row_count(), system_.column_count());
     guess(0, lambda_);
     forces_.moving.resize(bodies.size());
@@ -287,25 +288,28 @@ World::Work::Work(const Island& island, const solvers::SolveCount& count)
       multiply_adds(count.multiply_adds) {}
 
 void World::remember() {
-    const Eigen::Index last = lambda_.cols() - 1;
     answers_.assign(rows_.size(), {});
     for (const Island& island : islands_.all()) {
-        const bool small = outcome_of(island).in_small_steps;
-        for (const RowRun& run : island.runs) {
-            const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
-            const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
-            if (small) {
-                std::copy(endings_.begin() + run.begin, endings_.begin() + run.end, answers_.begin() + run.begin);
-                continue;
-            }
-            for (int j = run.begin; j < run.end; ++j) {
-                const auto row = static_cast<std::size_t>(j);
-                answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
-            }
-        }
+        share(sharing_, island.runs.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
+            for (const RowRun& run : island.runs.subspan(begin, end - begin)) find_next_guesses(island, run);
+        });
     }
     island_solver_.end(awake_.members());
     hand_out_answers();
+}
+
+void World::find_next_guesses(const Island& island, const RowRun& run) {
+    if (outcome_of(island).in_small_steps) {
+        std::copy(endings_.begin() + run.begin, endings_.begin() + run.end, answers_.begin() + run.begin);
+        return;
+    }
+    const Eigen::Index last = lambda_.cols() - 1;
+    const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
+    const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
+    for (int j = run.begin; j < run.end; ++j) {
+        const auto row = static_cast<std::size_t>(j);
+        answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
+    }
 }
 
 // Each source gets its own, in the order in which it has appended their rows.
@@ -423,7 +427,13 @@ void World::settle(double dt) {
 
 StepCount World::count(const Work& work) const {
     StepCount count;
-    for (const ConstraintRow& row : rows_) ++count.rows_of_kind[static_cast<std::size_t>(row.label.kind)];
+    std::array<std::atomic<int>, row_kind_count> rows_of_kind{};
+    share(sharing_, rows_.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
+        std::array<int, row_kind_count> of_part{};
+        for (std::size_t j = begin; j < end; ++j) ++of_part[static_cast<std::size_t>(rows_[j].label.kind)];
+        for (std::size_t kind = 0; kind < row_kind_count; ++kind) rows_of_kind[kind] += of_part[kind];
+    });
+    std::copy(rows_of_kind.begin(), rows_of_kind.end(), count.rows_of_kind.begin());
     if (rest) count.at_rest = rest->count();
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
     count.islands = static_cast<int>(islands_.all().size());

@@ -153,6 +153,7 @@ class World {
     // Wakes what is pushed at rest. The step has to begin anew then.
     bool wakes_some();
     void remember();
+    void find_next_guesses(const Island& island, const RowRun& run);
     void hand_out_answers();
     // Where an island has one column, the forces that move its bodies are those that last.
     bool has_lasting_force(std::size_t body) const;
@@ -169,7 +170,7 @@ class World {
     double time_ = 0.0;
     Threads* sharing_ = nullptr;  // this step; null: it is too small, or there are none
     Awake awake_;  // bodies
-    std::vector<ConstraintRow> rows_;
+    RowList rows_;
     std::vector<Appended> appended_;
     SystemEquation system_;
     Islands islands_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace pushfactor::engine::solvers {
 
@@ -28,11 +29,21 @@ std::size_t size_of(const Structure& structure) {
 
 }  // namespace
 
-// In an order of their own: that of the rows changes with heights, the structure does not.
+// In an order of their own: that of the rows changes with heights, the structure does not. Sorted by their first
+// body by counting, and then those of each body.
 void Structures::find_pairs(const Island& island) {
-    pairs_.clear();
-    for (const RowRun& run : island.runs) pairs_.emplace_back(std::minmax(run.a, run.b));
-    if (!std::is_sorted(pairs_.begin(), pairs_.end())) std::sort(pairs_.begin(), pairs_.end());
+    begin_.assign(static_cast<std::size_t>(island.body_count) + 1, 0);
+    for (const RowRun& run : island.runs) ++begin_[static_cast<std::size_t>(std::min(run.a, run.b)) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    pairs_.resize(island.runs.size());
+    next_.assign(begin_.begin(), begin_.end());
+    for (const RowRun& run : island.runs) {
+        const auto [low, high] = std::minmax(run.a, run.b);
+        pairs_[static_cast<std::size_t>(next_[static_cast<std::size_t>(low)]++)] = {low, high};
+    }
+    for (std::size_t body = 0; body + 1 < begin_.size(); ++body) {
+        std::sort(pairs_.begin() + begin_[body], pairs_.begin() + begin_[body + 1]);
+    }
     pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
 }
 

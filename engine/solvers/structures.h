@@ -49,6 +49,7 @@ class Structures {
     std::unordered_multimap<std::uint64_t, Kept::iterator> by_hash_;
     std::size_t size_ = 0;    // pairs and planned blocks of all that are kept
     Structure::Pairs pairs_;  // of the island at hand
+    std::vector<int> begin_, next_;  // by body, places in pairs_ while these are sorted
 };
 
 }  // namespace pushfactor::engine::solvers

@@ -31,6 +31,14 @@ struct Column {
     }
 };
 
+// What `source`, an object or a temporary, appends in a step.
+template <typename Source>
+std::vector<engine::ConstraintRow> rows_of(Source&& source, const engine::StepStart& step) {
+    engine::RowList rows;
+    source.append_rows(step, rows);
+    return {rows.begin(), rows.end()};
+}
+
 // The rows of `world` once more with the guesses at zero and their system.
 struct Frozen {
     std::vector<engine::ConstraintRow> rows;

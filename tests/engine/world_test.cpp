@@ -153,7 +153,7 @@ TEST_CASE("every source gets back its own range of the answers") {
         double expected;
         std::vector<double> heard;
         Pusher(int of_body, int rows, double force) : body(of_body), count(rows), expected(force) {}
-        void append_rows(const StepStart&, std::vector<ConstraintRow>& rows) override {
+        void append_rows(const StepStart&, RowList& rows) override {
             for (int i = 0; i < count; ++i) {
                 ConstraintRow row;
                 row.body_b = body;

@@ -26,7 +26,7 @@ class Rail : public ConstraintSource {
         across_[1] = direction.cross(across_[0]);
     }
 
-    void append_rows(const StepStart& step, std::vector<ConstraintRow>& rows) override {
+    void append_rows(const StepStart& step, RowList& rows) override {
         const Vector3 offset = step.bodies[static_cast<std::size_t>(slider_)].position - point_;
         for (std::size_t k = 0; k < 2; ++k) {
             const double error = across_[k].dot(offset);

@@ -69,7 +69,7 @@ struct HangingBoxes {
             bars.back().point_a = random.vector(-0.4, 0.4);
             bars.back().point_b = random.vector(-0.4, 0.4);
         }
-        engine::DistanceConstraints(bars, correction, false).append_rows({bodies, Whole::dt}, rows);
+        rows = rows_of(engine::DistanceConstraints(bars, correction, false), {bodies, Whole::dt});
     }
 
     static engine::Body tumbling_box(Random& random, const engine::Vector3& about) {

@@ -3,6 +3,7 @@
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/random_rows.h"
+#include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"
 
 using namespace pushfactor;
@@ -41,8 +42,7 @@ struct Chain {
         }
     }
     Frozen frozen() const {
-        std::vector<ConstraintRow> rows;
-        DistanceConstraints(distances, {PushKind::persistent, 1.0}, false).append_rows({bodies, dt}, rows);
+        std::vector<ConstraintRow> rows = tests::rows_of(DistanceConstraints(distances, {PushKind::persistent, 1.0}, false), {bodies, dt});
         return {bodies, rows, dt};
     }
 };

@@ -59,7 +59,7 @@ inline Problem contact_problem(std::string name, std::vector<engine::Body> bodie
     engine::ContactStage stage(std::move(colliders), choices);
     stage.set_friction(std::move(friction));
     Problem problem{std::move(name), std::move(bodies), {}};
-    stage.append_rows({problem.bodies, problem_dt}, problem.rows);
+    problem.rows = rows_of(stage, {problem.bodies, problem_dt});
     return problem;
 }
 

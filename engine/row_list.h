@@ -1,0 +1,47 @@
+// The rows of a step. The memory of those of the last one is used again, and a row is made anew by whoever writes it,
+// so that nobody goes through it before.
+#pragma once
+
+#include "engine/constraint_row.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+class RowList {
+  public:
+    // Appends one row as it is made.
+    ConstraintRow& emplace_back() {
+        if (count_++ == made_.size()) return made_.emplace_back();
+        return made_[count_ - 1] = ConstraintRow();
+    }
+
+    // Appends this many rows, which the caller has to make anew one by one: they are those of some step before.
+    // Returns all rows.
+    std::span<ConstraintRow> append(std::size_t count) {
+        count_ += count;
+        if (made_.size() < count_) made_.resize(count_ + count_ / 8);
+        return {made_.data(), count_};
+    }
+
+    void clear() { count_ = 0; }
+    std::size_t size() const { return count_; }
+    bool empty() const { return count_ == 0; }
+
+    ConstraintRow& operator[](std::size_t row) { return made_[row]; }
+    const ConstraintRow& operator[](std::size_t row) const { return made_[row]; }
+    ConstraintRow* begin() { return made_.data(); }
+    ConstraintRow* end() { return made_.data() + count_; }
+    ConstraintRow* data() { return made_.data(); }
+    const ConstraintRow* data() const { return made_.data(); }
+    const ConstraintRow* begin() const { return made_.data(); }
+    const ConstraintRow* end() const { return made_.data() + count_; }
+
+  private:
+    std::vector<ConstraintRow> made_;  // of which count_ are there
+    std::size_t count_ = 0;
+};
+
+}  // namespace pushfactor::engine
