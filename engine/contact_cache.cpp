@@ -22,9 +22,11 @@ bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::C
 // Each force once: first to the points of the same feature, then to the nearest of the others, pair by pair in
 // ascending order of their distances.
 void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                            std::span<ContactForce> forces) const {
+                            std::span<ContactForce> forces, Matched& matched) const {
     const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
-    std::vector<char> taken(known.size(), 0), given(points.size(), 0);
+    auto& [taken, given] = matched;
+    taken.assign(known.size(), 0);
+    given.assign(points.size(), 0);
     const auto give = [&](std::size_t point, std::size_t from) {
         forces[point] = known[from].force;
         given[point] = taken[from] = 1;
@@ -52,13 +54,13 @@ void ContactCache::hand_out(const Entry& entry, std::span<const collision::Conta
 }
 
 void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
-                          Threads* threads) const {
+                          Threads* threads) {
     std::size_t count = forces.size();
     if (!threads) {
         for (const collision::Touch& touch : touches) count += touch.points.size();
         const std::size_t first = forces.size();
         forces.resize(count);
-        recall(touches, std::span(forces).subspan(first));
+        recall(touches, std::span(forces).subspan(first), matched_);
         return;
     }
     std::vector<std::size_t> first_of_part;  // into forces
@@ -68,16 +70,18 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::vector
     }
     forces.resize(count);
     share(threads, first_of_part.size(), 1, [&](std::size_t begin, std::size_t end) {
+        Matched matched;
         for (std::size_t part = begin; part < end; ++part) {
             const std::size_t first = part * touches_of_a_part;
             recall(touches.subspan(first, std::min(touches_of_a_part, touches.size() - first)),
-                   std::span(forces).subspan(first_of_part[part]));
+                   std::span(forces).subspan(first_of_part[part]), matched);
         }
     });
 }
 
 // Writes the forces of some touches.
-void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces) const {
+void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces,
+                          Matched& matched) const {
     if (touches.empty()) return;
     auto entry = std::lower_bound(entries_.begin(), entries_.end(), touches.front().pair,
                                   [](const Entry& a, const collision::Pair& pair) { return a.pair < pair; });
@@ -89,7 +93,7 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::span<C
         if (is_as_before(*entry, touch.points)) {
             for (std::size_t i = 0; i < own.size(); ++i) own[i] = points_[entry->first + i].force;
         } else {
-            hand_out(*entry, touch.points, position_tolerance * touch.size, own);
+            hand_out(*entry, touch.points, position_tolerance * touch.size, own, matched);
         }
     }
 }

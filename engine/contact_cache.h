@@ -40,7 +40,7 @@ class ContactCache {
     // is the same as before when its feature is, or else when it is the nearest one within 2 % of the size. No
     // force is given to two points. `threads` share the work; null: one thread.
     void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
-                Threads* threads = nullptr) const;
+                Threads* threads = nullptr);
 
     // Replaces the cache. `forces` in the order of recall.
     void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
@@ -77,13 +77,19 @@ class ContactCache {
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
-    void recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces) const;
+    // Of the touch at hand: forces of before, points of now.
+    struct Matched {
+        std::vector<char> taken, given;
+    };
+
+    void recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces, Matched& matched) const;
     bool is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const;
     void hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                  std::span<ContactForce> forces) const;
+                  std::span<ContactForce> forces, Matched& matched) const;
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
+    Matched matched_;  // of one thread
 };
 
 }  // namespace pushfactor::engine

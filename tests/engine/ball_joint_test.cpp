@@ -104,7 +104,7 @@ TEST_CASE("a bar of length zero holds its points together in three directions: t
         DistanceConstraints source({joint, {.body_a = 0, .body_b = 1, .length = 1.0}, joint}, whole, true);
         source.set_forces({DistanceForce{Lambda{1, 2}, {3, 4}, {5, 6}}, DistanceForce{Lambda{7, 8}},
                            DistanceForce{Lambda{9, 10}, {11, 12}, {13, 14}}});
-        std::vector<ConstraintRow> rows = tests::rows_of(source, {bodies, 0.1});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(source, {bodies, 0.1});
         REQUIRE(rows.size() == 7);
         const auto [from, to] = span_of(joint, bodies);
         for (int axis = 0; axis < 3; ++axis) {
@@ -140,7 +140,7 @@ TEST_CASE("the points of a ball joint part at the rate that its rows say, at ran
                              .point_a = random.vector(-1, 1),
                              .point_b = random.vector(-1, 1),
                              .length = 0.0};
-        std::vector<ConstraintRow> rows = tests::rows_of(DistanceConstraints({joint}, whole, false), {bodies, 0.1});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({joint}, whole, false), {bodies, 0.1});
         const auto [from, to] = span_of(joint, bodies);
         const Vector3 turning = 0.5 * (angular_velocity(bodies[0]) + angular_velocity(bodies[1]));
         const Vector3 rate = velocity_at(bodies[1], to) - velocity_at(bodies[0], from) - turning.cross(to - from);

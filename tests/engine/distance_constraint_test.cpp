@@ -51,7 +51,7 @@ TEST_CASE("j_c v_ab is the rate of the distance, by finite differences at random
         Distance distance{
             .body_a = 0, .body_b = 1, .point_a = random.vector(-1, 1), .point_b = random.vector(-1, 1)};
         DistanceConstraints source({distance}, persistent, false);
-        std::vector<ConstraintRow> rows = tests::rows_of(source, {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(source, {bodies, dt});
         double rate = 0.0;
         for (int k = 0; k < 2; ++k) {
             const Body& body = bodies[static_cast<std::size_t>(k)];

@@ -2,85 +2,105 @@
 #include "engine/threads.h"
 
 #include "engine/dissection.h"
-#include "engine/solvers/sweep.h"
+#include "engine/small_steps.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 
 #include <atomic>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
 
 using namespace pushfactor::engine;
-using namespace pushfactor::engine::solvers;
 using pushfactor::tests::ContactScene;
 using pushfactor::tests::Frozen;
 using pushfactor::tests::Random;
 
 namespace {
 
-// A heap: every body touches some of those just before it, and now and then one far before, at points with friction
-// on a disc; some friction follows the force between other bodies.
-Frozen heap(std::uint64_t seed) {
+struct Heap {
+    std::vector<Body> bodies;
+    Frozen frozen;
+};
+
+// Bodies in a grid, as wide as long and four high. Each touches those beside, behind and below it, and a few of them
+// one far away, at points with friction on a disc. With `follows_others` some friction follows the force between
+// other bodies.
+Heap heap(std::uint64_t seed, int width, int length, bool follows_others = false) {
     Random random(seed);
     std::vector<Body> bodies{static_body(Vector3::Zero())};
     std::vector<ConstraintRow> rows;
-    for (int i = 1; i <= 300; ++i) {
-        bodies.push_back(box_body(random.in(0.1, 10), Vector3::Ones(), random.vector(-1, 1), random.rotation()));
-        bodies.back().force = Vector3(0, -10, 0) / bodies.back().inverse_mass;
-        for (int pair = 0; pair < 4; ++pair) {
-            const int below = random.in(0, 1) < 0.05 ? 1 + static_cast<int>(random.in(0, i - 1))
-                                                     : i - 1 - static_cast<int>(random.in(0, 12));
-            if (below >= i) continue;
-            for (int point = static_cast<int>(random.in(1, 3)); point > 0; --point) {
-                const int normal = static_cast<int>(rows.size());
-                for (int k = 0; k < 3; ++k) {
-                    ConstraintRow& row = rows.emplace_back();
-                    row.body_a = std::max(0, below);
-                    row.body_b = i;
-                    row.jacobian.b = stacked(Vector3::Unit((k + 1) % 3), random.vector(-1, 1));
-                    row.jacobian.a = -row.jacobian.b;
-                    row.bounds.c_min = 0.0;
-                    if (k == 0) continue;
-                    row.bounds = {.c_min = -0.5, .c_max = 0.5, .of_row = normal};
-                    if (normal > 30 && random.in(0, 1) < 0.02) row.bounds.of_row = normal - 30;
-                    row.bounds.disc = k == 1 ? Disc::first : Disc::second;
-                    if (k == 2) row.bounds.of_row = rows[static_cast<std::size_t>(normal) + 1].bounds.of_row;
-                }
+    const auto add_point = [&](int a, int b) {
+        const int normal = static_cast<int>(rows.size());
+        for (int k = 0; k < 3; ++k) {
+            ConstraintRow& row = rows.emplace_back();
+            row.body_a = a;
+            row.body_b = b;
+            row.jacobian.b = stacked(Vector3::Unit((k + 1) % 3), random.vector(-1, 1));
+            if (a > 0) row.jacobian.a = -row.jacobian.b;
+            row.bounds.c_min = 0.0;
+            if (k == 0) continue;
+            const int leader = k == 2 ? rows[static_cast<std::size_t>(normal) + 1].bounds.of_row : normal;
+            const bool other = follows_others && k == 1 && normal > 30 && random.in(0, 1) < 0.02;
+            row.bounds = {.c_min = -0.5, .c_max = 0.5, .of_row = other ? normal - 30 : leader};
+            row.bounds.disc = k == 1 ? Disc::first : Disc::second;
+        }
+    };
+    const auto number = [&](int x, int y, int z) { return 1 + (y * length + z) * width + x; };
+    for (int y = 0; y < 4; ++y) {
+        for (int z = 0; z < length; ++z) {
+            for (int x = 0; x < width; ++x) {
+                const Vector3 position = Vector3(x, y, z) + random.vector(-0.2, 0.2);
+                bodies.push_back(box_body(random.in(0.1, 10), Vector3::Ones(), position, random.rotation()));
+                bodies.back().force = Vector3(0, -10, 0) / bodies.back().inverse_mass;
+                const int own = number(x, y, z);
+                const auto touch = [&](int other) {
+                    for (int point = static_cast<int>(random.in(1, 3)); point > 0; --point) add_point(other, own);
+                };
+                touch(y == 0 ? 0 : number(x, y - 1, z));
+                if (x > 0) touch(number(x - 1, y, z));
+                if (z > 0) touch(number(x, y, z - 1));
+                if (random.in(0, 1) < 0.03) touch(1 + static_cast<int>(random.in(0, own - 1)));
             }
         }
     }
-    return {bodies, rows, 1.0 / 60.0};
+    return {bodies, Frozen(bodies, rows, 1.0 / 60.0)};
 }
 
-// What some rounds of sweeps leave.
-std::vector<double> swept(const Frozen& frozen, int sweeps, int threads) {
+// What some small steps of the heap leave: forces, and what moves the bodies.
+struct Answer {
+    Columns lambda;
+    std::vector<double> moving;
+    friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+Answer in_small_steps(const Heap& heap, int threads) {
+    const Frozen& frozen = heap.frozen;
     Islands islands;
     islands.find(frozen.system);
     REQUIRE(islands.all().size() == 1);
-    REQUIRE(frozen.rows.size() > SweepPipeline::least_rows);
-    UnitRows<1> rows;
-    rows.load(frozen.system, islands.all().front(), frozen.zero());
-    Threads some(threads);
-    SweepPipeline pipeline;
-    if (threads > 0) pipeline.plan(rows);
-    for (int round = 0; round < 5; ++round) {
-        if (threads > 0) {
-            std::atomic<std::size_t> before = 0, after = 0;
-            pipeline.sweep(
-                rows, sweeps, some, [&](std::size_t begin, std::size_t end) { before += end - begin; },
-                [&](std::size_t begin, std::size_t end) { after += end - begin; });
-            CHECK(before == rows.rows.size());
-            CHECK(after == rows.rows.size());
-        } else {
-            for (int k = 0; k < sweeps; ++k) sweep(rows);
-        }
+    SmallSteps small_steps;
+    Answer answer{frozen.zero(), {}};
+    ConstraintForces forces;
+    forces.moving.assign(heap.bodies.size(), Vector6::Zero());
+    forces.lasting = forces.moving;
+    std::vector<Lambda> ending(frozen.rows.size());
+    const auto solve = [&](Threads* some) {
+        small_steps.solve(frozen.system, heap.bodies, islands.all().front(), {.steps = 3, .sweeps = 2}, some,
+                          answer.lambda, forces, ending);
+    };
+    if (threads > 0) {
+        Threads some(threads);
+        some.keep_at_hand([&] { solve(&some); });
+    } else {
+        solve(nullptr);
     }
-    std::vector<double> all;
-    for (const auto& row : rows.rows) all.push_back(row.y[0]);
-    for (int body = 0; body < rows.movable; ++body) {
-        all.insert(all.end(), rows.x_of(body).data(), rows.x_of(body).data() + 6);
+    for (const Vector6& force : forces.moving) {
+        answer.moving.insert(answer.moving.end(), force.data(), force.data() + 6);
     }
-    return all;
+    return answer;
 }
 
 // Towers, a wall, a heap and what falls on them.
@@ -107,7 +127,7 @@ TEST_CASE("shared work is done once, by as many slots as there are threads, each
     for (const int count : {1, 2, 5}) {
         Threads threads(count);
         CHECK(threads.count() == std::min(count, Threads::all()));
-        for (const std::size_t size : {0u, 1u, 7u, 1000u, 100000u}) {
+        const auto check = [&](std::size_t size) {
             std::vector<std::atomic<int>> done(size), busy(static_cast<std::size_t>(threads.count()));
             std::atomic<bool> alone = true;
             threads.share(size, 10, [&](std::size_t begin, std::size_t end, int slot) {
@@ -118,23 +138,168 @@ TEST_CASE("shared work is done once, by as many slots as there are threads, each
             });
             CHECK(alone);
             CHECK(std::all_of(done.begin(), done.end(), [](const auto& times) { return times == 1; }));
-        }
-        std::atomic<int> calls = 0;
-        threads.together([&] { ++calls; });
-        CHECK(calls >= 1);
+        };
+        const auto check_all = [&] {
+            for (const std::size_t size : {0u, 1u, 7u, 1000u, 100000u}) check(size);
+        };
+        check_all();
+        for (int round = 0; round < 50; ++round) threads.keep_at_hand(check_all);
     }
     CHECK(Threads::all() >= 1);
     CHECK(Threads(0).count() == 1);
 }
 
-TEST_CASE("sweeps that follow each other through an island have the bits of one after the other") {
+TEST_CASE("a team meets after each round of its work, and is the caller alone where nobody else is at hand") {
+    Threads threads(2);
+    const auto count_rounds = [&] {
+        std::vector<int> rounds(static_cast<std::size_t>(threads.count()), 0);
+        std::atomic<int> members = 0;
+        std::atomic<bool> together = true;
+        threads.as_team([&](Team& team) {
+            ++members;
+            for (int round = 1; round <= 100; ++round) {
+                rounds[static_cast<std::size_t>(team.member())] = round;
+                team.wait_for_all();
+                for (int k = 0; k < team.size(); ++k) {
+                    if (rounds[static_cast<std::size_t>(k)] != round) together = false;
+                }
+                team.wait_for_all();
+            }
+        });
+        CHECK(together);
+        return members.load();
+    };
+    CHECK(count_rounds() == 1);
+    int most = 0;
+    for (int k = 0; k < 20; ++k) {
+        threads.keep_at_hand([&] {
+            for (int job = 0; job < 50; ++job) most = std::max(most, count_rounds());
+        });
+    }
+    CHECK(most <= threads.count());
+}
+
+TEST_CASE("what is thrown in shared work reaches the caller, and the threads go on") {
+    Threads threads(2);
+    const auto throw_at = [&](std::size_t bad) {
+        threads.share(1000, 10, [bad](std::size_t begin, std::size_t end, int) {
+            if (begin <= bad && bad < end) throw std::runtime_error("here");
+        });
+    };
+    threads.keep_at_hand([&] {
+        for (const std::size_t bad : {0u, 500u, 999u}) CHECK_THROWS_AS(throw_at(bad), std::runtime_error);
+        throw_at(1000);
+    });
+    CHECK_THROWS_AS(threads.keep_at_hand([&] { throw_at(3); }), std::runtime_error);
+    threads.keep_at_hand([&] { throw_at(1000); });
+}
+
+TEST_CASE("a search finds in order, and numbers are sorted, whatever the number of threads") {
+    Random random(8);
+    std::vector<int> numbers(30000);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::vector<int> mixed = numbers;
+    for (std::size_t i = mixed.size(); i > 1; --i) std::swap(mixed[i - 1], mixed[static_cast<std::size_t>(random.in(0, static_cast<double>(i)))]);
+    Threads threads(2);
+    threads.keep_at_hand([&] {
+        std::vector<int> sorted = mixed;
+        sort_distinct(&threads, sorted, std::less<>());
+        CHECK(sorted == numbers);
+        Search<int> search;
+        for (Threads* some : {static_cast<Threads*>(nullptr), &threads}) {
+            std::vector<int> found{-3};
+            search.append_to(found, some, numbers.size(), 100, [&](std::size_t begin, std::size_t end, auto& own) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (numbers[i] % 3 == 0) own.push_back(numbers[i]);
+                }
+            });
+            REQUIRE(found.size() == 10001);
+            for (std::size_t k = 0; k < found.size(); ++k) REQUIRE(found[k] == 3 * (static_cast<int>(k) - 1));
+        }
+    });
+}
+
+TEST_CASE("the parts of a dissected island hold every row and body once, and those of a round share no body") {
+    for (const std::uint64_t seed : {1u, 2u}) {
+        const Heap scene = heap(seed, 14, 14);
+        Islands islands;
+        islands.find(scene.frozen.system);
+        const Island& island = islands.all().front();
+        Dissection dissection;
+        dissection.cut(scene.bodies, island);
+        REQUIRE(dissection.leaves().size() >= 4);
+        std::vector<int> rows_seen(scene.frozen.rows.size(), 0), bodies_seen(scene.bodies.size(), 0);
+        int next_row = 0, next_body = 0, crossing = 0;
+        for (std::size_t k = 0; k < dissection.rounds().size(); ++k) {
+            std::vector<int> part_of(scene.bodies.size(), -1);
+            for (std::size_t p = 0; p < dissection.rounds()[k].parts.size(); ++p) {
+                const Dissection::Part& part = dissection.rounds()[k].parts[p];
+                REQUIRE(part.begin_row == next_row);
+                int last = -1;
+                for (int r = part.begin_run; r < part.end_run; ++r) {
+                    const RowRun& run = dissection.island().runs[static_cast<std::size_t>(r)];
+                    REQUIRE(run.first == next_row);
+                    REQUIRE(run.begin > last);
+                    last = run.begin;
+                    for (int j = run.begin; j < run.end; ++j) ++rows_seen[static_cast<std::size_t>(j)];
+                    next_row += run.end - run.begin;
+                    if (k > 0) crossing += run.end - run.begin;
+                    const ConstraintRow& row = scene.frozen.rows[static_cast<std::size_t>(run.begin)];
+                    for (const auto& [number, body] : {std::pair{run.a, row.body_a}, std::pair{run.b, row.body_b}}) {
+                        if (number >= island.movable()) continue;
+                        REQUIRE(dissection.island().bodies[static_cast<std::size_t>(number)] == body);
+                        int& part_of_body = part_of[static_cast<std::size_t>(body)];
+                        REQUIRE((part_of_body < 0 || part_of_body == static_cast<int>(p)));
+                        part_of_body = static_cast<int>(p);
+                    }
+                }
+                REQUIRE(part.end_row == next_row);
+            }
+        }
+        for (const Dissection::Leaf& leaf : dissection.leaves()) {
+            REQUIRE(leaf.begin == next_body);
+            next_body = leaf.end;
+        }
+        for (const int body : dissection.island().bodies) ++bodies_seen[static_cast<std::size_t>(body)];
+        CHECK(next_row == island.rows);
+        CHECK(next_body == island.movable());
+        CHECK(std::all_of(rows_seen.begin(), rows_seen.end(), [](int times) { return times == 1; }));
+        CHECK(std::all_of(bodies_seen.begin() + 1, bodies_seen.end(), [](int times) { return times == 1; }));
+        CHECK(crossing > 0);
+        CHECK(crossing <= island.rows / 5);
+    }
+}
+
+TEST_CASE("what is narrow, small, or has rows that follow those of other bodies is left whole, in its own order") {
+    for (const Heap& scene : {heap(1, 1, 100, true), heap(1, 14, 14, true), heap(2, 5, 5)}) {
+        Islands islands;
+        islands.find(scene.frozen.system);
+        const Island& island = islands.all().front();
+        Dissection dissection;
+        dissection.cut(scene.bodies, island);
+        CHECK(dissection.part_count() == 1);
+        CHECK(dissection.island().runs.data() == island.runs.data());
+        CHECK(dissection.island().bodies.data() == island.bodies.data());
+    }
+    // Each body touches all those below it in a column one body wide: no upright plane parts them.
+    Heap tower = heap(3, 14, 14);
+    for (Body& body : tower.bodies) body.position.x() = body.position.z() = 0.0;
+    Islands islands;
+    islands.find(tower.frozen.system);
+    Dissection dissection;
+    dissection.cut(tower.bodies, islands.all().front());
+    CHECK(dissection.island().rows == islands.all().front().rows);
+}
+
+TEST_CASE("small steps of a heap have the bits of one thread on any number of them") {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        const Frozen frozen = heap(seed);
-        for (const int sweeps : {1, 2, 3, 8}) {
-            const std::vector<double> one = swept(frozen, sweeps, 0);
+        for (const bool follows_others : {false, true}) {
+            const Heap scene = heap(seed, 14, 14, follows_others);
+            REQUIRE(scene.frozen.rows.size() > Dissection::least_rows);
+            const Answer one = in_small_steps(scene, 0);
             for (const int threads : {1, 2, 3, 8}) {
-                INFO("seed " << seed << ", " << sweeps << " sweeps, " << threads << " threads");
-                CHECK(swept(frozen, sweeps, threads) == one);
+                INFO("seed " << seed << ", " << threads << " threads");
+                CHECK(in_small_steps(scene, threads) == one);
             }
         }
     }

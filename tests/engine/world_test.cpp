@@ -155,11 +155,10 @@ TEST_CASE("every source gets back its own range of the answers") {
         Pusher(int of_body, int rows, double force) : body(of_body), count(rows), expected(force) {}
         void append_rows(const StepStart&, RowList& rows) override {
             for (int i = 0; i < count; ++i) {
-                ConstraintRow row;
+                ConstraintRow& row = rows.emplace_back();
                 row.body_b = body;
                 row.jacobian.b[i] = 1.0;
                 row.push.lasting = expected * dt;  // 1 kg: the force is v / dt
-                rows.push_back(row);
             }
         }
         void remember(std::span<const Lambda> answers) override {

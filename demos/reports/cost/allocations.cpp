@@ -42,6 +42,17 @@ constinit Next<void*(void*, std::size_t)> next_realloc("realloc");
 constinit Next<void*(std::size_t, std::size_t)> next_aligned_alloc("aligned_alloc");
 constinit Next<int(void**, std::size_t, std::size_t)> next_posix_memalign("posix_memalign");
 
+// Before main(): dlsym() in the middle of another dl function, which asks for memory itself, destroys what that has
+// to say about errors.
+[[maybe_unused]] const bool all_found = [] {
+    next_malloc.get();
+    next_calloc.get();
+    next_realloc.get();
+    next_aligned_alloc.get();
+    next_posix_memalign.get();
+    return true;
+}();
+
 void count(std::size_t bytes) {
     ++so_far.count;
     so_far.bytes += bytes;

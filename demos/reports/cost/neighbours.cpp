@@ -124,6 +124,7 @@ Moment moment_of(const SceneDescription& scene, double start, const std::functio
     choices.description = scene;
     choices.settings = preset_settings("default");
     choices.settings.substeps = 1;
+    choices.settings.threads = 1;
     return moment_at(choices, start, check);
 }
 

@@ -72,7 +72,7 @@ double fastest_of_intersecting_stack(double share) {
     stage.set_friction(tests::weight_friction());
     double fastest = 0.0;
     for (int n = 0; n < 30; ++n) {
-        std::vector<ConstraintRow> rows = tests::rows_of(stage, {bodies, step});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, step});
         Columns lambda = Columns::Zero(static_cast<Eigen::Index>(rows.size()), 1);
         const std::vector<Vector6> moving = sweep(bodies, rows, step, lambda);
         for (ConstraintRow& row : rows) row.push = {};

@@ -104,7 +104,7 @@ TEST_CASE("every row's j_c is the derivative of its c: bars, ropes and struts") 
         const auto [p_a, p_b] = span_of(distance, bodies);
         if ((p_b - p_a).norm() < 0.3) continue;
 
-        std::vector<ConstraintRow> rows = tests::rows_of(DistanceConstraints({distance}, {PushKind::persistent, 1.0}, false), {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({distance}, {PushKind::persistent, 1.0}, false), {bodies, dt});
         REQUIRE(error_of(rows[0].jacobian, bodies[0], bodies[1], c).value() < tolerance);
         // What RATTLE takes the push for.
         REQUIRE(rows[0].push.lasting * dt == Approx(-c(bodies[0], bodies[1]).value()).margin(1e-14));
@@ -251,7 +251,7 @@ TEST_CASE("every row's j_c is the derivative of its c: contacts and friction, in
         for (int i = 0; i < 150; ++i) {
             const std::array<Body, 2> bodies = random_pair(shapes, random.in(-0.1, 0.1), random);
             ContactStage stage = stage_of(shapes, 0.3);
-            std::vector<ConstraintRow> rows = tests::rows_of(stage, {bodies, dt});
+            std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
             REQUIRE(rows.size() >= 3);
             compare_rows(shapes, bodies[0], bodies[1], rows, stage.sites(), compared);
         }
@@ -275,7 +275,7 @@ TEST_CASE("every row's j_c is the derivative of its c where fast bodies meet wit
             }
             ContactStage stage = stage_of(shapes, 0.01);
             stage.set_sweep(std::make_unique<Sweep>());
-            std::vector<ConstraintRow> rows = tests::rows_of(stage, {bodies, dt});
+            std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
             REQUIRE(rows.size() >= 3);
             REQUIRE(stage.sites()[0].swept);
 

@@ -55,7 +55,7 @@ TEST_CASE("12.1: the derivative of a length is along it") {
     const Vector3 p_ab(1, 2, -2), rate(0.3, -0.5, 0.7);
     const auto error = [&](double t) {
         const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.1, p_ab + t * rate)};
-        std::vector<ConstraintRow> rows = tests::rows_of(DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false), {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false), {bodies, dt});
         return rows[0].label.gap;
     };
     const double h = 1e-4;
@@ -79,7 +79,7 @@ TEST_CASE("12.2: products with J are those of Figure 11") {
                         {.body = 1, .shape = collision::Plane{}},
                         {.body = 2, .shape = collision::Sphere{0.5}}},
                        {.correction = no_push, .slop = 0.0, .detection = {.margin = 0.01}});
-    std::vector<ConstraintRow> rows = tests::rows_of(stage, {bodies, dt});
+    std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
     REQUIRE(rows.size() == 2);
 
     // J = [a; b] for the one body that moves and no rotation.

@@ -185,7 +185,7 @@ pushfactor::tests::Frozen measured_in(double kilogram, double metre, double seco
                                .point_b = metre * engine::Vector3(-0.5, 1, -0.25),
                                .length = 1.2 * metre};
     engine::DistanceConstraints source({bar}, {engine::PushKind::persistent, 0.2}, false);
-    std::vector<engine::ConstraintRow> rows = tests::rows_of(source, {bodies, second / 60.0});
+    std::vector<engine::ConstraintRow> rows = pushfactor::tests::rows_of(source, {bodies, second / 60.0});
     return {bodies, rows, second / 60.0};
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/distance_constraint.h"
+#include "tests/engine/rows.h"
 #include "tests/random.h"
 
 #include <span>
