@@ -13,6 +13,9 @@ namespace pushfactor::demos {
 
 namespace {
 
+// Bodies from which on several threads look for penetrations.
+constexpr std::size_t worth_threads = 1000;
+
 double max_length_error(std::span<const engine::ConstraintRow> rows) {
     double largest = 0.0;
     for (const engine::ConstraintRow& row : rows) {
@@ -125,7 +128,9 @@ void Simulation::step_engine(double dt) {
     sample_.count.islands_contradicting =
         std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
     sample_.residual = std::max(sample_.residual, residual);
-    sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
+    if (sample_.count.rows(engine::RowKind::distance) > 0) {
+        sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
+    }
     ++sample_.substeps;
 }
 
@@ -147,7 +152,16 @@ void Simulation::measure_state() {
     sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
     sample_.energy_gain = energy_.gain();
     sample_.max_speed = engine::max_speed(bodies);
-    if (scene_.contacts) sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_);
+    if (!scene_.contacts) return;
+    engine::Threads* const threads = bodies.size() >= worth_threads ? scene_.world.threads.get() : nullptr;
+    const auto measure = [&] {
+        sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_, threads);
+    };
+    if (threads) {
+        threads->keep_at_hand(measure);
+    } else {
+        measure();
+    }
 }
 
 Checkpoint Simulation::checkpoint() const {

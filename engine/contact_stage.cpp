@@ -115,6 +115,7 @@ ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& to
                                                   .friction = touch.friction,
                                                   .points = static_cast<int>(touch.points.size()),
                                                   .size = touch.size,
+                                                  .acceleration = std::max(accelerations_[a], accelerations_[b]),
                                                   .dt = step.dt});
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
@@ -127,7 +128,7 @@ void ContactStage::write_normal(const Contact& contact, const BodyPair& pair, co
                                 ConstraintRow& row) const {
     const collision::Touch& touch = *contact.touch;
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
-    row = ConstraintRow();
+    std::construct_at(&row);
     write_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, row);
     if (restitution_ && touch.restitution > 0.0) {
         const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, dt));
@@ -151,7 +152,7 @@ void ContactStage::write_friction(Contact& contact, const PairPoint& at, const T
         const std::size_t k = which == Disc::first ? 0 : 1;
         const Vector3& tangent = contact.tangents[k];
         ConstraintRow& row = rows[static_cast<std::size_t>(contact.friction_row) + k];
-        row = ConstraintRow();
+        std::construct_at(&row);
         write_friction_row(at, tangent, bound.at(contact.normal_row, which), tangent.dot(shared.belt), row);
         const ContactForce& force = forces_[contact.force];
         row.label.point = contact.point;
@@ -206,6 +207,7 @@ void ContactStage::number_rows(std::span<Contact> contacts, std::size_t first_ro
 // As motion_of() has them, with the rotations that the detector has made.
 void ContactStage::find_motions(const StepStart& step) {
     motions_.resize(step.bodies.size());
+    accelerations_.resize(step.bodies.size(), 0.0);
     const std::span<const int> awake = awake_bodies_.members();
     share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int index : awake.subspan(begin, end - begin)) {
@@ -214,6 +216,7 @@ void ContactStage::find_motions(const StepStart& step) {
             if (body.is_static()) continue;
             const Matrix3& rotation = detector_.poses()[i].rotation;
             const Vector3 in_body = rotation.transpose() * body.angular_momentum;
+            accelerations_[i] = body.inverse_mass * body.force.norm();
             motions_[i] = {velocity(body), rotation * body.inverse_inertia.cwiseProduct(in_body)};
         }
     });

@@ -123,7 +123,9 @@ class ContactStage : public ConstraintSource {
     std::span<const collision::Touch> touches_;
     Threads* threads_ = nullptr;
     std::deque<collision::Touch> unforeseen_;
-    std::vector<Motion> motions_;  // by body, at the start of the step; for friction
+    // By body, at the start of the step, for friction:
+    std::vector<Motion> motions_;
+    std::vector<double> accelerations_;  // m/s^2, by the external forces; 0 of a static body
     ContactOrder order_, unforeseen_order_;
     std::vector<Contact> contacts_;         // in the order of their rows
     std::vector<ContactForce> forces_;      // in the order of touches_ and then of unforeseen_, and of their points

@@ -28,12 +28,16 @@ bool rests(const World& world, const std::pair<int, int>& bodies) {
 
 // What running surfaces give to the bodies that rub on them [J].
 double work_of_belts(const World& world) {
-    const std::span<const ConstraintRow> rows = world.rows();
     const Columns& lambda = world.lambda();
     double work = 0.0;
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-        if (rows[j].label.kind != RowKind::friction) continue;
-        work += lambda(static_cast<Eigen::Index>(j), lambda.cols() - 1) * rows[j].push.lasting;
+    for (const Island& island : world.islands().all()) {
+        if (!island.drives) continue;
+        for (const RowRun& run : island.runs) {
+            for (int j = run.begin; j < run.end; ++j) {
+                const ConstraintRow& row = world.rows()[static_cast<std::size_t>(j)];
+                if (row.label.kind == RowKind::friction) work += lambda(j, lambda.cols() - 1) * row.push.lasting;
+            }
+        }
     }
     return work * world.system().dt;
 }

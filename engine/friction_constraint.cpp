@@ -10,11 +10,7 @@ namespace {
 constexpr double sliding_share = 1e-4;
 
 double least_sliding(const FrictionSite& site) {
-    double square = 0.0;  // of the acceleration
-    for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
-        square = std::max(square, body->inverse_mass * body->inverse_mass * body->force.squaredNorm());
-    }
-    return sliding_share * std::sqrt(site.size * std::sqrt(square));
+    return sliding_share * std::sqrt(site.size * site.acceleration);
 }
 
 }  // namespace

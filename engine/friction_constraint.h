@@ -28,6 +28,7 @@ struct FrictionSite {
     double friction = 0.0;  // mu
     int points = 1;         // contact points of the pair
     double size = 1.0;      // m, of the smaller movable body
+    double acceleration = 0.0;  // m/s^2, by the external forces, the larger of both bodies
     double dt = 1.0;        // s
 };
 

@@ -248,8 +248,13 @@ IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system,
 }
 
 void IslandSolver::save(const Island& island, const Columns& lambda, Bench& bench) {
-    bench.saved.clear();
-    each_force(island, [&](Eigen::Index j, Eigen::Index column) { bench.saved.push_back(lambda(j, column)); });
+    const auto columns = static_cast<std::size_t>(island.columns);
+    bench.saved.resize(columns * static_cast<std::size_t>(island.rows));
+    share(bench.threads, island.runs.size(), runs_of_a_part, [&](std::size_t begin, std::size_t end) {
+        std::size_t number = columns * static_cast<std::size_t>(island.runs[begin].first);
+        each_force(island.runs.subspan(begin, end - begin), island.columns,
+                   [&](Eigen::Index j, Eigen::Index column) { bench.saved[number++] = lambda(j, column); });
+    });
 }
 
 // Of each column the best of what was found, what was there before, what the step began with, and nothing. Returns

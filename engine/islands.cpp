@@ -19,7 +19,7 @@ constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400, rows_of_a_pa
 // 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
-        if (system.b(j, 0) != system.b(j, 1) || !system.rows[at(j)].bounds.in_momenta) return 2;
+        if (system.b(j, 0) != system.b(j, 1) || !system.digests[at(j)].in_momenta) return 2;
     }
     return 1;
 }
@@ -137,20 +137,16 @@ void Islands::find(const SystemEquation& system, int first_new, Threads* threads
 
 // The run that begins with a row.
 Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
-    const ConstraintRow* const rows = system.rows.data();
-    const int a = rows[begin].body_a, b = rows[begin].body_b, row_count = static_cast<int>(system.rows.size());
+    const RowDigest* const rows = system.digests.data();
+    const int a = rows[begin].body_a, b = rows[begin].body_b, row_count = static_cast<int>(system.digests.size());
     const bool a_moves = moves(system, a), b_moves = moves(system, b);
     Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves};
     for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
-        const ConstraintRow& row = rows[run.end];
-        const Bounds& bounds = row.bounds;
-        if (bounds.of_row >= 0) {
-            run.follows = run.follows || bounds.of_row < begin;
-            continue;
-        }
-        run.acts_both_ways = run.acts_both_ways || (std::isinf(bounds.c_min) && std::isinf(bounds.c_max));
-        run.rebounds = run.rebounds || (bounds.c_min >= 0.0 && row.push.lasting > 0.0) ||
-                       (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
+        const RowDigest& row = rows[run.end];
+        run.drives = run.drives || row.drives;
+        run.acts_both_ways = run.acts_both_ways || row.acts_both_ways;
+        run.rebounds = run.rebounds || row.rebounds;
+        if (row.follows) run.follows = run.follows || system.rows[at(run.end)].bounds.of_row < begin;
     }
     if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
     return run;
@@ -160,7 +156,7 @@ Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
 bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* threads) {
     bool changed = body_count_ != system.inverse_mass.size();
     body_count_ = system.inverse_mass.size();
-    const std::span<const ConstraintRow> rows = system.rows;
+    const std::span<const RowDigest> rows = system.digests;
     new_found_.clear();
     // The last run may go on with the new rows.
     const bool again = first_new > 0 && !found_.empty();
@@ -189,7 +185,7 @@ bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* th
     for (const Found& run : found_) {
         for (int j = run.begin; run.follows && run.movable >= 0 && j < run.end; ++j) {
             // A bound that follows another row needs that row's force.
-            const int leader = rows[at(j)].bounds.of_row;
+            const int leader = system.rows[at(j)].bounds.of_row;
             if (leader >= 0 && leader < run.begin) followers_.push_back({run.movable, leader});
         }
     }
@@ -284,6 +280,7 @@ void Islands::gather_runs() {
         island.follows_others = island.follows_others || run.follows;
         island.acts_both_ways = island.acts_both_ways || run.acts_both_ways;
         island.rebounds = island.rebounds || run.rebounds;
+        island.drives = island.drives || run.drives;
     }
 }
 

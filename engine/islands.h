@@ -33,6 +33,7 @@ struct Island {
     // Whether there are rows of which the bounds follow a row of another run; that act both ways without limit; that
     // push their bodies apart or together beyond the step (a rebound).
     bool follows_others = false, acts_both_ways = false, rebounds = false;
+    bool drives = false;  // whether friction aims at a speed, as that of a belt does
 
     int movable() const { return static_cast<int>(bodies.size()); }
     // The number in the island of `row` of the step, which must be one of the island's.
@@ -102,7 +103,7 @@ class Islands {
         int movable;         // one of them, -1 when both are static
         bool joins;          // whether both can move
         int columns = 1;
-        bool follows = false, acts_both_ways = false, rebounds = false;  // as in Island
+        bool follows = false, acts_both_ways = false, rebounds = false, drives = false;  // as in Island
         friend bool operator==(const Found&, const Found&) = default;
     };
     struct Follower {

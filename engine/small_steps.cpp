@@ -174,7 +174,7 @@ void SmallSteps::work(const Step& step, Team& team) {
     }
     dissection_.in_any_order(team, [this](const Part& part) {
         PartState& state = state_of(part);
-        state.residual = rows_.residual(state.begin_block, state.end_block);
+        state.residual = rows_.residual(state.blocks);
     });
     kick_at_once(step, team);
     store(step, team);
@@ -189,27 +189,17 @@ void SmallSteps::load(const Step& step, Team& team) {
             rows_.load_run(step.system, island, island.runs[static_cast<std::size_t>(k)], step.lambda,
                            step.lambda.cols() - 1, step.h);
         }
+        std::vector<solvers::UnitRows<1>::Block>& blocks = state_of(part).blocks;
+        blocks.clear();
+        rows_.add_blocks(part.begin_row, part.end_row, blocks);
     });
-    team.wait_for_all();
-    if (team.member() == 0) {
-        rows_.add_blocks();
-        std::size_t block = 0;
-        for (const Dissection::Round& round : dissection_.rounds()) {
-            for (const Part& part : round.parts) {
-                PartState& state = state_of(part);
-                state.begin_block = block;
-                while (block < rows_.blocks.size() && rows_.blocks[block].begin < part.end_row) ++block;
-                state.end_block = block;
-            }
-        }
-    }
-    team.wait_for_all();
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
     Vector6 still = Vector6::Zero();
+    team.wait_for_all();
     dissection_.by_rounds(team, [&](const Part& part) {
-        const PartState& state = state_of(part);
-        rows_.couple(state.begin_block, state.end_block);
-        rows_.add_velocities(state.begin_block, state.end_block, still);
+        PartState& state = state_of(part);
+        rows_.couple(state.blocks);
+        rows_.add_velocities(state.blocks, still);
     });
 }
 
@@ -347,8 +337,8 @@ void SmallSteps::small_step(const Step& step, int sweeps, Team& team) {
                 aim(step.h, part);
                 for (std::size_t j = begin; j < end; ++j) before_[j] = rows_.rows[j].y[0];
             }
-            solvers::sweep(rows_, state.begin_block, state.end_block,
-                           [&](const auto& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
+            solvers::sweep<1>(rows_, state.blocks,
+                              [&](const auto& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
             if (k + 1 == sweeps) {
                 for (std::size_t j = begin; j < end; ++j) sum_[j] += rows_.rows[j].y[0];
             }

@@ -105,7 +105,7 @@ class SmallSteps {
     };
     // What one thread knows of a part of the island. Not in the cache lines of another one.
     struct alignas(64) PartState {
-        std::size_t begin_block = 0, end_block = 0;  // of rows_
+        std::vector<solvers::UnitRows<1>::Block> blocks{};
         std::vector<OneSided> one_sided{};
         std::vector<Pushed> pushed{};
         bool drives = false;    // whether some row brings energy by itself

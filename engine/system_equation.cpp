@@ -118,9 +118,31 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
+RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+    const ConstraintRow& row = rows[j];
+    const Bounds& bounds = row.bounds;
+    RowDigest digest{.body_a = row.body_a, .body_b = row.body_b, .kind = row.label.kind};
+    digest.in_momenta = bounds.in_momenta;
+    digest.drives = row.label.kind == RowKind::friction && row.push.lasting != 0.0;
+    if (bounds.of_row >= 0) {
+        // Those of a contact point are side by side.
+        const auto leader = static_cast<std::size_t>(bounds.of_row);
+        const auto acts_on_same = [&](const ConstraintRow& other) {
+            return other.body_a == row.body_a && other.body_b == row.body_b;
+        };
+        digest.follows = j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]);
+    } else {
+        digest.acts_both_ways = std::isinf(bounds.c_min) && std::isinf(bounds.c_max);
+        digest.rebounds = (bounds.c_min >= 0.0 && row.push.lasting > 0.0) ||
+                          (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
+    }
+    return digest;
+}
+
 // Keeps what is there.
-void size_diagonal(SystemEquation& system) {
+void size_rows(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
+    system.digests.resize(system.rows.size());
     if (system.diagonal.size() == count) return;  // Eigen would ask for memory all the same
     system.diagonal.conservativeResize(count);
 }
@@ -136,8 +158,11 @@ Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
 }
 
 void weigh_rows(SystemEquation& system) {
-    size_diagonal(system);
-    for (std::size_t j = 0; j < system.rows.size(); ++j) weigh(j, system);
+    size_rows(system);
+    for (std::size_t j = 0; j < system.rows.size(); ++j) {
+        weigh(j, system);
+        system.digests[j] = digest_of(system.rows, j);
+    }
 }
 
 Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale) {
@@ -164,6 +189,7 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
+            system.digests[j] = digest_of(rows, j);
             const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
                                          row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
             const auto index = static_cast<Eigen::Index>(j);
@@ -180,7 +206,7 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
 void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
                       Threads* threads) {
     system.rows = rows;
-    size_diagonal(system);
+    size_rows(system);
     const auto count = static_cast<Eigen::Index>(rows.size());
     const Eigen::Index before = std::max<Eigen::Index>(1, system.column_count());
     if (first == 0) {

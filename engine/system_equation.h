@@ -37,6 +37,17 @@ struct InverseMass {
     bool turns_alike = false;                // the same about every axis, however the body is turned
 };
 
+// What is asked of every row in every step, side by side, so that nobody goes through the rows themselves for it.
+struct RowDigest {
+    int body_a = 0, body_b = 0;
+    RowKind kind = RowKind::contact;
+    bool follows = false;         // whether its bounds follow a row that may have other bodies
+    bool acts_both_ways = false;  // without limit
+    bool rebounds = false;        // whether it pushes its bodies beyond the step, the way that it acts
+    bool drives = false;          // whether it is friction that aims at a speed, as that of a belt does
+    bool in_momenta = true;       // as in Bounds
+};
+
 struct SystemEquation {
     double dt = 0.0;                         // s
     std::span<const ConstraintRow> rows;     // J, bounds, guesses
@@ -45,6 +56,7 @@ struct SystemEquation {
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
     VectorX diagonal;  // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
     Columns b;         // m/s^2, rows x columns
+    std::vector<RowDigest> digests;  // by row
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }
@@ -63,7 +75,7 @@ void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> r
 // they were.
 void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system);
 
-// The part of build_system that depends on J and M^-1 alone: `diagonal`.
+// The part of build_system that depends on the rows and M^-1 alone: `diagonal` and `digests`.
 void weigh_rows(SystemEquation& system);
 
 // J M^(-1/2) / `scale` of a row, in body axes: with the root of its A_jj as `scale` of unit length, or of a disc at

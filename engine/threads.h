@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -107,7 +108,7 @@ class Search {
 
 // As std::sort, of numbers of which no two are equal.
 template <typename T, typename Before>
-void sort_distinct(Threads* threads, std::vector<T>& all, const Before& before) {
+void sort_distinct(Threads* threads, std::span<T> all, const Before& before) {
     constexpr std::size_t worth_it = 2000;
     const auto part = [&all](std::size_t k, std::size_t parts) {
         return all.begin() + static_cast<std::ptrdiff_t>(k * all.size() / parts);

@@ -84,6 +84,7 @@ class WarmStart {
         double share = 1.0;
         bool nothing = false;
 
+        bool takes_answer() const { return share == 1.0 && !nothing; }  // whatever the guess was
         Lambda operator()(const Lambda& guess, const Lambda& answer) const {
             if (nothing) return {};
             return {guess.first + share * (answer.first - guess.first),

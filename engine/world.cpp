@@ -5,7 +5,6 @@
 #include "engine/world.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 
 namespace pushfactor::engine {
@@ -308,7 +307,8 @@ void World::find_next_guesses(const Island& island, const RowRun& run) {
     const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
     for (int j = run.begin; j < run.end; ++j) {
         const auto row = static_cast<std::size_t>(j);
-        answers_[row] = next(rows_[row].guess, {lambda_(j, 0), lambda_(j, last)});
+        const Lambda answer{lambda_(j, 0), lambda_(j, last)};
+        answers_[row] = next.takes_answer() ? answer : next(rows_[row].guess, answer);
     }
 }
 
@@ -354,14 +354,19 @@ bool World::has_lasting_force(std::size_t body) const {
 }
 
 double World::residual() const {
-    const std::span<const Island> islands = islands_.all();
-    const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
-    if (std::none_of(islands.begin(), islands.end(), took_small_steps)) return natural_residual(system_, lambda_);
+    // With a fixed number of iterations nobody has measured.
+    if (!(termination.tolerance_high > 0.0)) {
+        const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
+        const std::span<const Island> islands = islands_.all();
+        if (std::none_of(islands.begin(), islands.end(), took_small_steps)) return natural_residual(system_, lambda_);
+    }
     double largest = 0.0;
-    for (const Island& island : islands) {
-        const double own =
-            took_small_steps(island) ? outcome_of(island).residuals[0] : natural_residual(system_, island, lambda_);
-        largest = std::max(largest, own);
+    for (const Island& island : islands_.all()) {
+        const IslandSolver::Outcome& outcome = outcome_of(island);
+        const bool measured = outcome.in_small_steps || termination.tolerance_high > 0.0;
+        const double own = measured ? std::max(outcome.residuals[0], outcome.residuals[1])
+                                    : natural_residual(system_, island, lambda_);
+        if (!(own <= largest)) largest = own;
     }
     return largest;
 }
@@ -427,13 +432,9 @@ void World::settle(double dt) {
 
 StepCount World::count(const Work& work) const {
     StepCount count;
-    std::array<std::atomic<int>, row_kind_count> rows_of_kind{};
-    share(sharing_, rows_.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-        std::array<int, row_kind_count> of_part{};
-        for (std::size_t j = begin; j < end; ++j) ++of_part[static_cast<std::size_t>(rows_[j].label.kind)];
-        for (std::size_t kind = 0; kind < row_kind_count; ++kind) rows_of_kind[kind] += of_part[kind];
-    });
-    std::copy(rows_of_kind.begin(), rows_of_kind.end(), count.rows_of_kind.begin());
+    if (!rows_.empty()) {
+        for (const RowDigest& row : system_.digests) ++count.rows_of_kind[static_cast<std::size_t>(row.kind)];
+    }
     if (rest) count.at_rest = rest->count();
     count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
     count.islands = static_cast<int>(islands_.all().size());

@@ -21,7 +21,7 @@ Vector3 reach_of(const Shape& shape, const Pose& pose) {
 constexpr std::size_t few = 96;
 
 // What a thread takes at a time.
-constexpr std::size_t boxes_of_a_part = 250, candidates_of_a_part = 2000;
+constexpr std::size_t boxes_of_a_part = 250, left_of_a_part = 50, candidates_of_a_part = 2000;
 
 // When so many of the boxes have left, all of them are looked at anew.
 constexpr double most_left = 0.5;
@@ -178,7 +178,7 @@ void BroadPhase::find_all_candidates(Threads* threads) {
         }
     };
     candidate_search_.append_to(candidates_, threads, wide_.size(), boxes_of_a_part, find);
-    sort_distinct(threads, candidates_, [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
+    sort_distinct(threads, std::span(candidates_), [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
 }
 
 void BroadPhase::find_candidates_of_left(Threads* threads) {
@@ -205,9 +205,9 @@ void BroadPhase::find_candidates_of_left(Threads* threads) {
         }
     };
     const auto others = static_cast<std::ptrdiff_t>(candidates_.size());
-    candidate_search_.append_to(candidates_, threads, left_.size(), boxes_of_a_part, find);
+    candidate_search_.append_to(candidates_, threads, left_.size(), left_of_a_part, find);
     const auto before = [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; };
-    std::sort(candidates_.begin() + others, candidates_.end(), before);
+    sort_distinct(threads, std::span(candidates_).subspan(static_cast<std::size_t>(others)), before);
     std::inplace_merge(candidates_.begin(), candidates_.begin() + others, candidates_.end(), before);
 }
 

@@ -14,14 +14,15 @@ namespace pushfactor::engine::solvers {
 // them have changed since: the same as one row after the other. The two rows of a disc want their forces before
 // either has moved, and then move together.
 //
-// Of the blocks from `begin` up to `end`, whose bodies `bodies_of` gives the velocities of.
+// Of some blocks, whose bodies `bodies_of` gives the velocities of.
 template <int columns, typename BodiesOf>
-[[gnu::flatten]] double sweep(UnitRows<columns>& system, std::size_t begin, std::size_t end,
+[[gnu::flatten]] double sweep(UnitRows<columns>& system,
+                              std::span<const typename UnitRows<columns>::Block> blocks,
                               const BodiesOf& bodies_of) {
     using Value = typename UnitRows<columns>::Value;
     using Block = typename UnitRows<columns>::Block;
     Value largest{};
-    system.for_each_block(begin, end, [&](const Block& block, auto count, auto disc) {
+    system.for_each_block(blocks, [&](const Block& block, auto count, auto disc) {
         auto* row = system.rows_of(block);
         Velocity x[columns];
         unrolled<columns>([&](auto c) { x[c] = bodies_of(block, c); });
@@ -55,7 +56,7 @@ template <int columns>
 double sweep(UnitRows<columns>& system) {
     using Block = typename UnitRows<columns>::Block;
     system.couple();
-    return sweep(system, 0, system.blocks.size(),
+    return sweep(system, system.blocks,
                  [&](const Block& block, std::size_t c) { return system.at_bodies(block, c); });
 }
 

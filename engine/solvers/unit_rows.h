@@ -61,12 +61,12 @@ class UnitRows {
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         begin(island);
         for (const RowRun& run : island.runs) load_run(system, island, run, guess, 0, system.dt);
-        add_blocks();
+        add_blocks(0, island.rows, blocks);
         follow();
     }
 
-    // The same in steps, of which all but the first and the third may be shared by threads, run by run and block by
-    // block: first this, for the number of rows and bodies.
+    // The same in steps, of which all but the first may be shared by threads, run by run and block by block: first
+    // this, for the number of rows and bodies.
     void begin(const Island& island) {
         rows.resize(static_cast<std::size_t>(island.rows));
         units_.resize(rows.size());
@@ -88,14 +88,14 @@ class UnitRows {
             load_row(system, island, run, guess, first, dt, j, row);
         }
     }
-    // Third.
-    void add_blocks() {
-        for (int j = 0; j < static_cast<int>(rows.size()); ++j) add_to_block(j);
+    // Third: the blocks of the rows from one number up to another.
+    void add_blocks(int begin_row, int end_row, std::vector<Block>& to) const {
+        for (int j = begin_row; j < end_row; ++j) add_to_block(j, to);
     }
     // Fourth: the velocities that follow from the forces. By follow(), or for movable bodies with velocities of zero
     // by adding the blocks that act on them one after the other.
-    [[gnu::flatten]] void add_velocities(std::size_t begin_block, std::size_t end_block, BodyVelocity& still) {
-        for_each_block(begin_block, end_block, [&](const Block& block, auto count, auto) {
+    [[gnu::flatten]] void add_velocities(std::span<const Block> some, BodyVelocity& still) {
+        for_each_block(some, [&](const Block& block, auto count, auto) {
             Value y[count];
             unrolled<count>([&](auto i) { y[i] = Lanes<columns>::of(rows_of(block)[i].y); });
             Velocity x[columns];
@@ -200,12 +200,12 @@ class UnitRows {
     // Calls `visit` with each block, and with the number of its rows and the place of its disc as constants.
     template <typename Visit>
     void for_each_block(const Visit& visit) {
-        for_each_block(0, blocks.size(), visit);
+        for_each_block(std::span<Block>(blocks), visit);
     }
-    // Of those from `begin` up to `end`.
-    template <typename Visit>
-    void for_each_block(std::size_t begin, std::size_t end, const Visit& visit) {
-        for (Block& block : std::span(blocks).subspan(begin, end - begin)) {
+    // Of some blocks.
+    template <typename AnyBlock, typename Visit>
+    void for_each_block(std::span<AnyBlock> some, const Visit& visit) {
+        for (AnyBlock& block : some) {
             const auto with_disc = [&](auto count) {
                 if (block.disc < 0) visit(block, count, std::integral_constant<int, -1>());
                 if constexpr (count > 1) {
@@ -252,17 +252,17 @@ class UnitRows {
     void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
         BodyVelocity still = BodyVelocity::Zero();
-        add_velocities(0, blocks.size(), still);
+        add_velocities(blocks, still);
     }
 
     // Writes the couplings of the blocks, if they are not there yet.
     void couple() {
-        if (!coupled_) couple(0, blocks.size());
+        if (!coupled_) couple(blocks);
         coupled_ = true;
     }
     // Of some blocks.
-    void couple(std::size_t begin_block, std::size_t end_block) {
-        for_each_block(begin_block, end_block, [&](Block& block, auto count, auto) {
+    void couple(std::span<Block> some) {
+        for_each_block(some, [&](Block& block, auto count, auto) {
             const Row* row = rows_of(block);
             unrolled<count>([&](auto i) {
                 unrolled<i>([&](auto k) {
@@ -274,11 +274,11 @@ class UnitRows {
     }
 
     // Natural-map residual [m/s], the same as natural_residual() up to rounding.
-    double residual() { return residual(0, blocks.size()); }
+    double residual() { return residual(blocks); }
     // Of the rows of some blocks.
-    [[gnu::flatten]] double residual(std::size_t begin_block, std::size_t end_block) {
+    [[gnu::flatten]] double residual(std::span<const Block> some) {
         Value largest{};
-        for_each_block(begin_block, end_block, [&](const Block& block, auto count, auto disc) {
+        for_each_block(some, [&](const Block& block, auto count, auto disc) {
             Velocity x[columns];
             unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
             Value moved[count];
@@ -374,10 +374,10 @@ class UnitRows {
         if (row.disc == Disc::second) lambda(j - 1, last) = lambda(j - 1, 0);
     }
 
-    void add_to_block(int j) {
+    void add_to_block(int j, std::vector<Block>& to) const {
         const Row& row = rows[static_cast<std::size_t>(j)];
-        if (!blocks.empty()) {
-            Block& last = blocks.back();
+        if (!to.empty()) {
+            Block& last = to.back();
             const int wanted = row.disc == Disc::first ? 2 : 1;
             if (last.a == row.a && last.b == row.b && last.count + wanted <= rows_of_a_block) {
                 if (row.disc == Disc::first) last.disc = last.count;
@@ -385,7 +385,7 @@ class UnitRows {
                 return;
             }
         }
-        blocks.push_back(
+        to.push_back(
             {.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = row.disc == Disc::first ? 0 : -1});
     }
 

@@ -203,7 +203,7 @@ TEST_CASE("a search finds in order, and numbers are sorted, whatever the number 
     Threads threads(2);
     threads.keep_at_hand([&] {
         std::vector<int> sorted = mixed;
-        sort_distinct(&threads, sorted, std::less<>());
+        sort_distinct(&threads, std::span(sorted), std::less<>());
         CHECK(sorted == numbers);
         Search<int> search;
         for (Threads* some : {static_cast<Threads*>(nullptr), &threads}) {
