@@ -154,7 +154,8 @@ std::vector<collision::Collider> make_colliders(const SceneDescription& descript
                              .shape = make_shape(body),
                              .friction = settings.friction.value_or(body.friction),
                              .restitution = settings.restitution.value_or(body.restitution),
-                             .surface_velocity = body.surface_velocity});
+                             .surface_velocity = body.surface_velocity,
+                             .surface_from = body.surface_from});
     }
     return colliders;
 }
@@ -245,7 +246,7 @@ void set_rest(Scene& scene, const SceneDescription& description, const Settings&
         throw engine::InvalidInput("--rest", "on", "off with --scheme " + scheme_name(settings));
     }
     scene.world.rest = std::make_unique<engine::Rest>();
-    if (description.state) scene.world.rest->set_memory(description.state->rest);
+    if (description.state) scene.world.rest->set_memory(description.state->rest, scene.world.bodies);
 }
 
 void set_threads(Scene& scene, const Settings& settings) {

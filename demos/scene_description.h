@@ -41,6 +41,7 @@ struct BodyDescription {
     double friction = 0.5;
     double restitution = 0.0;
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
+    double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
 };
 

@@ -39,7 +39,8 @@ const Keys body_keys{"name",
                      "angular_momentum_kg_m2_per_s",
                      "friction",
                      "restitution",
-                     "surface_velocity_m_per_s"};
+                     "surface_velocity_m_per_s",
+                     "surface_from_s"};
 const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n"};
 const Keys end_keys{"body", "point_m"};
 const Keys force_keys{"body", "force_n", "from_s", "until_s"};
@@ -108,6 +109,7 @@ BodyDescription read_body(const JsonReader& json) {
     vector("velocity_m_per_s", body.velocity);
     vector("angular_velocity_rad_per_s", body.angular_velocity);
     vector("surface_velocity_m_per_s", body.surface_velocity);
+    if (json.has("surface_from_s")) body.surface_from = json.at("surface_from_s").number(0.0, 1e9);
     if (json.has("linear_momentum_kg_m_per_s"))
         body.linear_momentum = json.at("linear_momentum_kg_m_per_s").vector();
     if (json.has("angular_momentum_kg_m2_per_s"))

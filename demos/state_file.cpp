@@ -23,7 +23,7 @@ using Keys = std::vector<std::string>;
 const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
                       "places", "at_rest",    "solved_exactly", "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
-const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz"};
+const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -134,6 +134,9 @@ std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescrip
         if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
         if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
         if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
+        if (entry.has("angular_momentum_kg_m2_per_s")) {
+            stay.spin = entry.at("angular_momentum_kg_m2_per_s").vector();
+        }
     }
     return memory;
 }
@@ -239,6 +242,7 @@ Json places_json(const RunState& state, const SceneDescription& scene) {
             if (q.coeffs() != body.orientation.coeffs()) {
                 place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
             }
+            if (!stay.spin.isZero(0.0)) place["angular_momentum_kg_m2_per_s"] = to_json(stay.spin);
         }
     }
     return json;

@@ -40,6 +40,7 @@ Json to_json(const BodyDescription& body) {
     json["friction"] = body.friction;
     if (body.restitution != 0.0) json["restitution"] = body.restitution;
     if (!body.surface_velocity.isZero(0.0)) json["surface_velocity_m_per_s"] = to_json(body.surface_velocity);
+    if (body.surface_from != 0.0) json["surface_from_s"] = body.surface_from;
     return json;
 }
 

@@ -24,7 +24,8 @@ class ContactCache {
     struct Point {
         // Not defaulted: a vector would fill all of it with zeros before its members get their values.
         Point() {}  // NOLINT(modernize-use-equals-default)
-        Point(std::uint32_t of, const Vector3& at, const ContactForce& with) : feature(of), position(at), force(with) {}
+        Point(std::uint32_t of, const Vector3& at, const ContactForce& with)
+            : feature(of), position(at), force(with) {}
 
         std::uint32_t feature = 0;
         Vector3 position;  // m, world frame

@@ -81,6 +81,36 @@ void ContactStage::leave_out_others(std::span<const Body> bodies, const Awake& a
     at_rest_.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
 }
 
+bool ContactStage::turns_unseen(int body) const {
+    return std::none_of(colliders_.begin(), colliders_.end(), [body](const collision::Collider& collider) {
+        return collider.body == body && !std::holds_alternative<collision::Sphere>(collider.shape);
+    });
+}
+
+// Those on a belt that begins to run.
+SomeBodies ContactStage::changed_anew(double from, double until) const {
+    SomeBodies changed;
+    const auto begins = [&](int collider) {
+        const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
+        return collision::runs_at(own, from) != collision::runs_at(own, until);
+    };
+    if (std::none_of(colliders_.begin(), colliders_.end(),
+                     [](const auto& own) { return own.surface_from > 0.0; })) {
+        return changed;
+    }
+    if (!cache_) {  // nobody knows who lies on what
+        for (int i = 0; i < static_cast<int>(colliders_.size()) && !changed.all; ++i) changed.all = begins(i);
+        return changed;
+    }
+    for (const ContactCache::Entry& entry : at_rest_.entries()) {
+        if (!begins(entry.pair.a) && !begins(entry.pair.b)) continue;
+        for (const int collider : {entry.pair.a, entry.pair.b}) {
+            changed.some.push_back(colliders_[static_cast<std::size_t>(collider)].body);
+        }
+    }
+    return changed;
+}
+
 void ContactStage::all_forces(ContactCache& into) const {
     into = cache_ ? *cache_ : ContactCache{};
     if (at_rest_.entries().empty()) return;
@@ -163,8 +193,7 @@ void ContactStage::write_friction(Contact& contact, const PairPoint& at, const T
 
 // The contacts of the touches in the order given.
 std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const collision::Touch> touches,
-                                                            std::span<const ContactIndex> order,
-                                                            Threads* threads) {
+                                                            std::span<const ContactIndex> order, Threads* threads) {
     std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
     for (const collision::Touch& touch : touches) {
@@ -268,8 +297,8 @@ void ContactStage::append_rows(const StepStart& step, RowList& rows) {
     };
     awake_anew_ = false;
     if (sweep_) foresight_.look_ahead(colliders_, bodies, step.dt, awake.moved_colliders, step.threads);
-    std::vector<collision::Touch>& touches = detector_.detect(
-        colliders_, bodies, choices_.detection, sweep_ ? &foresight_ : nullptr, awake, step.threads);
+    std::vector<collision::Touch>& touches = detector_.detect(colliders_, bodies, choices_.detection,
+                                                              sweep_ ? &foresight_ : nullptr, awake, step.threads);
     if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(step));
     touches_ = touches;
     if (sweep_) touches_ = sweep_->refine(touches_, collision_step(step), detector_);

@@ -54,6 +54,8 @@ class ContactStage : public ConstraintSource {
     void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
                            std::span<const NewForce> changed, RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
+    bool turns_unseen(int body) const override;
+    SomeBodies changed_anew(double from, double until) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 

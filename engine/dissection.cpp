@@ -67,7 +67,8 @@ void Dissection::leave_whole(const Island& island) {
     rounds_.assign(1, {});
 }
 
-// Upright is along y, as in the order of rows (row_order.h). Bodies at equal places are told apart by their numbers.
+// Upright is along y, as in the order of rows (row_order.h). Bodies at equal places are told apart by their
+// numbers.
 void Dissection::halve(int begin, int end, int halvings, int leaf) {
     const auto first = spots_.begin() + begin, last = spots_.begin() + end;
     if (halvings == 0) {

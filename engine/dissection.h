@@ -2,9 +2,9 @@
 //
 // Upright planes halve the bodies, then each half, and so on. The rows between bodies of one leaf touch no other
 // leaf; a row across a plane belongs to that plane. So the rows of all leaves can be gone through at the same time,
-// then those of all planes that halve the smallest parts, and the one plane through the whole island last. It is the
-// order of the rows that is changed, and by the places of the bodies alone, so the bits do not depend on how many
-// threads there are.
+// then those of all planes that halve the smallest parts, and the one plane through the whole island last. It is
+// the order of the rows that is changed, and by the places of the bodies alone, so the bits do not depend on how
+// many threads there are.
 //
 // Within a part the order is that of the step: from the bottom up load still travels through a heap in one sweep,
 // because the planes are upright, and sweeps get as far as before. A colouring, which groups rows without common

@@ -66,8 +66,7 @@ void DistanceConstraints::append_rows(const StepStart& step, RowList& rows) {
     }
 }
 
-void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt,
-                                     RowList& rows) {
+void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a;
@@ -86,8 +85,7 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
     if (cached_) row.guess = forces_[index][0];
 }
 
-void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt,
-                                       RowList& rows) {
+void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);
@@ -99,6 +97,13 @@ void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> 
         row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = p_ab.norm()};
         if (cached_) row.guess = forces_[index][static_cast<std::size_t>(axis)];
     }
+}
+
+bool DistanceConstraints::turns_unseen(int body) const {
+    return std::none_of(distances_.begin(), distances_.end(), [body](const Distance& distance) {
+        return (distance.body_a == body && !distance.point_a.isZero(0.0)) ||
+               (distance.body_b == body && !distance.point_b.isZero(0.0));
+    });
 }
 
 void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {

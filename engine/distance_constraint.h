@@ -64,6 +64,7 @@ class DistanceConstraints : public ConstraintSource {
 
     void append_rows(const StepStart& step, RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
+    bool turns_unseen(int body) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 

@@ -24,12 +24,12 @@ namespace pushfactor::engine {
 // What a rule may look at to bound the friction between two bodies.
 struct FrictionSite {
     const BodyPair& bodies;
-    const Vector3& normal;  // unit length
-    double friction = 0.0;  // mu
-    int points = 1;         // contact points of the pair
-    double size = 1.0;      // m, of the smaller movable body
+    const Vector3& normal;      // unit length
+    double friction = 0.0;      // mu
+    int points = 1;             // contact points of the pair
+    double size = 1.0;          // m, of the smaller movable body
     double acceleration = 0.0;  // m/s^2, by the external forces, the larger of both bodies
-    double dt = 1.0;        // s
+    double dt = 1.0;            // s
 };
 
 // A bound, the same for all contact points of a pair: a force [N], or a factor [1] of the force in the point's own

@@ -127,7 +127,8 @@ solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEqu
     SmallSteps& small_steps = *bench.small_steps;
     const SmallSteps::Division division =
         small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
-    solvers::SolveCount count = small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces, ending);
+    solvers::SolveCount count =
+        small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces, ending);
     outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
     outcome.unfinished = false;
     outcome.residuals = {small_steps.residual(), small_steps.residual()};
@@ -153,7 +154,8 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
                                               const SystemEquation& system, const Island& island,
                                               Columns* first_guess, Columns& lambda, ConstraintForces& forces,
                                               Outcome& outcome) {
-    if (clamp(system, island, lambda, bench.threads)) outcome.residuals = measure(system, island, lambda, forces, bench);
+    if (clamp(system, island, lambda, bench.threads))
+        outcome.residuals = measure(system, island, lambda, forces, bench);
     save(island, lambda, bench);
     solvers::SolveCount count = bench.solver->solve(system, island, termination, lambda);
     if (termination.iterations == 0 && has_no_answer(count)) {

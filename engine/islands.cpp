@@ -111,7 +111,8 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
     threads->share(of_parts.size(), 1, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t first = k * runs_of_a_part;
-            of_parts[k] = largest_of(island.runs.subspan(first, std::min(runs_of_a_part, island.runs.size() - first)));
+            of_parts[k] =
+                largest_of(island.runs.subspan(first, std::min(runs_of_a_part, island.runs.size() - first)));
         }
     });
     return *std::max_element(of_parts.begin(), of_parts.end());

@@ -30,8 +30,8 @@ struct Island {
     int rows = 0;
     int body_count = 0;  // static ones included
     int columns = 1;     // 2 when some row corrects for a single frame (8.1)
-    // Whether there are rows of which the bounds follow a row of another run; that act both ways without limit; that
-    // push their bodies apart or together beyond the step (a rebound).
+    // Whether there are rows of which the bounds follow a row of another run; that act both ways without limit;
+    // that push their bodies apart or together beyond the step (a rebound).
     bool follows_others = false, acts_both_ways = false, rebounds = false;
     bool drives = false;  // whether friction aims at a speed, as that of a belt does
 

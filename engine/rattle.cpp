@@ -120,7 +120,8 @@ class RattleStep {
             ahead_[i].orientation = world_.rotate(body, ahead_[i].angular_momentum, drift);
         }
         rows_ahead_.clear();
-        for (const auto& source : world_.constraints) source->append_rows({ahead_, drift, world_.time()}, rows_ahead_);
+        for (const auto& source : world_.constraints)
+            source->append_rows({ahead_, drift, world_.time()}, rows_ahead_);
         if (rows_ahead_.size() != world_.rows_.size()) {
             throw InvalidInput("rows", std::to_string(rows_ahead_.size()), "the same throughout a step of RATTLE");
         }

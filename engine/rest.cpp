@@ -23,11 +23,22 @@ struct Sizes {
 // Whether the body is no farther from the place than `bound` of its size.
 bool is_near(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
     const double limit = bound * sizes.small;
-    if (!((body.position - place.position).squaredNorm() <= limit * limit)) return false;
+    return (body.position - place.position).squaredNorm() <= limit * limit;
+}
+
+// Whether it is turned by no more than that.
+bool is_turned_alike(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
+    const double limit = bound * sizes.small;
     // |q - q'| of unit quaternions is half of a small angle between them.
     const double apart = std::min((body.orientation.coeffs() - place.orientation.coeffs()).squaredNorm(),
                                   (body.orientation.coeffs() + place.orientation.coeffs()).squaredNorm());
     return 4.0 * sizes.large * sizes.large * apart <= limit * limit;
+}
+
+// Whether its spin has changed so little that over the span it turns by no more than that otherwise.
+bool spins_alike(const Body& body, const Rest::Span& span, const Rest::Stay& place) {
+    const double change = (body.angular_momentum - place.spin).norm() * body.inverse_inertia.maxCoeff();
+    return change * span.time <= span.bound;
 }
 
 void forget_stays(Rest::Memory& memory) {
@@ -59,6 +70,14 @@ bool Rest::take_change() {
     return std::exchange(changed_, false);
 }
 
+void Rest::list_turning(std::span<const Body> bodies) {
+    turning_.clear();
+    for (std::size_t i = 0; i < memory_.size(); ++i) {
+        if (memory_[i].group >= 0 && !bodies[i].angular_momentum.isZero(0.0))
+            turning_.push_back(static_cast<int>(i));
+    }
+}
+
 void Rest::wake(int body) {
     if (at(body) >= memory_.size()) return;
     const int group = memory_[at(body)].group;
@@ -70,6 +89,7 @@ void Rest::wake(int body) {
         forget_stays(memory);
         --count_;
     }
+    std::erase_if(turning_, [this](int other) { return !is_at_rest(other); });
     changed_ = true;
 }
 
@@ -79,6 +99,7 @@ void Rest::wake_all() {
         forget_stays(memory);
     }
     count_ = 0;
+    turning_.clear();
     changed_ = true;
 }
 
@@ -96,10 +117,11 @@ bool Rest::wake_pushed(const SystemEquation& system, const Columns& lambda) {
     return any;
 }
 
-void Rest::end_step(std::span<Body> bodies, const SystemEquation& system, const Islands& islands,
-                    const Columns& lambda, double dt) {
+void Rest::end_step(std::span<Body> bodies, std::span<const char> turns_unseen, const SystemEquation& system,
+                    const Islands& islands, const Columns& lambda, double dt) {
     memory_.resize(bodies.size());
-    note_places(bodies, system.awake, dt);
+    note_places(bodies, turns_unseen, system.awake, dt);
+    const int before = count_;
     for (const Island& island : islands.all()) {
         const bool any_still =
             std::any_of(island.bodies.begin(), island.bodies.end(), [this](int body) { return is_still(body); });
@@ -107,23 +129,39 @@ void Rest::end_step(std::span<Body> bodies, const SystemEquation& system, const 
         find_groups(system, island, lambda);
         bring_to_rest(bodies, island);
     }
+    if (count_ != before) list_turning(bodies);
 }
 
 // A body that cannot turn has no size to compare with.
-void Rest::note_places(std::span<const Body> bodies, std::span<const int> awake, double dt) {
+void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns_unseen, std::span<const int> awake,
+                       double dt) {
     for (const int index : awake) {
         const Body& body = bodies[at(index)];
         if (!(body.inverse_inertia.minCoeff() > 0.0)) continue;
         const Sizes sizes(body);
+        const bool unseen = turns_unseen[at(index)];
         for (std::size_t k = 0; k < spans.size(); ++k) {
             Stay& stay = memory_[at(index)].stays[k];
-            if (is_near(body, sizes, spans[k].bound, stay)) {
+            const bool stays =
+                is_near(body, sizes, spans[k].bound, stay) && (is_turned_alike(body, sizes, spans[k].bound, stay) ||
+                                                               (unseen && spins_alike(body, spans[k], stay)));
+            if (stays) {
                 stay.still += dt;
             } else {
                 stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
+                if (unseen) stay.spin = body.angular_momentum;
             }
         }
     }
+}
+
+// Whether it has been still in its place only, and not in how it is turned. What rocks to and fro has been in both.
+bool Rest::turns_on(const Body& body, const Memory& memory) const {
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        if (memory.stays[k].still < spans[k].time) continue;
+        if (is_turned_alike(body, Sizes(body), spans[k].bound, memory.stays[k])) return false;
+    }
+    return true;
 }
 
 int Rest::root_of(int number) {
@@ -147,11 +185,10 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
         if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
     }
     for (const RowRun& run : island.runs) {
-        const auto rows = system.rows.subspan(at(run.begin), at(run.end - run.begin));
         // A belt brings what stays on it nothing, but may take it along later.
-        const bool runs_along = std::any_of(rows.begin(), rows.end(), [](const ConstraintRow& row) {
-            return row.label.kind == RowKind::friction && row.push.lasting != 0.0;
-        });
+        const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
+        const bool runs_along =
+            std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.drives; });
         bool any_force = false;
         for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));
         for (const auto& [number, other] : {std::pair{run.a, run.b}, std::pair{run.b, run.a}}) {
@@ -175,18 +212,20 @@ void Rest::bring_to_rest(std::span<Body> bodies, const Island& island) {
         const Group& group = groups_[at(root)];
         if (!group.may_rest || !group.is_held) continue;
         const int index = island.bodies[at(k)];
-        bodies[at(index)].linear_momentum.setZero();
-        bodies[at(index)].angular_momentum.setZero();
+        Body& body = bodies[at(index)];
+        body.linear_momentum.setZero();
+        if (!turns_on(body, memory_[at(index)])) body.angular_momentum.setZero();
         memory_[at(index)].group = island.bodies[at(root)];
         ++count_;
         changed_ = true;
     }
 }
 
-void Rest::set_memory(std::span<const Memory> memory) {
+void Rest::set_memory(std::span<const Memory> memory, std::span<const Body> bodies) {
     memory_.assign(memory.begin(), memory.end());
     count_ = static_cast<int>(
         std::count_if(memory_.begin(), memory_.end(), [](const Memory& own) { return own.group >= 0; }));
+    list_turning(bodies);
     changed_ = true;
 }
 

@@ -8,6 +8,10 @@
 // metre leaves; in 16 seconds by 8 % of it (2.5e-3 m/s^2), for a ball that rocks in a hollow of a heap that stands:
 // that never ends where nothing brakes rolling. What nothing static holds never rests.
 //
+// A ball that turns in place, as one that is pinched between two others does for ever because nothing brakes a turn
+// about the line through both contacts, moves nothing either: as long as its spin stays the same it counts as
+// still, and it goes on turning while it and all around it rest. It keeps its angular momentum.
+//
 // Bodies that rows join without any force push nothing: what rolls by at the distance of the margin neither keeps
 // awake nor wakes. So it is groups of bodies that push each other which come to rest, parts of islands.
 //
@@ -42,6 +46,7 @@ class Rest {
         double still = 0.0;                  // s
         Vector3 position = Vector3::Zero();  // m
         Quaternion orientation = Quaternion::Identity();
+        Vector3 spin = Vector3::Zero();  // kg m^2/s, angular momentum of a body that turns unseen; else zero
     };
     // What the next step has to know of a body.
     struct Memory {
@@ -68,14 +73,17 @@ class Rest {
     // whether there was something.
     bool wake_pushed(const SystemEquation& system, const Columns& lambda);
 
+    // Those at rest that go on turning; good until the next end_step() or wake().
+    std::span<const int> turning() const { return turning_; }
+
     // After a step of `dt` [s] with these rows and forces: takes note of where the bodies that took part are, and
     // brings those groups to rest that have been still for long enough and are held by something static, but not
-    // by a belt that runs.
-    void end_step(std::span<Body> bodies, const SystemEquation& system, const Islands& islands,
-                  const Columns& lambda, double dt);
+    // by a belt that runs. `turns_unseen`, by body: whether no row depends on how it is turned.
+    void end_step(std::span<Body> bodies, std::span<const char> turns_unseen, const SystemEquation& system,
+                  const Islands& islands, const Columns& lambda, double dt);
 
     std::span<const Memory> memory() const { return memory_; }  // by body; empty before the first step
-    void set_memory(std::span<const Memory> memory);
+    void set_memory(std::span<const Memory> memory, std::span<const Body> bodies);
 
   private:
     // Of the bodies of an island that push each other, by the number of one of them in the island.
@@ -85,13 +93,17 @@ class Rest {
         bool is_held = false;
     };
 
-    void note_places(std::span<const Body> bodies, std::span<const int> awake, double dt);
+    void note_places(std::span<const Body> bodies, std::span<const char> turns_unseen, std::span<const int> awake,
+                     double dt);
+    bool turns_on(const Body& body, const Memory& memory) const;
+    void list_turning(std::span<const Body> bodies);
     void find_groups(const SystemEquation& system, const Island& island, const Columns& lambda);
     int root_of(int number);
     void bring_to_rest(std::span<Body> bodies, const Island& island);
 
     std::vector<Memory> memory_;
     std::vector<Group> groups_;  // of the island at hand
+    std::vector<int> turning_;
     int count_ = 0;
     bool changed_ = true;
 };

@@ -1,5 +1,5 @@
-// The rows of a step. The memory of those of the last one is used again, and a row is made anew by whoever writes it,
-// so that nobody goes through it before.
+// The rows of a step. The memory of those of the last one is used again, and a row is made anew by whoever writes
+// it, so that nobody goes through it before.
 #pragma once
 
 #include "engine/constraint_row.h"

@@ -26,8 +26,8 @@ struct ContactIndex {
 class ContactOrder {
   public:
     // All points of `touches` (ascending order of creation, as the detector gives them) in the named order; good
-    // until the next call. Height is measured along world y, to a fraction of the size of a pair. `threads` share the
-    // work; null: one thread.
+    // until the next call. Height is measured along world y, to a fraction of the size of a pair. `threads` share
+    // the work; null: one thread.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
                                       std::span<const Body> bodies, Threads* threads = nullptr);
 

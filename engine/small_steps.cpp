@@ -160,7 +160,8 @@ void SmallSteps::size(const Island& island) {
     states_.resize(dissection_.part_count());
     sums_.resize(dissection_.leaves().size());
     const auto movable = static_cast<std::size_t>(island.movable()), rows = static_cast<std::size_t>(island.rows);
-    for (std::vector<Vector6>* of_bodies : {&start_, &pull_, &base_, &impulse_, &moved_}) of_bodies->resize(movable);
+    for (std::vector<Vector6>* of_bodies : {&start_, &pull_, &base_, &impulse_, &moved_})
+        of_bodies->resize(movable);
     for (std::vector<double>* of_rows : {&before_, &kept_, &sum_}) of_rows->resize(rows);
 }
 
@@ -332,7 +333,8 @@ void SmallSteps::small_step(const Step& step, int sweeps, Team& team) {
     for (int k = 0; k < sweeps; ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
             const PartState& state = state_of(part);
-            const auto begin = static_cast<std::size_t>(part.begin_row), end = static_cast<std::size_t>(part.end_row);
+            const auto begin = static_cast<std::size_t>(part.begin_row),
+                       end = static_cast<std::size_t>(part.end_row);
             if (k == 0) {
                 aim(step.h, part);
                 for (std::size_t j = begin; j < end; ++j) before_[j] = rows_.rows[j].y[0];
@@ -457,7 +459,8 @@ void SmallSteps::write_moving_forces(const Step& step, Team& team) const {
     each_body(team, [&](std::size_t i) {
         const auto body = static_cast<std::size_t>(dissection_.island().bodies[i]);
         const Body& own = step.bodies[body];
-        const Vector6 mean = momenta_of(step.system.inverse_mass[body], own.inverse_inertia, moved_[i]) / step.system.dt;
+        const Vector6 mean =
+            momenta_of(step.system.inverse_mass[body], own.inverse_inertia, moved_[i]) / step.system.dt;
         step.forces.moving[body] = (mean - stacked(own.linear_momentum, own.angular_momentum)) / step.system.dt -
                                    stacked(own.force, own.torque);
     });

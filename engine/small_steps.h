@@ -108,13 +108,13 @@ class SmallSteps {
         std::vector<solvers::UnitRows<1>::Block> blocks{};
         std::vector<OneSided> one_sided{};
         std::vector<Pushed> pushed{};
-        bool drives = false;    // whether some row brings energy by itself
-        bool is_pushed = false; // whether the push moves some row
-        double residual = 0.0;  // m/s
+        bool drives = false;     // whether some row brings energy by itself
+        bool is_pushed = false;  // whether the push moves some row
+        double residual = 0.0;   // m/s
     };
     // Sums over the bodies of a leaf: their order does not depend on the threads.
     struct alignas(64) LeafSums {
-        double gain = 0.0;                   // J
+        double gain = 0.0;                  // J
         double along = 0.0, squared = 0.0;  // impulse with base_, and with itself [J]
     };
     // The step at hand.

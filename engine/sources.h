@@ -96,6 +96,14 @@ class ConstraintSource {
     virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
                                    std::span<const NewForce> /*changed*/, RowList& /*rows*/) {}
 
+    // Whether the rows of the source stay as they are however `body` turns about its centre, as those of a ball do.
+    // Where all sources say so, what rests may go on turning (rest.h).
+    virtual bool turns_unseen(int /*body*/) const { return false; }
+
+    // Which bodies at rest have other rows in a step that begins at `until` than in one at `from` [s], although
+    // nothing has moved.
+    virtual SomeBodies changed_anew(double /*from*/, double /*until*/) const { return {}; }
+
     // Whether the source leaves out rows between bodies that rest, or rest and are static, and remembers what it
     // had for them (rest.h). Bodies that rows of another one act on do not come to rest.
     virtual bool can_leave_out() const { return false; }

@@ -133,8 +133,8 @@ RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
         digest.follows = j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]);
     } else {
         digest.acts_both_ways = std::isinf(bounds.c_min) && std::isinf(bounds.c_max);
-        digest.rebounds = (bounds.c_min >= 0.0 && row.push.lasting > 0.0) ||
-                          (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
+        digest.rebounds =
+            (bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
     }
     return digest;
 }

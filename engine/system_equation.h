@@ -54,8 +54,8 @@ struct SystemEquation {
     std::vector<int> awake;                  // bodies that take part, ascending; rows move no others
     std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
     std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    VectorX diagonal;  // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
-    Columns b;         // m/s^2, rows x columns
+    VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
+    Columns b;                       // m/s^2, rows x columns
     std::vector<RowDigest> digests;  // by row
 
     Eigen::Index row_count() const { return b.rows(); }

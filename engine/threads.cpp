@@ -111,9 +111,7 @@ struct Threads::Crew {
 
     void dismiss() { posted.store(next_number() + dismissed, std::memory_order_release); }
 
-    std::uint64_t next_number() const {
-        return (posted.load(std::memory_order_relaxed) / one_job + 1) * one_job;
-    }
+    std::uint64_t next_number() const { return (posted.load(std::memory_order_relaxed) / one_job + 1) * one_job; }
 };
 
 // A job must not find more members than its number has room for.

@@ -126,7 +126,8 @@ void sort_distinct(Threads* threads, std::span<T> all, const Before& before) {
         share(threads, parts / (2 * width), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 const std::size_t first = 2 * width * k;
-                std::inplace_merge(part(first, parts), part(first + width, parts), part(first + 2 * width, parts), before);
+                std::inplace_merge(part(first, parts), part(first + width, parts), part(first + 2 * width, parts),
+                                   before);
             }
         });
     }

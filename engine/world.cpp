@@ -15,8 +15,8 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Rows of an island from which on threads help with it; rows of a step, or bodies, from which on they share the step:
-// what threads cost is that of some hundred.
+// Rows of an island from which on threads help with it; rows of a step, or bodies, from which on they share the
+// step: what threads cost is that of some hundred.
 constexpr int shared_by_threads = Dissection::least_rows;
 constexpr std::size_t worth_threads = 400;
 
@@ -277,7 +277,8 @@ World::Work World::solve(const Island& island, Columns* first_guess, IslandSolve
     Work work(island,
               island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
     if (!outcome_of(island).unfinished) return work;
-    work.add(Work(island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
+    work.add(
+        Work(island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
     return work;
 }
 
@@ -358,7 +359,8 @@ double World::residual() const {
     if (!(termination.tolerance_high > 0.0)) {
         const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
         const std::span<const Island> islands = islands_.all();
-        if (std::none_of(islands.begin(), islands.end(), took_small_steps)) return natural_residual(system_, lambda_);
+        if (std::none_of(islands.begin(), islands.end(), took_small_steps))
+            return natural_residual(system_, lambda_);
     }
     double largest = 0.0;
     for (const Island& island : islands_.all()) {
@@ -412,13 +414,27 @@ void World::integrate(Body& body, std::size_t i, double dt) {
     body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
 }
 
+void World::find_what_turns_unseen() {
+    turns_unseen_.assign(bodies.size(), 1);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (const auto& source : constraints) {
+            turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
+        }
+    }
+}
+
 // What is to change with the next step wakes now, so that a state that is saved here knows it.
 void World::settle(double dt) {
-    for (const auto& source : forces) {
-        const SomeBodies pushed = source->pushed_anew(time_ - dt, time_);
-        if (pushed.all) rest->wake_all();
-        for (const int body : pushed.some) rest->wake(body);
+    for (const int body : rest->turning()) {
+        Body& own = bodies[static_cast<std::size_t>(body)];
+        own.orientation = rotate(own, own.angular_momentum, dt);
     }
+    const auto wake = [this](const SomeBodies& changed) {
+        if (changed.all) rest->wake_all();
+        for (const int body : changed.some) rest->wake(body);
+    };
+    for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
+    for (const auto& source : constraints) wake(source->changed_anew(time_ - dt, time_));
     const auto forbid = [&](const Appended& part) {
         if (constraints[part.source]->can_leave_out()) return;
         for (std::size_t j = part.begin; j < part.end; ++j) {
@@ -427,7 +443,8 @@ void World::settle(double dt) {
         }
     };
     std::for_each(appended_.begin(), appended_.end(), forbid);
-    rest->end_step(bodies, system_, islands_, lambda_, dt);
+    if (turns_unseen_.size() != bodies.size()) find_what_turns_unseen();
+    rest->end_step(bodies, turns_unseen_, system_, islands_, lambda_, dt);
 }
 
 StepCount World::count(const Work& work) const {

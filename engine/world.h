@@ -159,6 +159,7 @@ class World {
     bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
     void integrate(Body& body, std::size_t i, double dt);
+    void find_what_turns_unseen();
     void settle(double dt);
     StepCount count(const Work& work) const;
 
@@ -168,8 +169,9 @@ class World {
     };
 
     double time_ = 0.0;
-    Threads* sharing_ = nullptr;  // this step; null: it is too small, or there are none
-    Awake awake_;  // bodies
+    Threads* sharing_ = nullptr;      // this step; null: it is too small, or there are none
+    Awake awake_;                     // bodies
+    std::vector<char> turns_unseen_;  // by body; with a Rest
     RowList rows_;
     std::vector<Appended> appended_;
     SystemEquation system_;

@@ -16,7 +16,8 @@ bool same_shape(const BodyDescription& a, const BodyDescription& b) {
 bool same_static_body(const BodyDescription& a, const BodyDescription& b) {
     return !a.mass && !b.mass && same_shape(a, b) && a.position == b.position &&
            a.orientation.coeffs() == b.orientation.coeffs() && a.friction == b.friction &&
-           a.restitution == b.restitution && a.surface_velocity == b.surface_velocity;
+           a.restitution == b.restitution && a.surface_velocity == b.surface_velocity &&
+           a.surface_from == b.surface_from;
 }
 
 class Together {

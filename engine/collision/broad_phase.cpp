@@ -178,7 +178,8 @@ void BroadPhase::find_all_candidates(Threads* threads) {
         }
     };
     candidate_search_.append_to(candidates_, threads, wide_.size(), boxes_of_a_part, find);
-    sort_distinct(threads, std::span(candidates_), [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
+    sort_distinct(threads, std::span(candidates_),
+                  [](const Candidate& a, const Candidate& b) { return a.pair < b.pair; });
 }
 
 void BroadPhase::find_candidates_of_left(Threads* threads) {

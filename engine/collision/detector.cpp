@@ -76,8 +76,8 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
         }
     });
     const Scene scene{colliders, bodies, detection, foresight};
-    const std::span<const Pair> pairs = broad_phase_.find_pairs(colliders, bodies, poses_, detection.margin, foresight,
-                                                                awake.colliders, awake.moved_colliders, threads);
+    const std::span<const Pair> pairs = broad_phase_.find_pairs(
+        colliders, bodies, poses_, detection.margin, foresight, awake.colliders, awake.moved_colliders, threads);
     const bool alone = !threads || pairs.size() <= pairs_of_a_part;
     const std::size_t parts = alone ? 1 : (pairs.size() + pairs_of_a_part - 1) / pairs_of_a_part;
     if (found_.size() < parts) found_.resize(parts);

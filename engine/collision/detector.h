@@ -79,7 +79,7 @@ class Detector {
         std::vector<Touch> touches;  // with as many points as they have, but not with these
         std::vector<ContactPoint> points;
         std::vector<Pair> beside;
-        Manifold manifold;                        // of the pair at hand
+        Manifold manifold;                             // of the pair at hand
         std::size_t first_touch = 0, first_point = 0;  // of all
     };
     // What detect() was given.

@@ -47,8 +47,8 @@ class Structures {
 
     Kept kept_;  // the one that was asked for last comes first
     std::unordered_multimap<std::uint64_t, Kept::iterator> by_hash_;
-    std::size_t size_ = 0;    // pairs and planned blocks of all that are kept
-    Structure::Pairs pairs_;  // of the island at hand
+    std::size_t size_ = 0;           // pairs and planned blocks of all that are kept
+    Structure::Pairs pairs_;         // of the island at hand
     std::vector<int> begin_, next_;  // by body, places in pairs_ while these are sorted
 };
 

@@ -16,8 +16,7 @@ namespace pushfactor::engine::solvers {
 //
 // Of some blocks, whose bodies `bodies_of` gives the velocities of.
 template <int columns, typename BodiesOf>
-[[gnu::flatten]] double sweep(UnitRows<columns>& system,
-                              std::span<const typename UnitRows<columns>::Block> blocks,
+[[gnu::flatten]] double sweep(UnitRows<columns>& system, std::span<const typename UnitRows<columns>::Block> blocks,
                               const BodiesOf& bodies_of) {
     using Value = typename UnitRows<columns>::Value;
     using Block = typename UnitRows<columns>::Block;

@@ -92,8 +92,8 @@ class UnitRows {
     void add_blocks(int begin_row, int end_row, std::vector<Block>& to) const {
         for (int j = begin_row; j < end_row; ++j) add_to_block(j, to);
     }
-    // Fourth: the velocities that follow from the forces. By follow(), or for movable bodies with velocities of zero
-    // by adding the blocks that act on them one after the other.
+    // Fourth: the velocities that follow from the forces. By follow(), or for movable bodies with velocities of
+    // zero by adding the blocks that act on them one after the other.
     [[gnu::flatten]] void add_velocities(std::span<const Block> some, BodyVelocity& still) {
         for_each_block(some, [&](const Block& block, auto count, auto) {
             Value y[count];
@@ -385,8 +385,7 @@ class UnitRows {
                 return;
             }
         }
-        to.push_back(
-            {.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = row.disc == Disc::first ? 0 : -1});
+        to.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = row.disc == Disc::first ? 0 : -1});
     }
 
     // What a row's bounds are factors of.

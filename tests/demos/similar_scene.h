@@ -76,6 +76,7 @@ struct Similarity {
         if (body.linear_momentum) body.linear_momentum = direction(*body.linear_momentum, mass * speed());
         if (body.angular_momentum) body.angular_momentum = axial(*body.angular_momentum, angular_momentum());
         body.surface_velocity = in_body(body.surface_velocity, speed());
+        body.surface_from *= time.value();
         return body;
     }
 

@@ -140,7 +140,8 @@ TEST_CASE("the points of a ball joint part at the rate that its rows say, at ran
                              .point_a = random.vector(-1, 1),
                              .point_b = random.vector(-1, 1),
                              .length = 0.0};
-        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({joint}, whole, false), {bodies, 0.1});
+        std::vector<ConstraintRow> rows =
+            pushfactor::tests::rows_of(DistanceConstraints({joint}, whole, false), {bodies, 0.1});
         const auto [from, to] = span_of(joint, bodies);
         const Vector3 turning = 0.5 * (angular_velocity(bodies[0]) + angular_velocity(bodies[1]));
         const Vector3 rate = velocity_at(bodies[1], to) - velocity_at(bodies[0], from) - turning.cross(to - from);

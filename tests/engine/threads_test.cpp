@@ -25,9 +25,9 @@ struct Heap {
     Frozen frozen;
 };
 
-// Bodies in a grid, as wide as long and four high. Each touches those beside, behind and below it, and a few of them
-// one far away, at points with friction on a disc. With `follows_others` some friction follows the force between
-// other bodies.
+// Bodies in a grid, as wide as long and four high. Each touches those beside, behind and below it, and a few of
+// them one far away, at points with friction on a disc. With `follows_others` some friction follows the force
+// between other bodies.
 Heap heap(std::uint64_t seed, int width, int length, bool follows_others = false) {
     Random random(seed);
     std::vector<Body> bodies{static_body(Vector3::Zero())};
@@ -199,7 +199,8 @@ TEST_CASE("a search finds in order, and numbers are sorted, whatever the number 
     std::vector<int> numbers(30000);
     std::iota(numbers.begin(), numbers.end(), 0);
     std::vector<int> mixed = numbers;
-    for (std::size_t i = mixed.size(); i > 1; --i) std::swap(mixed[i - 1], mixed[static_cast<std::size_t>(random.in(0, static_cast<double>(i)))]);
+    for (std::size_t i = mixed.size(); i > 1; --i)
+        std::swap(mixed[i - 1], mixed[static_cast<std::size_t>(random.in(0, static_cast<double>(i)))]);
     Threads threads(2);
     threads.keep_at_hand([&] {
         std::vector<int> sorted = mixed;
@@ -245,7 +246,8 @@ TEST_CASE("the parts of a dissected island hold every row and body once, and tho
                     next_row += run.end - run.begin;
                     if (k > 0) crossing += run.end - run.begin;
                     const ConstraintRow& row = scene.frozen.rows[static_cast<std::size_t>(run.begin)];
-                    for (const auto& [number, body] : {std::pair{run.a, row.body_a}, std::pair{run.b, row.body_b}}) {
+                    for (const auto& [number, body] :
+                         {std::pair{run.a, row.body_a}, std::pair{run.b, row.body_b}}) {
                         if (number >= island.movable()) continue;
                         REQUIRE(dissection.island().bodies[static_cast<std::size_t>(number)] == body);
                         int& part_of_body = part_of[static_cast<std::size_t>(body)];

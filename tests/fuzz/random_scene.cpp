@@ -121,7 +121,10 @@ class Generator {
         if (chance(0.6)) body.angular_velocity = vector(speed_);
         body.friction = chance(0.3) ? 0.0 : in(0, 1.5);
         if (chance(0.2)) body.restitution = chance(0.5) ? 1.0 : in(0, 1);
-        if (chance(0.05)) body.surface_velocity = vector(size_);
+        if (chance(0.05)) {
+            body.surface_velocity = vector(size_);
+            if (chance(0.3)) body.surface_from = in(0.0, 1.0);
+        }
         scene_.bodies.push_back(body);
     }
 

@@ -84,6 +84,7 @@ class Simplifications {
             set(body.velocity, Vector3(Vector3::Zero()));
             set(body.angular_velocity, Vector3(Vector3::Zero()));
             set(body.surface_velocity, Vector3(Vector3::Zero()));
+            set(body.surface_from, 0.0);
             set(body.orientation, Quaternion(Quaternion::Identity()));
             set(body.restitution, 0.0);
             set(body.friction, 0.0);

@@ -78,7 +78,9 @@ TEST_CASE("5.2: half the difference of squares grows with the square of the scal
         const auto printed = [](double s) { return 0.5 * (1.1 * s * 1.1 * s - s * s); };
         CHECK(printed(scale) == Approx(scale * scale * printed(1.0)));
         const auto row = [](double s) {
-            std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({{.body_a = 0, .body_b = 1, .length = s}}, {PushKind::persistent, 0.2}, false), {ball_at(1.1 * s), dt});
+            std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(
+                DistanceConstraints({{.body_a = 0, .body_b = 1, .length = s}}, {PushKind::persistent, 0.2}, false),
+                {ball_at(1.1 * s), dt});
             return rows.front();
         };
         CHECK(row(scale).label.gap == Approx(scale * row(1.0).label.gap));  // c = |p_ab| - l

@@ -104,7 +104,8 @@ TEST_CASE("every row's j_c is the derivative of its c: bars, ropes and struts") 
         const auto [p_a, p_b] = span_of(distance, bodies);
         if ((p_b - p_a).norm() < 0.3) continue;
 
-        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({distance}, {PushKind::persistent, 1.0}, false), {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(
+            DistanceConstraints({distance}, {PushKind::persistent, 1.0}, false), {bodies, dt});
         REQUIRE(error_of(rows[0].jacobian, bodies[0], bodies[1], c).value() < tolerance);
         // What RATTLE takes the push for.
         REQUIRE(rows[0].push.lasting * dt == Approx(-c(bodies[0], bodies[1]).value()).margin(1e-14));

@@ -55,7 +55,8 @@ TEST_CASE("12.1: the derivative of a length is along it") {
     const Vector3 p_ab(1, 2, -2), rate(0.3, -0.5, 0.7);
     const auto error = [&](double t) {
         const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.1, p_ab + t * rate)};
-        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false), {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(
+            DistanceConstraints({{.body_a = 0, .body_b = 1}}, persistent, false), {bodies, dt});
         return rows[0].label.gap;
     };
     const double h = 1e-4;

@@ -42,7 +42,8 @@ struct Chain {
         }
     }
     Frozen frozen() const {
-        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(DistanceConstraints(distances, {PushKind::persistent, 1.0}, false), {bodies, dt});
+        std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(
+            DistanceConstraints(distances, {PushKind::persistent, 1.0}, false), {bodies, dt});
         return {bodies, rows, dt};
     }
 };
