@@ -13,9 +13,6 @@ namespace pushfactor::demos {
 
 namespace {
 
-// Bodies from which on several threads look for penetrations.
-constexpr std::size_t worth_threads = 1000;
-
 double max_length_error(std::span<const engine::ConstraintRow> rows) {
     double largest = 0.0;
     for (const engine::ConstraintRow& row : rows) {
@@ -153,7 +150,7 @@ void Simulation::measure_state() {
     sample_.energy_gain = energy_.gain();
     sample_.max_speed = engine::max_speed(bodies);
     if (!scene_.contacts) return;
-    engine::Threads* const threads = bodies.size() >= worth_threads ? scene_.world.threads.get() : nullptr;
+    engine::Threads* const threads = scene_.world.threads_worth_calling();
     const auto measure = [&] {
         sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_, threads);
     };

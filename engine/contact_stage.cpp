@@ -8,7 +8,7 @@ namespace pushfactor::engine {
 namespace {
 
 // What a thread takes at a time.
-constexpr std::size_t contacts_of_a_part = 256;
+constexpr std::size_t contacts_of_a_part = 128;
 
 // A gap beyond this share of the size is one, and not what the solver has left of a contact.
 constexpr double apart_share = 1e-5;

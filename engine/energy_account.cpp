@@ -31,7 +31,7 @@ double work_of_belts(const World& world) {
     const Columns& lambda = world.lambda();
     double work = 0.0;
     for (const Island& island : world.islands().all()) {
-        if (!island.drives) continue;
+        if (!island.has(RowDigest::drives)) continue;
         for (const RowRun& run : island.runs) {
             for (int j = run.begin; j < run.end; ++j) {
                 const ConstraintRow& row = world.rows()[static_cast<std::size_t>(j)];

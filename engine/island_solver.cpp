@@ -42,16 +42,23 @@ void copy_to_last(const Island& island, Columns& lambda) {
 
 // Puts the forces within their bounds, those of rows that others follow first. Returns whether one was not.
 bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, Threads* threads) {
-    std::atomic<bool> any = false;
-    share(island.follows_others ? nullptr : threads, island.runs.size(), runs_of_a_part,
-          [&](std::size_t begin, std::size_t end) {
-              bool changed = false;
-              each_force(island.runs.subspan(begin, end - begin), island.columns,
-                         [&](Eigen::Index j, Eigen::Index column) {
-                             changed = clamp_force(system.rows, j, column, lambda) || changed;
-                         });
-              if (changed) any.store(true, std::memory_order_relaxed);
-          });
+    const auto clamp_some = [&](std::span<const RowRun> runs) {
+        bool changed = false;
+        each_force(runs, island.columns, [&](Eigen::Index j, Eigen::Index column) {
+            changed = clamp_force(system.rows, j, column, lambda) || changed;
+        });
+        return changed;
+    };
+    bool any = false;
+    if (!threads || island.follows_others) {
+        any = clamp_some(island.runs);
+    } else {
+        std::atomic<bool> changed = false;
+        threads->share(island.runs.size(), runs_of_a_part, [&](std::size_t begin, std::size_t end, int) {
+            if (clamp_some(island.runs.subspan(begin, end - begin))) changed.store(true, std::memory_order_relaxed);
+        });
+        any = changed;
+    }
     if (any) copy_to_last(island, lambda);
     return any;
 }
@@ -182,15 +189,14 @@ void IslandSolver::note(const Island& island, const Outcome& outcome, const solv
 
 void IslandSolver::find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                                ConstraintForces& forces, const Bench& bench) {
-    const auto find = [&](Eigen::Index column, std::vector<Vector6>& into) {
+    for (int column = 0; column < island.columns; ++column) {
+        std::vector<Vector6>& into = column == 0 ? forces.moving : forces.lasting;
         if (bench.threads) {
             constraint_forces(system, island, bench.runs_of, lambda, column, *bench.threads, into);
         } else {
             constraint_forces(system, island, lambda, column, into);
         }
-    };
-    find(0, forces.moving);
-    if (island.columns == 2) find(1, forces.lasting);
+    }
 }
 
 IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, const Island& island,

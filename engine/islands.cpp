@@ -19,7 +19,7 @@ constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400, rows_of_a_pa
 // 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
-        if (system.b(j, 0) != system.b(j, 1) || !system.digests[at(j)].in_momenta) return 2;
+        if (system.b(j, 0) != system.b(j, 1) || system.digests[at(j)].has(RowDigest::not_in_momenta)) return 2;
     }
     return 1;
 }
@@ -85,7 +85,8 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
                         Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
                         Threads* threads) {
-    accelerations.assign(at(island.body_count), Vector6::Zero());
+    accelerations.resize(at(island.body_count));
+    for (std::size_t k = island.bodies.size(); k < accelerations.size(); ++k) accelerations[k].setZero();
     share(threads, island.bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto body = at(island.bodies[k]);
@@ -144,10 +145,8 @@ Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
     Found run{begin, begin, a, b, a_moves ? a : b_moves ? b : -1, a_moves && b_moves};
     for (; run.end < row_count && rows[run.end].body_a == a && rows[run.end].body_b == b; ++run.end) {
         const RowDigest& row = rows[run.end];
-        run.drives = run.drives || row.drives;
-        run.acts_both_ways = run.acts_both_ways || row.acts_both_ways;
-        run.rebounds = run.rebounds || row.rebounds;
-        if (row.follows) run.follows = run.follows || system.rows[at(run.end)].bounds.of_row < begin;
+        run.traits |= row.traits;
+        if (row.has(RowDigest::follows) && system.rows[at(run.end)].bounds.of_row < begin) run.follows = true;
     }
     if (system.column_count() == 2) run.columns = columns_of(run.begin, run.end, system);
     return run;
@@ -279,9 +278,7 @@ void Islands::gather_runs() {
         island.rows += run.end - run.begin;
         island.columns = std::max(island.columns, run.columns);
         island.follows_others = island.follows_others || run.follows;
-        island.acts_both_ways = island.acts_both_ways || run.acts_both_ways;
-        island.rebounds = island.rebounds || run.rebounds;
-        island.drives = island.drives || run.drives;
+        island.traits |= run.traits;
     }
 }
 

@@ -10,6 +10,7 @@
 #include "engine/system_equation.h"
 #include "engine/threads.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,13 +29,12 @@ struct Island {
     std::span<const int> bodies{};   // the movable ones: number k is body bodies[k] of the world; at least one
     std::span<const RowRun> runs{};  // at least one
     int rows = 0;
-    int body_count = 0;  // static ones included
-    int columns = 1;     // 2 when some row corrects for a single frame (8.1)
-    // Whether there are rows of which the bounds follow a row of another run; that act both ways without limit;
-    // that push their bodies apart or together beyond the step (a rebound).
-    bool follows_others = false, acts_both_ways = false, rebounds = false;
-    bool drives = false;  // whether friction aims at a speed, as that of a belt does
+    int body_count = 0;           // static ones included
+    int columns = 1;              // 2 when some row corrects for a single frame (8.1)
+    bool follows_others = false;  // whether the bounds of some row follow a row of another run
+    std::uint8_t traits = 0;      // of any of its rows (RowDigest)
 
+    bool has(RowDigest::Trait trait) const { return (traits & trait) != 0; }
     int movable() const { return static_cast<int>(bodies.size()); }
     // The number in the island of `row` of the step, which must be one of the island's.
     int number_of(int row) const;
@@ -103,7 +103,8 @@ class Islands {
         int movable;         // one of them, -1 when both are static
         bool joins;          // whether both can move
         int columns = 1;
-        bool follows = false, acts_both_ways = false, rebounds = false, drives = false;  // as in Island
+        bool follows = false;     // as in Island
+        std::uint8_t traits = 0;  // of any of its rows
         friend bool operator==(const Found&, const Found&) = default;
     };
     struct Follower {

@@ -188,7 +188,7 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
         // A belt brings what stays on it nothing, but may take it along later.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
         const bool runs_along =
-            std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.drives; });
+            std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
         bool any_force = false;
         for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));
         for (const auto& [number, other] : {std::pair{run.a, run.b}, std::pair{run.b, run.a}}) {

@@ -84,7 +84,7 @@ Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const V
 }  // namespace
 
 bool SmallSteps::suit(const Island& island) {
-    return island.movable() >= few && !island.acts_both_ways && !island.rebounds;
+    return island.movable() >= few && !island.has(RowDigest::acts_both_ways) && !island.has(RowDigest::rebounds);
 }
 
 double SmallSteps::settled_speed(double dt, std::span<const Body> bodies, const Island& island) {

@@ -118,25 +118,27 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
-    RowDigest digest{.body_a = row.body_a, .body_b = row.body_b, .kind = row.label.kind};
-    digest.in_momenta = bounds.in_momenta;
-    digest.drives = row.label.kind == RowKind::friction && row.push.lasting != 0.0;
+    int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta;
+    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         // Those of a contact point are side by side.
         const auto leader = static_cast<std::size_t>(bounds.of_row);
         const auto acts_on_same = [&](const ConstraintRow& other) {
             return other.body_a == row.body_a && other.body_b == row.body_b;
         };
-        digest.follows = j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]);
+        if (j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]))
+            traits |= RowDigest::follows;
     } else {
-        digest.acts_both_ways = std::isinf(bounds.c_min) && std::isinf(bounds.c_max);
-        digest.rebounds =
-            (bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0);
+        if (bounds.c_min == -infinity && bounds.c_max == infinity) traits |= RowDigest::acts_both_ways;
+        if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
+            traits |= RowDigest::rebounds;
+        }
     }
-    return digest;
+    return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint8_t>(traits)};
 }
 
 // Keeps what is there.

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -39,13 +40,19 @@ struct InverseMass {
 
 // What is asked of every row in every step, side by side, so that nobody goes through the rows themselves for it.
 struct RowDigest {
+    enum Trait : std::uint8_t {
+        follows = 1,          // its bounds follow a row that may have other bodies
+        acts_both_ways = 2,   // without limit
+        rebounds = 4,         // pushes its bodies beyond the step, the way that it acts
+        drives = 8,           // friction that aims at a speed, as that of a belt does
+        not_in_momenta = 16,  // as in Bounds
+    };
+
     int body_a = 0, body_b = 0;
     RowKind kind = RowKind::contact;
-    bool follows = false;         // whether its bounds follow a row that may have other bodies
-    bool acts_both_ways = false;  // without limit
-    bool rebounds = false;        // whether it pushes its bodies beyond the step, the way that it acts
-    bool drives = false;          // whether it is friction that aims at a speed, as that of a belt does
-    bool in_momenta = true;       // as in Bounds
+    std::uint8_t traits = 0;
+
+    bool has(Trait trait) const { return (traits & trait) != 0; }
 };
 
 struct SystemEquation {

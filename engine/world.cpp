@@ -15,10 +15,14 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Rows of an island from which on threads help with it; rows of a step, or bodies, from which on they share the
-// step: what threads cost is that of some hundred.
+// Rows of an island from which on threads help with it.
 constexpr int shared_by_threads = Dissection::least_rows;
-constexpr std::size_t worth_threads = 400;
+
+// Multiply-adds of the last step that threads could have shared, from which on they share this one: some tenths of
+// a millisecond, and to wake them takes some hundredths. A row and a body cost as much as so many beside the
+// solver.
+constexpr double worth_threads = 6e5;
+constexpr double work_of_a_row = 200.0, work_of_a_body = 100.0;
 
 // What a thread takes at a time.
 constexpr std::size_t bodies_of_a_part = 250, rows_of_a_part = 1000;
@@ -31,16 +35,19 @@ bool has_row_from(const Island& island, std::size_t first_row) {
 
 StepCount World::step(double dt, StageObserver* observer) {
     assert(dt > 0.0);
-    const bool is_large = rows_.size() >= worth_threads || awake_.members().size() >= worth_threads;
-    if (!threads || !is_large) return step_now(dt, observer);
+    if (!threads_worth_calling()) return take_step(dt, observer);
     StepCount count;
     sharing_ = threads.get();
-    threads->keep_at_hand([&] { count = step_now(dt, observer); });
+    threads->keep_at_hand([&] { count = take_step(dt, observer); });
     sharing_ = nullptr;
     return count;
 }
 
-StepCount World::step_now(double dt, StageObserver* observer) {
+Threads* World::threads_worth_calling() const {
+    return shareable_work_ >= worth_threads ? threads.get() : nullptr;
+}
+
+StepCount World::take_step(double dt, StageObserver* observer) {
     const auto ended = [observer](Stage stage) {
         if (observer) observer->stage_ended(stage);
     };
@@ -56,6 +63,8 @@ StepCount World::step_now(double dt, StageObserver* observer) {
         work = solve_and_look(dt);  // 7, island by island
         ended(Stage::solve);
     } while (wakes_some());
+    shareable_work_ = work.multiply_adds - work.alone + work_of_a_row * static_cast<double>(rows_.size()) +
+                      work_of_a_body * static_cast<double>(awake_.members().size());
     remember();  // 6.2.3
     ended(Stage::remember);
     integrate(dt);  // 3.2, 8.1
@@ -285,7 +294,8 @@ World::Work World::solve(const Island& island, Columns* first_guess, IslandSolve
 World::Work::Work(const Island& island, const solvers::SolveCount& count)
     : sweeps(count.iterations),
       row_updates(1.0 * island.rows * island.columns * count.iterations),
-      multiply_adds(count.multiply_adds) {}
+      multiply_adds(count.multiply_adds),
+      alone(island.rows < shared_by_threads ? count.multiply_adds : 0.0) {}
 
 void World::remember() {
     answers_.assign(rows_.size(), {});

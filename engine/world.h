@@ -72,6 +72,9 @@ class World {
     // second order instead of first.
     void kick_back_half(double dt);
 
+    // Those that are worth calling for a state like that after the last step; null: one thread does better.
+    Threads* threads_worth_calling() const;
+
     double time() const { return time_; }  // s, sum of all steps
 
     // What a world carries from step to step beside its bodies and what its sources remember: the time and this,
@@ -103,6 +106,7 @@ class World {
     struct Work {
         int sweeps = 0;
         double row_updates = 0.0, multiply_adds = 0.0;
+        double alone = 0.0;  // multiply-adds of the island that one thread takes longest for
 
         Work() = default;
         Work(const Island& island, const solvers::SolveCount& count);
@@ -111,19 +115,21 @@ class World {
             sweeps = std::max(sweeps, other.sweeps);
             row_updates += other.row_updates;
             multiply_adds += other.multiply_adds;
+            alone = std::max(alone, other.alone);
         }
         // That of another round.
         void operator+=(const Work& other) {
             sweeps += other.sweeps;
             row_updates += other.row_updates;
             multiply_adds += other.multiply_adds;
+            alone += other.alone;
         }
     };
 
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);
-    StepCount step_now(double dt, StageObserver* observer);
+    StepCount take_step(double dt, StageObserver* observer);
     StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
     void append_unforeseen(double dt);
@@ -170,6 +176,7 @@ class World {
 
     double time_ = 0.0;
     Threads* sharing_ = nullptr;      // this step; null: it is too small, or there are none
+    double shareable_work_ = 0.0;     // multiply-adds, of the last step
     Awake awake_;                     // bodies
     std::vector<char> turns_unseen_;  // by body; with a Rest
     RowList rows_;

@@ -16,7 +16,7 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 }
 
 // What a thread takes at a time.
-constexpr std::size_t bodies_of_a_part = 500, pairs_of_a_part = 256;
+constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
 
 // Takes out those points beyond the margin that the step does not bring together.
 void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
