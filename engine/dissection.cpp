@@ -9,9 +9,8 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Rows of a leaf at least, halvings at most (a heap of 20,000 balls in 64 leaves trembles for ever), and the share
-// of the rows that may cross planes: those are swept on fewer threads, and what is too narrow for more leaves would
-// be swept in another order for nothing.
+// Rows of a leaf at least, halvings at most, and the share of the rows that may cross planes. Those are swept after
+// all others: a heap of 20,000 balls in 64 leaves trembles and does not settle.
 constexpr int least_rows_of_leaf = 1000;
 constexpr int most_halvings = 3;
 constexpr double most_crossing = 0.2;
