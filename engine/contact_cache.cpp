@@ -24,7 +24,7 @@ bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::C
 void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
                             std::span<ContactForce> forces, Matched& matched) const {
     const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
-    auto& [taken, given] = matched;
+    std::vector<char>&taken = matched.taken, &given = matched.given;
     taken.assign(known.size(), 0);
     given.assign(points.size(), 0);
     const auto give = [&](std::size_t point, std::size_t from) {
