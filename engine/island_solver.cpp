@@ -189,13 +189,14 @@ void IslandSolver::note(const Island& island, const Outcome& outcome, const solv
 
 void IslandSolver::find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                                ConstraintForces& forces, const Bench& bench) {
-    for (int column = 0; column < island.columns; ++column) {
-        std::vector<Vector6>& into = column == 0 ? forces.moving : forces.lasting;
-        if (bench.threads) {
-            constraint_forces(system, island, bench.runs_of, lambda, column, *bench.threads, into);
-        } else {
-            constraint_forces(system, island, lambda, column, into);
-        }
+    if (!bench.threads) {
+        constraint_forces(system, island, lambda, 0, forces.moving);
+        if (island.columns == 2) constraint_forces(system, island, lambda, 1, forces.lasting);
+        return;
+    }
+    constraint_forces(system, island, bench.runs_of, lambda, 0, *bench.threads, forces.moving);
+    if (island.columns == 2) {
+        constraint_forces(system, island, bench.runs_of, lambda, 1, *bench.threads, forces.lasting);
     }
 }
 
