@@ -98,7 +98,7 @@ SomeBodies ContactStage::changed_anew(double from, double until) const {
                      [](const auto& own) { return own.surface_from > 0.0; })) {
         return changed;
     }
-    if (!cache_) {  // nobody knows who lies on what
+    if (!cache_) {  // without a cache it is unknown which bodies lie on the belt
         for (int i = 0; i < static_cast<int>(colliders_.size()) && !changed.all; ++i) changed.all = begins(i);
         return changed;
     }

@@ -1,5 +1,5 @@
-// The rows of a step. The memory of those of the last one is used again, and a row is made anew by whoever writes
-// it, so that nobody goes through it before.
+// The rows of a step. The memory is reused from step to step, and each row is initialised where it is written,
+// which saves a pass over all of them.
 #pragma once
 
 #include "engine/constraint_row.h"
@@ -12,14 +12,13 @@ namespace pushfactor::engine {
 
 class RowList {
   public:
-    // Appends one row as it is made.
+    // Appends one initialised row.
     ConstraintRow& emplace_back() {
         if (count_++ == made_.size()) return made_.emplace_back();
         return made_[count_ - 1] = ConstraintRow();
     }
 
-    // Appends this many rows, which the caller has to make anew one by one: they are those of some step before.
-    // Returns all rows.
+    // Appends this many rows that hold old values: the caller has to initialise each. Returns all rows.
     std::span<ConstraintRow> append(std::size_t count) {
         count_ += count;
         if (made_.size() < count_) made_.resize(count_ + count_ / 8);

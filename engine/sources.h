@@ -86,7 +86,7 @@ class ConstraintSource {
   public:
     virtual ~ConstraintSource() = default;
 
-    // Appends the rows of a step. Their order is kept: nobody sorts later.
+    // Appends the rows of a step. Whole-step solvers keep their order.
     virtual void append_rows(const StepStart& step, RowList& rows) = 0;
 
     // Appends the rows that are missing when the bodies move with `forces`, the constraint forces of the first

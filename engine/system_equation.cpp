@@ -204,7 +204,8 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
     return any_corrects;
 }
 
-// Begins with the columns of the last time, which are right but for when that changes: nobody has to know before.
+// Starts with the column count of the last step and corrects it if the rows need another: one pass in nearly all
+// steps.
 void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
                       Threads* threads) {
     system.rows = rows;

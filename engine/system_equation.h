@@ -38,7 +38,8 @@ struct InverseMass {
     bool turns_alike = false;                // the same about every axis, however the body is turned
 };
 
-// What is asked of every row in every step, side by side, so that nobody goes through the rows themselves for it.
+// The properties of a row that every step reads, in a compact array of their own: one cache line holds four rows of
+// it, where a ConstraintRow takes three lines.
 struct RowDigest {
     enum Trait : std::uint8_t {
         follows = 1,          // its bounds follow a row that may have other bodies

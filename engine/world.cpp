@@ -365,7 +365,7 @@ bool World::has_lasting_force(std::size_t body) const {
 }
 
 double World::residual() const {
-    // With a fixed number of iterations nobody has measured.
+    // With a fixed number of iterations the solve has not measured the residual.
     if (!(termination.tolerance_high > 0.0)) {
         const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
         const std::span<const Island> islands = islands_.all();
