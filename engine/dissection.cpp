@@ -14,6 +14,8 @@ namespace {
 constexpr int least_rows_of_leaf = 1000;
 constexpr int most_halvings = 3;
 constexpr double most_crossing = 0.2;
+// Of the bodies, on either side of a plane.
+constexpr double least_share = 0.25;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -46,12 +48,8 @@ void Dissection::cut(std::span<const Body> bodies, const Island& island) {
             spots_.push_back({{finite(position.x()), finite(position.z())}, k});
         }
         leaf_of_.resize(spots_.size());
-        halve(0, island.movable(), halvings, 0);
-        while (halvings > 0 && !put_runs(island, halvings)) {
-            --halvings;
-            for (int& leaf : leaf_of_) leaf /= 2;
-        }
     }
+    while (halvings > 0 && !(halve(0, island.movable(), halvings, 0) && put_runs(island, halvings))) --halvings;
     if (halvings == 0) {
         leave_whole(island);
     } else {
@@ -67,13 +65,13 @@ void Dissection::leave_whole(const Island& island) {
     rounds_.assign(1, {});
 }
 
-// Upright is along y, as in the order of rows (row_order.h). Bodies at equal places are told apart by their
-// numbers.
-void Dissection::halve(int begin, int end, int halvings, int leaf) {
+// Upright is along y, as in the order of rows (row_order.h). What stands in one upright line stays on one side of a
+// plane, so that a tower is not cut across. Returns whether there are planes that halve well enough.
+bool Dissection::halve(int begin, int end, int halvings, int leaf) {
     const auto first = spots_.begin() + begin, last = spots_.begin() + end;
     if (halvings == 0) {
         for (auto spot = first; spot != last; ++spot) leaf_of_[at(spot->body)] = leaf;
-        return;
+        return true;
     }
     const auto extent = [&](std::size_t axis) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -84,12 +82,24 @@ void Dissection::halve(int begin, int end, int halvings, int leaf) {
         return high - low;
     };
     const std::size_t axis = extent(0) >= extent(1) ? 0 : 1;
-    const int middle = begin + (end - begin) / 2;
-    std::nth_element(first, spots_.begin() + middle, last, [axis](const Spot& a, const Spot& b) {
-        return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis] : a.body < b.body;
-    });
-    halve(begin, middle, halvings - 1, 2 * leaf);
-    halve(middle, end, halvings - 1, 2 * leaf + 1);
+    const auto half = (end - begin) / 2;
+    std::nth_element(first, first + half, last,
+                     [axis](const Spot& a, const Spot& b) { return a.place[axis] < b.place[axis]; });
+    const double plane = (first + half)->place[axis];
+    const auto is_before = [=](const Spot& spot) { return spot.place[axis] < plane; };
+    const auto is_not_behind = [=](const Spot& spot) { return spot.place[axis] <= plane; };
+    const auto before = std::count_if(first, last, is_before),
+               not_behind = std::count_if(first, last, is_not_behind);
+    const bool takes_line = not_behind - half < half - before;
+    const auto middle = static_cast<int>(takes_line ? not_behind : before);
+    if (std::min(middle, end - begin - middle) < least_share * (end - begin)) return false;
+    if (takes_line) {
+        std::partition(first, last, is_not_behind);
+    } else {
+        std::partition(first, last, is_before);
+    }
+    return halve(begin, begin + middle, halvings - 1, 2 * leaf) &&
+           halve(begin + middle, end, halvings - 1, 2 * leaf + 1);
 }
 
 // Finds the part of each run, and the order that follows. Returns whether few enough rows cross planes.

@@ -92,7 +92,7 @@ class Dissection {
     };
 
     void leave_whole(const Island& island);
-    void halve(int begin, int end, int halvings, int leaf);
+    bool halve(int begin, int end, int halvings, int leaf);
     void put_bodies(const Island& island, int halvings);
     bool put_runs(const Island& island, int halvings);
     void list_parts();

@@ -130,7 +130,7 @@ void BroadPhase::update_candidates(Threads* threads) {
 
 // Lists the boxes that have left their wide box or have woken. Returns whether some have come to rest.
 bool BroadPhase::find_left(Threads* threads) {
-    has_left_.resize(wide_.size());
+    has_left_.assign(wide_.size(), 0);  // of those at rest too, which are not looked at
     share(threads, looked_at_.size(), boxes_of_a_part, [this](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto place = static_cast<std::size_t>(looked_at_[k]);
