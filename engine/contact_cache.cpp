@@ -55,34 +55,28 @@ void ContactCache::hand_out(const Entry& entry, std::span<const collision::Conta
 
 void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
                           Threads* threads) {
-    std::size_t count = forces.size();
-    if (!threads) {
-        for (const collision::Touch& touch : touches) count += touch.points.size();
-        const std::size_t first = forces.size();
-        forces.resize(count);
-        recall(touches, std::span(forces).subspan(first), matched_);
-        return;
-    }
-    std::vector<std::size_t> first_of_part;  // into forces
+    const std::size_t before = forces.size();
+    first_force_.resize(parts_of(threads, touches.size(), touches_of_a_part));
+    std::size_t count = before;
     for (std::size_t k = 0; k < touches.size(); ++k) {
-        if (k % touches_of_a_part == 0) first_of_part.push_back(count);
+        if (k % touches_of_a_part == 0 && k / touches_of_a_part < first_force_.size()) {
+            first_force_[k / touches_of_a_part] = count;
+        }
         count += touches[k].points.size();
     }
     forces.resize(count);
-    share(threads, first_of_part.size(), 1, [&](std::size_t begin, std::size_t end) {
-        Matched matched;
-        for (std::size_t part = begin; part < end; ++part) {
-            const std::size_t first = part * touches_of_a_part;
-            recall(touches.subspan(first, std::min(touches_of_a_part, touches.size() - first)),
-                   std::span(forces).subspan(first_of_part[part]), matched);
-        }
-    });
+    matched_.resize(std::max(matched_.size(), first_force_.size()));
+    share_parts(threads, touches.size(), touches_of_a_part,
+                [&](std::size_t part, std::size_t begin, std::size_t end) {
+                    if (begin == end) return;
+                    recall(touches.subspan(begin, end - begin), std::span(forces).subspan(first_force_[part]),
+                           matched_[part]);
+                });
 }
 
 // Writes the forces of some touches.
 void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces,
                           Matched& matched) const {
-    if (touches.empty()) return;
     auto entry = std::lower_bound(entries_.begin(), entries_.end(), touches.front().pair,
                                   [](const Entry& a, const collision::Pair& pair) { return a.pair < pair; });
     for (const collision::Touch& touch : touches) {

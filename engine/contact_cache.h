@@ -90,7 +90,9 @@ class ContactCache {
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
-    Matched matched_;  // of one thread
+    // By part of the touches:
+    std::vector<std::size_t> first_force_;
+    std::vector<Matched> matched_;
 };
 
 }  // namespace pushfactor::engine

@@ -89,7 +89,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     Outcome outcome;
     solvers::SolveCount count;
     const auto is_for_small_steps = [&](double residual) {
-        return !(residual <= allowed.iterates_up_to) && SmallSteps::suit(island);
+        return !(residual <= allowed.iterates_up_to) && small_step_rules::suit(island);
     };
     if (fixed_number && is_for_small_steps(std::numeric_limits<double>::max())) {
         outcome.unfinished = true;

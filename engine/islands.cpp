@@ -108,14 +108,11 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
         return largest;
     };
     if (!threads) return largest_of(island.runs);
-    std::vector<double> of_parts((island.runs.size() + runs_of_a_part - 1) / runs_of_a_part);
-    threads->share(of_parts.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::size_t first = k * runs_of_a_part;
-            of_parts[k] =
-                largest_of(island.runs.subspan(first, std::min(runs_of_a_part, island.runs.size() - first)));
-        }
-    });
+    std::vector<double> of_parts(parts_of(threads, island.runs.size(), runs_of_a_part));
+    share_parts(threads, island.runs.size(), runs_of_a_part,
+                [&](std::size_t part, std::size_t begin, std::size_t end) {
+                    of_parts[part] = largest_of(island.runs.subspan(begin, end - begin));
+                });
     return *std::max_element(of_parts.begin(), of_parts.end());
 }
 
@@ -157,30 +154,39 @@ bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* th
     bool changed = body_count_ != system.inverse_mass.size();
     body_count_ = system.inverse_mass.size();
     const std::span<const RowDigest> rows = system.digests;
-    new_found_.clear();
     // The last run may go on with the new rows.
     const bool again = first_new > 0 && !found_.empty();
-    const std::size_t known = again ? found_.size() - 1 : 0;
-    const int from = again ? found_.back().begin : 0;
-    const auto begins_run = [&](std::size_t j) {
-        return j == 0 || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
+    const int from = again ? found_.back().begin : 0, row_count = static_cast<int>(rows.size());
+    std::size_t count = again ? found_.size() - 1 : 0;
+    const auto note = [&](const Found& run) {
+        if (count == found_.size()) found_.emplace_back();
+        Found& known = found_[count++];
+        // Of those that follow others it is not known whom.
+        if (known == run && !run.follows) return;
+        known = run;
+        changed = true;
     };
-    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
-        std::size_t j = at(from) + begin;
-        while (j < at(from) + end && j > at(from) && !begins_run(j)) ++j;
-        while (j < at(from) + end) {
-            found.push_back(run_from(system, static_cast<int>(j)));
-            j = at(found.back().end);
-        }
-    };
-    run_search_.append_to(new_found_, threads, rows.size() - at(from), rows_of_a_part, find);
-    changed = changed || !std::equal(new_found_.begin(), new_found_.end(),
-                                     found_.begin() + static_cast<std::ptrdiff_t>(known), found_.end());
-    // Of those that follow others it is not known whom.
-    changed = changed || std::any_of(found_.begin(), found_.end(), [](const Found& run) { return run.follows; });
+    if (threads) {
+        const auto begins_run = [&](std::size_t j) {
+            return j == at(from) || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
+        };
+        new_found_.clear();
+        run_search_.append_to(new_found_, threads, at(row_count - from), rows_of_a_part,
+                              [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
+                                  std::size_t j = at(from) + begin;
+                                  end += at(from);
+                                  while (j < end && !begins_run(j)) ++j;
+                                  for (; j < end; j = at(found.back().end)) {
+                                      found.push_back(run_from(system, static_cast<int>(j)));
+                                  }
+                              });
+        std::for_each(new_found_.begin(), new_found_.end(), note);
+    } else {
+        for (int j = from; j < row_count; j = found_[count - 1].end) note(run_from(system, j));
+    }
+    changed = changed || count != found_.size();
+    found_.resize(count);
     if (!changed) return false;
-    found_.resize(known);
-    found_.insert(found_.end(), new_found_.begin(), new_found_.end());
     followers_.clear();
     for (const Found& run : found_) {
         for (int j = run.begin; run.follows && run.movable >= 0 && j < run.end; ++j) {

@@ -170,20 +170,16 @@ class RattleStep {
     // Those whose moves have not ended.
     void solve_open_islands(Columns& lambda) {
         world_.island_solver_.begin_another();
-        world_.set_up_benches();
+        world_.benches_.set_up(world_.solver.get(), world_.small_steps.get(), nullptr);
         forces_.moving.resize(world_.bodies.size());
-        int sweeps = 0;
+        open_.clear();
         for (std::size_t k = 0; k < moves_.size(); ++k) {
-            if (moves_[k].ended) continue;
-            const Island& island = world_.islands_.all()[k];
-            const solvers::SolveCount count =
-                world_.island_solver_.solve(world_.benches_.front(), world_.termination, world_.system_, island,
-                                            {Budget::Take::rest}, nullptr, lambda, forces_);
-            sweeps = std::max(sweeps, count.iterations);
-            work_.row_updates += 1.0 * island.rows * count.iterations;
-            work_.multiply_adds += count.multiply_adds;
+            if (!moves_[k].ended) open_.push_back(static_cast<int>(k));
         }
-        work_.sweeps += sweeps;
+        work_ += world_.benches_.solve(world_.islands_.all(), open_, [&](const Island& island, auto& bench) {
+            return SolveWork(island, world_.island_solver_.solve(bench, world_.termination, world_.system_, island,
+                                                                 {Budget::Take::rest}, nullptr, lambda, forces_));
+        });
     }
 
     // How the move of an island goes.
@@ -199,7 +195,8 @@ class RattleStep {
     ConstraintForces forces_;
     std::vector<Move> moves_;  // by island
     bool found_islands_ = false;
-    World::Work work_;
+    std::vector<int> open_;  // islands whose moves have not ended, by number
+    SolveWork work_;
 };
 
 namespace {

@@ -5,6 +5,7 @@
 #include "engine/constraint_row.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,7 @@ class RowList {
     // Appends one initialised row.
     ConstraintRow& emplace_back() {
         if (count_++ == made_.size()) return made_.emplace_back();
-        return made_[count_ - 1] = ConstraintRow();
+        return *std::construct_at(&made_[count_ - 1]);
     }
 
     // Appends this many rows that hold old values: the caller has to initialise each. Returns all rows.

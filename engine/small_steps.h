@@ -28,6 +28,7 @@
 
 #include "engine/dissection.h"
 #include "engine/islands.h"
+#include "engine/small_step_rules.h"
 #include "engine/solvers/solver.h"
 #include "engine/solvers/unit_rows.h"
 #include "engine/threads.h"
@@ -45,11 +46,6 @@ struct ConstraintForces {
     std::vector<Vector6> moving, lasting;
 };
 
-struct SmallStepDivision {
-    int steps = 1;
-    int sweeps = 1;  // of each
-};
-
 class SmallSteps {
   public:
     using Division = SmallStepDivision;
@@ -60,24 +56,10 @@ class SmallSteps {
     // One that does the same, for another thread.
     std::unique_ptr<SmallSteps> another() const { return std::make_unique<SmallSteps>(division_); }
 
-    // Whether they are for the island. Not for a few bodies, whose sweeps get somewhere in a whole step; not where
-    // a bar acts both ways, because sweeps leave it a little wrong in every small step, and what it is wrong by has
-    // no side on which it does no harm; and not where something bounces or its push stays in the momenta, because a
-    // collision that a small step takes over from the one before happens twice.
-    static bool suit(const Island& island);
-
-    // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
-    // travel, and when they are done the forces can be kept.
-    static double settled_speed(double dt, std::span<const Body> bodies, const Island& island);
-
-    // Residual of a guess [m/s] up to which an exact answer may serve for good: no more than the external forces of
-    // the step, where nearly all bodies are slower than these make them. Zero where they are not.
-    static double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
-
-    // What suits the island, whose guess has this residual [m/s]: many small steps of many sweeps where it is to
-    // carry load, fewer sweeps where most of it moves with little to carry or some is hit, and fewer steps too
-    // where most of it moves and is hit.
-    Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const;
+    // That division, or without one what suits the island, whose guess has this residual [m/s].
+    Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const {
+        return division_ ? *division_ : small_step_rules::division_of(dt, bodies, island, residual);
+    }
 
     // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
     // receives their means over the step: in the first column with those of the push, in the last one without.

@@ -1,6 +1,5 @@
 #include "engine/threads.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -14,16 +13,33 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Looks until `is_there`, and hands the core over when that takes long, as when there are fewer cores than threads.
-template <typename IsThere>
-void wait_until(const IsThere& is_there) {
-    for (int looks = 0; !is_there(); ++looks) {
-        if (looks > 2000) std::this_thread::yield();
-    }
-}
+// How often a thread looks whether another one is there before it hands its core over, some tenths of a
+// millisecond: whoever yields to another program gets the core back after milliseconds only.
+constexpr int looks_before_yield = 400'000;
+// And how often before that means that the other one is not running: not at all where a team meets after equal
+// parts, and about a millisecond where the last part of shared work may take long.
+constexpr int looks_of_a_team = looks_before_yield, looks_at_the_end = 2'000'000;
+
+// Calls of keep_at_hand() that the caller does alone after one in which the threads have waited for each other:
+// twice as many each time, half as many after each one in which they have not.
+constexpr int least_alone = 8, most_alone = 256;
+
+// A job says in one byte how many take part.
+constexpr int most_threads = 255;
 
 // Parts per thread: enough that one which takes longer does not hold up the others for long.
 constexpr std::size_t parts_per_thread = 8;
+
+// Returns how often it had to look.
+template <typename IsThere>
+int wait_until(const IsThere& is_there) {
+    int looks = 0;
+    while (!is_there()) {
+        if (looks < looks_at_the_end) ++looks;
+        if (looks > looks_before_yield) std::this_thread::yield();
+    }
+    return looks;
+}
 
 // In cache lines of their own, as is everything that several threads write.
 struct alignas(64) Counter {
@@ -35,17 +51,22 @@ struct alignas(64) Counter {
 struct Team::Meeting {
     alignas(64) std::atomic<int> arrived = 0;
     alignas(64) std::atomic<unsigned> round = 0;
+    alignas(64) std::atomic<bool> stalled = false;  // whether somebody has waited for long
+
+    void wait_for(int size, int patience) {
+        const unsigned before = round.load(std::memory_order_relaxed);
+        if (arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == size) {
+            arrived.store(0, std::memory_order_relaxed);
+            round.store(before + 1, std::memory_order_release);
+            return;
+        }
+        const int looks = wait_until([&] { return round.load(std::memory_order_acquire) != before; });
+        if (looks >= patience) stalled.store(true, std::memory_order_relaxed);
+    }
 };
 
 void Team::wait_for_all() {
-    if (size_ == 1) return;
-    const unsigned round = meeting_->round.load(std::memory_order_relaxed);
-    if (meeting_->arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
-        meeting_->arrived.store(0, std::memory_order_relaxed);
-        meeting_->round.store(round + 1, std::memory_order_release);
-    } else {
-        wait_until([&] { return meeting_->round.load(std::memory_order_acquire) != round; });
-    }
+    if (size_ > 1) meeting_->wait_for(size_, looks_of_a_team);
 }
 
 // What is written before a task begins is read in it, and what it has written after it has ended. The library sees
@@ -74,7 +95,7 @@ struct Threads::Arena {
 // then on.
 struct Threads::Crew {
     // The last job: its number, and in the lowest byte how many take part, or `dismissed`.
-    static constexpr std::uint64_t size_mask = 0xff, one_job = 0x100;
+    static constexpr std::uint64_t size_mask = most_threads, one_job = 0x100;
     static constexpr std::uint64_t dismissed = 0;
 
     alignas(64) std::atomic<std::uint64_t> posted = 1;
@@ -88,7 +109,7 @@ struct Threads::Crew {
         team.size_ = size;
         team.meeting_ = &meeting;
         (*work)(team);
-        team.wait_for_all();
+        if (size > 1) meeting.wait_for(size, looks_at_the_end);
     }
 
     void help() {
@@ -114,11 +135,10 @@ struct Threads::Crew {
     std::uint64_t next_number() const { return (posted.load(std::memory_order_relaxed) / one_job + 1) * one_job; }
 };
 
-// A job must not find more members than its number has room for.
-constexpr int most_threads = 255;
-
 Threads::Threads(int count)
-    : count_(std::clamp(count, 1, std::min(all(), most_threads))), arena_(std::make_unique<Arena>(count_)) {}
+    : count_(std::clamp(count, 1, std::min(all(), most_threads))),
+      arena_(std::make_unique<Arena>(count_)),
+      after_next_one_(least_alone) {}
 
 Threads::~Threads() = default;
 
@@ -126,27 +146,14 @@ int Threads::all() {
     return tbb::this_task_arena::max_concurrency();
 }
 
+// Each member begins with a stretch of its own, and helps with the others when that is done.
 void Threads::share(std::size_t count, std::size_t grain, const Part& work) {
-    if (count_ == 1 || count <= grain) {
+    if (!crew_ || count <= grain) {
         if (count > 0) work(0, count, 0);
         return;
     }
     const std::size_t least = std::max(grain, count / (parts_per_thread * static_cast<std::size_t>(count_)));
-    if (crew_) {
-        share_at_hand(count, least, work);
-        return;
-    }
-    const auto part = [&](const tbb::blocked_range<std::size_t>& range) {
-        arena_->as_task([&] { work(range.begin(), range.end(), tbb::this_task_arena::current_thread_index()); });
-    };
-    arena_->execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), part, tbb::simple_partitioner());
-    });
-}
-
-// Each member begins with a stretch of its own, and helps with the others when that is done.
-void Threads::share_at_hand(std::size_t count, std::size_t grain, const Part& work) {
-    const std::size_t parts = (count + grain - 1) / grain;
+    const std::size_t parts = (count + least - 1) / least;
     std::vector<Counter> taken(static_cast<std::size_t>(count_));  // of each stretch
     std::atomic<bool> failed = false;
     std::exception_ptr failure;
@@ -159,7 +166,7 @@ void Threads::share_at_hand(std::size_t count, std::size_t grain, const Part& wo
                 const std::size_t part = first + taken[stretch].value.fetch_add(1, std::memory_order_relaxed);
                 if (part >= end) break;
                 try {
-                    work(part * grain, std::min(count, (part + 1) * grain), team.member());
+                    work(part * least, std::min(count, (part + 1) * least), team.member());
                 } catch (...) {
                     if (!failed.exchange(true)) failure = std::current_exception();
                 }
@@ -180,10 +187,21 @@ void Threads::as_team(const std::function<void(Team& team)>& work) {
 }
 
 void Threads::keep_at_hand(const std::function<void()>& work) {
-    if (count_ == 1 || crew_) {
+    if (count_ == 1 || crew_ || alone_for_ > 0) {
+        if (!crew_ && alone_for_ > 0) --alone_for_;
         work();
         return;
     }
+    if (work_in_crew(work)) {
+        alone_for_ = after_next_one_;
+        after_next_one_ = std::min(2 * after_next_one_, most_alone);
+    } else {
+        after_next_one_ = std::max(after_next_one_ / 2, least_alone);
+    }
+}
+
+// Returns whether the threads have waited for each other.
+bool Threads::work_in_crew(const std::function<void()>& work) {
     Crew crew;
     const auto leader = std::this_thread::get_id();
     bool led = false;
@@ -207,6 +225,7 @@ void Threads::keep_at_hand(const std::function<void()>& work) {
     };
     arena_->execute([&] { tbb::parallel_for(0, count_, come, tbb::simple_partitioner()); });
     if (failure) std::rethrow_exception(failure);
+    return crew.meeting.stalled.load(std::memory_order_relaxed);
 }
 
 }  // namespace pushfactor::engine

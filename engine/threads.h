@@ -47,7 +47,8 @@ class Threads {
     int count() const { return count_; }
 
     // Calls `work(begin, end, slot)` for parts of 0 .. count - 1, which together are all of it, of at least
-    // `grain` numbers where there are that many. Each of the slots, 0 .. count() - 1, is in one call at a time.
+    // `grain` numbers where there are that many; all at once outside of keep_at_hand(). Each of the slots,
+    // 0 .. count() - 1, is in one call at a time.
     using Part = std::function<void(std::size_t begin, std::size_t end, int slot)>;
     void share(std::size_t count, std::size_t grain, const Part& work);
 
@@ -57,17 +58,22 @@ class Threads {
 
     // Calls `work()`, which is rich in calls of the above. Meanwhile the other threads do not go to sleep between
     // these: to wake one takes some ten microseconds, and that for each call.
+    //
+    // Threads that meet often have to run at the same time. Where other programs take their cores they wait for
+    // each other for milliseconds, so after a call in which they did, the caller works alone for some calls.
     void keep_at_hand(const std::function<void()>& work);
 
   private:
     struct Arena;
     struct Crew;
 
-    void share_at_hand(std::size_t count, std::size_t grain, const Part& work);
+    bool work_in_crew(const std::function<void()>& work);
 
     int count_;
     std::unique_ptr<Arena> arena_;
-    Crew* crew_ = nullptr;  // during keep_at_hand()
+    Crew* crew_ = nullptr;    // during keep_at_hand()
+    int alone_for_ = 0;       // calls of keep_at_hand() from now on
+    int after_next_one_ = 0;  // the same after the next one in which the threads wait for each other
 };
 
 // Calls `work(begin, end)` for parts of 0 .. count - 1; all at once without threads.
@@ -80,25 +86,45 @@ void share(Threads* threads, std::size_t count, std::size_t grain, const Work& w
     }
 }
 
+// Calls `work(part, begin, end)` for parts of 0 .. count - 1 of `size` numbers each, the last one of what is left.
+// Returns how many there are. Without threads all is one part.
+template <typename Work>
+std::size_t share_parts(Threads* threads, std::size_t count, std::size_t size, const Work& work) {
+    if (!threads || count <= size) {
+        work(std::size_t{0}, std::size_t{0}, count);
+        return 1;
+    }
+    const std::size_t parts = (count + size - 1) / size;
+    threads->share(parts, 1, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t part = begin; part < end; ++part) {
+            work(part, part * size, std::min(count, (part + 1) * size));
+        }
+    });
+    return parts;
+}
+
+// As many as share_parts() would make.
+inline std::size_t parts_of(const Threads* threads, std::size_t count, std::size_t size) {
+    return !threads || count <= size ? 1 : (count + size - 1) / size;
+}
+
 // A search whose findings come in the order of what is searched, however many threads search it.
 template <typename T>
 class Search {
   public:
     // Appends to `all` what `find(begin, end, found)` appends to `found`, for parts of 0 .. count - 1.
     template <typename Find>
-    void append_to(std::vector<T>& all, Threads* threads, std::size_t count, std::size_t grain, const Find& find) {
-        if (!threads || count <= grain) {
+    void append_to(std::vector<T>& all, Threads* threads, std::size_t count, std::size_t size, const Find& find) {
+        if (parts_of(threads, count, size) == 1) {
             find(std::size_t{0}, count, all);
             return;
         }
-        const std::size_t parts = (count + grain - 1) / grain;
-        if (found_.size() < parts) found_.resize(parts);
-        threads->share(parts, 1, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t k = begin; k < end; ++k) {
-                found_[k].clear();
-                find(k * grain, std::min(count, (k + 1) * grain), found_[k]);
-            }
-        });
+        found_.resize(std::max(found_.size(), parts_of(threads, count, size)));
+        const std::size_t parts =
+            share_parts(threads, count, size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+                found_[part].clear();
+                find(begin, end, found_[part]);
+            });
         for (std::size_t k = 0; k < parts; ++k) all.insert(all.end(), found_[k].begin(), found_[k].end());
     }
 

@@ -15,9 +15,6 @@ namespace {
 // more body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Rows of an island from which on threads help with it.
-constexpr int shared_by_threads = Dissection::least_rows;
-
 // Multiply-adds of the last step that threads could have shared, from which on they share this one: some tenths of
 // a millisecond, and to wake them takes some hundredths. A row and a body cost as much as so many beside the
 // solver.
@@ -51,7 +48,7 @@ StepCount World::take_step(double dt, StageObserver* observer) {
     const auto ended = [observer](Stage stage) {
         if (observer) observer->stage_ended(stage);
     };
-    Work work;
+    SolveWork work;
     do {
         find_awake();  // all, unless some are at rest
         add_forces();  // 3.1
@@ -132,8 +129,8 @@ void World::append_unforeseen(double dt) {
     }
 }
 
-World::Work World::solve_and_look(double dt) {
-    Work work = solve_islands();
+SolveWork World::solve_and_look(double dt) {
+    SolveWork work = solve_islands();
     bool finished = false;
     for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
@@ -156,7 +153,7 @@ void World::note_changed(const Island& island) {
     for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = kind;
 }
 
-World::Work World::solve_islands() {
+SolveWork World::solve_islands() {
     island_solver_.begin(bodies.size(), awake_.members());
     islands_.find(system_, sharing_);
     lambda_.resize(system_.row_count(), system_.column_count());
@@ -168,7 +165,7 @@ World::Work World::solve_islands() {
     return solve_chosen([this](const Island& island, auto& bench) { return solve(island, nullptr, bench); });
 }
 
-World::Work World::solve_islands_again(std::size_t first_new_row) {
+SolveWork World::solve_islands_again(std::size_t first_new_row) {
     islands_.find_again(system_, first_new_row);
     const bool second_column = system_.column_count() > lambda_.cols();
     lambda_.conservativeResize(system_.row_count(), system_.column_count());
@@ -190,67 +187,21 @@ void World::choose(const Predicate& predicate) {
     }
 }
 
-World::Work World::finish_islands() {
+SolveWork World::finish_islands() {
     choose([this](const Island& island) { return island_solver_.can_go_on(island, termination); });
     return solve_chosen([this](const Island& island, auto& bench) {
-        return Work(island, island_solver_.go_on(bench, termination, system_, island, lambda_, forces_));
+        return SolveWork(island, island_solver_.go_on(bench, termination, system_, island, lambda_, forces_));
     });
 }
 
-void World::set_up_benches() {
-    const std::size_t count = sharing_ ? static_cast<std::size_t>(sharing_->count()) : 1;
-    const bool as_before = !benches_.empty() && benches_.front().solver == solver.get();
-    if (!as_before) other_solvers_.clear();
-    other_solvers_.resize(std::max(count - 1, other_solvers_.size()));
-    other_small_steps_.resize(other_solvers_.size());
-    benches_.resize(count);
-    benches_.front().solver = solver.get();
-    benches_.front().small_steps = small_steps.get();
-    for (std::size_t k = 1; k < count; ++k) {
-        if (!other_solvers_[k - 1] && solver) other_solvers_[k - 1] = solver->another();
-        if (!other_small_steps_[k - 1] && small_steps) other_small_steps_[k - 1] = small_steps->another();
-        benches_[k].solver = other_solvers_[k - 1].get();
-        benches_[k].small_steps = other_small_steps_[k - 1].get();
-    }
-    if (count > 1 && !benches_.back().solver) benches_.resize(1);
-}
-
 template <typename Solve>
-World::Work World::solve_chosen(const Solve& solve) {
+SolveWork World::solve_chosen(const Solve& solve) {
     if (chosen_.empty()) return {};
-    set_up_benches();
     if (small_steps) endings_.resize(rows_.size());
-    const std::span<const Island> islands = islands_.all();
-    Work work;
-    if (benches_.size() == 1) {
-        for (const int number : chosen_) {
-            work.add(solve(islands[static_cast<std::size_t>(number)], benches_.front()));
-        }
-    } else {
-        solve_side_by_side(solve);
-        for (const Work& of_island : works_) work.add(of_island);
-    }
-    for (const int number : chosen_) note_changed(islands[static_cast<std::size_t>(number)]);
+    benches_.set_up(solver.get(), small_steps.get(), sharing_);
+    const SolveWork work = benches_.solve(islands_.all(), chosen_, solve);
+    for (const int number : chosen_) note_changed(islands_.all()[static_cast<std::size_t>(number)]);
     return work;
-}
-
-template <typename Solve>
-void World::solve_side_by_side(const Solve& solve) {
-    const auto island_of = [this](int number) -> const Island& {
-        return islands_.all()[static_cast<std::size_t>(number)];
-    };
-    works_.assign(chosen_.size(), {});
-    const auto first_large = std::stable_partition(
-        chosen_.begin(), chosen_.end(), [&](int number) { return island_of(number).rows < shared_by_threads; });
-    const auto small = static_cast<std::size_t>(first_large - chosen_.begin());
-    sharing_->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
-        IslandSolver::Bench& bench = benches_[static_cast<std::size_t>(slot)];
-        for (std::size_t k = begin; k < end; ++k) works_[k] = solve(island_of(chosen_[k]), bench);
-    });
-    IslandSolver::Bench& first = benches_.front();
-    first.threads = sharing_;
-    for (std::size_t k = small; k < chosen_.size(); ++k) works_[k] = solve(island_of(chosen_[k]), first);
-    first.threads = nullptr;
 }
 
 void World::guess(std::size_t first_row, Columns& lambda) const {
@@ -277,25 +228,19 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
     }
 }
 
-World::Work World::solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench) {
+SolveWork World::solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench) {
     IslandSolver::Allowed allowed;
     if (small_steps) {
-        allowed.iterates_up_to = SmallSteps::settled_speed(system_.dt, bodies, island);
-        allowed.stands_up_to = SmallSteps::standing_speed(system_.dt, bodies, island);
+        allowed.iterates_up_to = small_step_rules::settled_speed(system_.dt, bodies, island);
+        allowed.stands_up_to = small_step_rules::standing_speed(system_.dt, bodies, island);
     }
-    Work work(island,
-              island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
+    SolveWork work(
+        island, island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
     if (!outcome_of(island).unfinished) return work;
-    work.add(
-        Work(island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
+    work.add(SolveWork(
+        island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
     return work;
 }
-
-World::Work::Work(const Island& island, const solvers::SolveCount& count)
-    : sweeps(count.iterations),
-      row_updates(1.0 * island.rows * island.columns * count.iterations),
-      multiply_adds(count.multiply_adds),
-      alone(island.rows < shared_by_threads ? count.multiply_adds : 0.0) {}
 
 void World::remember() {
     answers_.assign(rows_.size(), {});
@@ -457,7 +402,7 @@ void World::settle(double dt) {
     rest->end_step(bodies, turns_unseen_, system_, islands_, lambda_, dt);
 }
 
-StepCount World::count(const Work& work) const {
+StepCount World::count(const SolveWork& work) const {
     StepCount count;
     if (!rows_.empty()) {
         for (const RowDigest& row : system_.digests) ++count.rows_of_kind[static_cast<std::size_t>(row.kind)];

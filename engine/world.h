@@ -1,6 +1,7 @@
 // The world: bodies and the parts that act on them, and the step that makes the paper's algorithm of them.
 #pragma once
 
+#include "engine/benches.h"
 #include "engine/integrator.h"
 #include "engine/island_solver.h"
 #include "engine/islands.h"
@@ -102,30 +103,6 @@ class World {
   private:
     friend class RattleStep;  // another step, made of the same stages (rattle.h)
 
-    // What solves took: the sweeps of the island with the most of them, and the sum over islands of the rest.
-    struct Work {
-        int sweeps = 0;
-        double row_updates = 0.0, multiply_adds = 0.0;
-        double alone = 0.0;  // multiply-adds of the island that one thread takes longest for
-
-        Work() = default;
-        Work(const Island& island, const solvers::SolveCount& count);
-        // That of other islands in the same round.
-        void add(const Work& other) {
-            sweeps = std::max(sweeps, other.sweeps);
-            row_updates += other.row_updates;
-            multiply_adds += other.multiply_adds;
-            alone = std::max(alone, other.alone);
-        }
-        // That of another round.
-        void operator+=(const Work& other) {
-            sweeps += other.sweeps;
-            row_updates += other.row_updates;
-            multiply_adds += other.multiply_adds;
-            alone += other.alone;
-        }
-    };
-
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);
@@ -134,28 +111,23 @@ class World {
     void append_rows(double dt);
     void append_unforeseen(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
-    Work solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
-    void set_up_benches();
+    SolveWork solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
     // Chooses the islands of which `predicate` says so.
     template <typename Predicate>
     void choose(const Predicate& predicate);
     // Calls `solve(island, bench)` with each island that is chosen.
     template <typename Solve>
-    Work solve_chosen(const Solve& solve);
-    // With the small ones at the same time, and with one large one after the other, so that all threads help with
-    // it.
-    template <typename Solve>
-    void solve_side_by_side(const Solve& solve);
+    SolveWork solve_chosen(const Solve& solve);
     void note_changed(const Island& island);
     // Solves all islands from the guesses of their rows and writes forces_.
-    Work solve_islands();
+    SolveWork solve_islands();
     // Solves the islands with new rows once more, these rows from their guesses and the others from what has been
     // found.
-    Work solve_islands_again(std::size_t first_new_row);
+    SolveWork solve_islands_again(std::size_t first_new_row);
     // Gives the islands that are not solved the iterations that are left.
-    Work finish_islands();
+    SolveWork finish_islands();
     // Solves, and again with more rows while the answer takes bodies where no source foresaw them.
-    Work solve_and_look(double dt);
+    SolveWork solve_and_look(double dt);
     // Wakes what is pushed at rest. The step has to begin anew then.
     bool wakes_some();
     void remember();
@@ -167,7 +139,7 @@ class World {
     void integrate(Body& body, std::size_t i, double dt);
     void find_what_turns_unseen();
     void settle(double dt);
-    StepCount count(const Work& work) const;
+    StepCount count(const SolveWork& work) const;
 
     // The rows that a source has appended together.
     struct Appended {
@@ -184,12 +156,8 @@ class World {
     SystemEquation system_;
     Islands islands_;
     IslandSolver island_solver_;
-    // One per thread. The first one works with what the world was given, the others with what is like it.
-    std::vector<IslandSolver::Bench> benches_;
-    std::vector<std::unique_ptr<solvers::Solver>> other_solvers_;
-    std::vector<std::unique_ptr<SmallSteps>> other_small_steps_;
+    Benches benches_;
     std::vector<int> chosen_;  // islands to be solved, by number
-    std::vector<Work> works_;  // of these
     Columns lambda_, first_guess_;
     std::vector<NewForce> changed_;                    // one per body, what the last solves may have given it
     std::vector<Lambda> answers_, answers_of_source_;  // what the next step begins with, one per row

@@ -78,19 +78,11 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
     const Scene scene{colliders, bodies, detection, foresight};
     const std::span<const Pair> pairs = broad_phase_.find_pairs(
         colliders, bodies, poses_, detection.margin, foresight, awake.colliders, awake.moved_colliders, threads);
-    const bool alone = !threads || pairs.size() <= pairs_of_a_part;
-    const std::size_t parts = alone ? 1 : (pairs.size() + pairs_of_a_part - 1) / pairs_of_a_part;
-    if (found_.size() < parts) found_.resize(parts);
-    if (alone) {
-        find(scene, pairs, found_.front());
-    } else {
-        threads->share(parts, 1, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::size_t first = k * pairs_of_a_part;
-                find(scene, pairs.subspan(first, std::min(pairs_of_a_part, pairs.size() - first)), found_[k]);
-            }
+    found_.resize(std::max(found_.size(), parts_of(threads, pairs.size(), pairs_of_a_part)));
+    const std::size_t parts =
+        share_parts(threads, pairs.size(), pairs_of_a_part, [&](std::size_t k, std::size_t begin, std::size_t end) {
+            find(scene, pairs.subspan(begin, end - begin), found_[k]);
         });
-    }
     put_together(threads, parts);
     return touches_;
 }
