@@ -1,14 +1,6 @@
 #include "engine/benches.h"
 
-#include "engine/dissection.h"
-
 namespace pushfactor::engine {
-
-SolveWork::SolveWork(const Island& island, const solvers::SolveCount& count)
-    : sweeps(count.iterations),
-      row_updates(1.0 * island.rows * island.columns * count.iterations),
-      multiply_adds(count.multiply_adds),
-      alone(island.rows < Dissection::least_rows ? count.multiply_adds : 0.0) {}
 
 void SolveWork::add(const SolveWork& other) {
     sweeps = std::max(sweeps, other.sweeps);
@@ -22,10 +14,6 @@ void SolveWork::operator+=(const SolveWork& other) {
     row_updates += other.row_updates;
     multiply_adds += other.multiply_adds;
     alone += other.alone;
-}
-
-bool Benches::is_large(const Island& island) {
-    return island.rows >= Dissection::least_rows;
 }
 
 void Benches::set_up(solvers::Solver* solver, SmallSteps* small_steps, Threads* threads) {

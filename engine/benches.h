@@ -2,6 +2,7 @@
 // large ones together.
 #pragma once
 
+#include "engine/dissection.h"
 #include "engine/island_solver.h"
 #include "engine/islands.h"
 #include "engine/small_steps.h"
@@ -22,7 +23,14 @@ struct SolveWork {
     double alone = 0.0;  // multiply-adds of the island that one thread takes longest for
 
     SolveWork() = default;
-    SolveWork(const Island& island, const solvers::SolveCount& count);
+    SolveWork(const Island& island, const solvers::SolveCount& count)
+        : sweeps(count.iterations),
+          row_updates(1.0 * island.rows * island.columns * count.iterations),
+          multiply_adds(count.multiply_adds),
+          alone(is_large(island) ? 0.0 : count.multiply_adds) {}
+
+    // Whether all threads solve it together.
+    static bool is_large(const Island& island) { return island.rows >= Dissection::least_rows; }
 
     // That of other islands in the same round.
     void add(const SolveWork& other);
@@ -40,7 +48,6 @@ class Benches {
     SolveWork solve(std::span<const Island> islands, std::span<const int> numbers, const Solve& solve);
 
   private:
-    static bool is_large(const Island& island);
     template <typename Solve>
     void solve_side_by_side(std::span<const Island> islands, const Solve& solve);
 
@@ -72,7 +79,7 @@ void Benches::solve_side_by_side(std::span<const Island> islands, const Solve& s
     const auto island_of = [&](int number) -> const Island& { return islands[static_cast<std::size_t>(number)]; };
     works_.assign(numbers_.size(), {});
     const auto first_large = std::stable_partition(numbers_.begin(), numbers_.end(),
-                                                   [&](int number) { return !is_large(island_of(number)); });
+                                                   [&](int number) { return !SolveWork::is_large(island_of(number)); });
     const auto small = static_cast<std::size_t>(first_large - numbers_.begin());
     threads_->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
         IslandSolver::Bench& bench = benches_[static_cast<std::size_t>(slot)];

@@ -39,6 +39,10 @@ double income_of(const Island& island) {
     return std::max(income_in_sweeps * sweep_of(island), at_least(island, income_per_body));
 }
 
+void pay_in(const Island& island, Budget::Debt& debt) {
+    if (debt.work > 0.0) debt.work = std::max(0.0, debt.work - income_of(island));
+}
+
 }  // namespace
 
 void Budget::begin(std::size_t bodies, std::span<const int> awake) {
@@ -75,18 +79,19 @@ const Budget::Spent& Budget::most_spent(const Island& island) const {
     return *most;
 }
 
-solvers::Termination Budget::limits(const Island& island, solvers::Termination usual, Take take,
+solvers::Termination Budget::limits(const Island& island, const solvers::Termination& usual, Take take,
                                     Outlook outlook) const {
+    solvers::Termination own = usual;
     const Spent& so_far = most_spent(island);
     const int left = usual.iterations - so_far.iterations;
-    usual.iterations = take == Take::exact_only ? 0 : std::max(1, take == Take::half ? (left + 1) / 2 : left);
-    usual.spent = so_far.exact_work;
+    own.iterations = take == Take::exact_only ? 0 : std::max(1, take == Take::half ? (left + 1) / 2 : left);
+    own.spent = so_far.exact_work;
     const Debt debt = debt_of(island);
     const double in_account = most_of(island, outlook) - debt.work;
-    usual.lasts = outlook != Outlook::moving;
+    own.lasts = outlook != Outlook::moving;
     // After a failure only a full account will do.
-    usual.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
-    return usual;
+    own.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
+    return own;
 }
 
 void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlook outlook) {
@@ -94,7 +99,7 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlo
     const auto bodies = static_cast<double>(island.movable());
     Spent so_far = most_spent(island);
     Debt debt = debt_of(island);
-    if (!so_far.paid_in) debt.work = std::max(0.0, debt.work - income_of(island));
+    if (!so_far.paid_in) pay_in(island, debt);
     debt.work += count.exact_work;
     if (count.gave_up && count.exact_work > 0.0) {
         const double failures = std::min(most_failures, debt.failures / bodies);
@@ -102,7 +107,7 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlo
         debt.work += longer * std::exp2(failures) * most_of(island, outlook);
         debt.failures = bodies * std::min(most_failures, failures + 1.0);
     } else if (count.exact) {
-        debt.work = std::max(0.0, debt.work - income_of(island));  // it has paid off
+        pay_in(island, debt);  // it has paid off
         debt.failures = 0.0;
     }
     so_far.iterations += count.iterations - count.exact_iterations;  // whose work has an account of its own

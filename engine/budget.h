@@ -50,7 +50,7 @@ class Budget {
 
     // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for
     // exact answers only.
-    solvers::Termination limits(const Island& island, solvers::Termination usual, Take take,
+    solvers::Termination limits(const Island& island, const solvers::Termination& usual, Take take,
                                 Outlook outlook = Outlook::moving) const;
 
     // Iterations of the step that are left.

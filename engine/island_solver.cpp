@@ -42,6 +42,7 @@ void copy_to_last(const Island& island, Columns& lambda) {
 
 // Puts the forces within their bounds, those of rows that others follow first. Returns whether one was not.
 bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, Threads* threads) {
+    if (!island.has(RowDigest::limited)) return false;
     const auto clamp_some = [&](std::span<const RowRun> runs) {
         bool changed = false;
         each_force(runs, island.columns, [&](Eigen::Index j, Eigen::Index column) {
@@ -88,22 +89,20 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     if (bench.threads) bench.runs_of.find(island);
     Outcome outcome;
     solvers::SolveCount count;
-    const auto is_for_small_steps = [&](double residual) {
-        return !(residual <= allowed.iterates_up_to) && small_step_rules::suit(island);
-    };
-    if (fixed_number && is_for_small_steps(std::numeric_limits<double>::max())) {
+    if (fixed_number && allowed.iterates_up_to < std::numeric_limits<double>::infinity()) {
         outcome.unfinished = true;
     } else if (fixed_number) {
         count = bench.solver->solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
         find_forces(system, island, lambda, forces, bench);
     } else {
         outcome.residuals = measure(system, island, lambda, forces, bench);
-        const solvers::Termination own = warm_start_.termination(island, usual);
-        if (larger(outcome.residuals) > own.tolerance_high) {
-            const bool exact_only = is_for_small_steps(larger(outcome.residuals));
+        const double tolerance = warm_start_.tolerance_high(island, usual);
+        if (larger(outcome.residuals) > tolerance) {
+            const bool exact_only = larger(outcome.residuals) > allowed.iterates_up_to;
             outcome.outlook = outlook_of(island, larger(outcome.residuals), allowed, lambda);
-            const auto termination =
-                budget_.limits(island, own, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
+            solvers::Termination termination =
+                budget_.limits(island, usual, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
+            termination.tolerance_high = tolerance;
             outcome.outdated = is_outdated(system, island, lambda, usual, bench);
             count = find_better(bench, termination, system, island, first_guess, lambda, forces, outcome);
             outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
@@ -189,15 +188,15 @@ void IslandSolver::note(const Island& island, const Outcome& outcome, const solv
 
 void IslandSolver::find_forces(const SystemEquation& system, const Island& island, const Columns& lambda,
                                ConstraintForces& forces, const Bench& bench) {
-    if (!bench.threads) {
-        constraint_forces(system, island, lambda, 0, forces.moving);
-        if (island.columns == 2) constraint_forces(system, island, lambda, 1, forces.lasting);
-        return;
-    }
-    constraint_forces(system, island, bench.runs_of, lambda, 0, *bench.threads, forces.moving);
-    if (island.columns == 2) {
-        constraint_forces(system, island, bench.runs_of, lambda, 1, *bench.threads, forces.lasting);
-    }
+    const auto find = [&](Eigen::Index column, std::vector<Vector6>& of_column) {
+        if (bench.threads) {
+            constraint_forces(system, island, bench.runs_of, lambda, column, *bench.threads, of_column);
+        } else {
+            constraint_forces(system, island, lambda, column, of_column);
+        }
+    };
+    find(0, forces.moving);
+    if (island.columns == 2) find(1, forces.lasting);
 }
 
 IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, const Island& island,

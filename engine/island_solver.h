@@ -42,9 +42,8 @@ class IslandSolver {
         Budget::Outlook outlook = Budget::Outlook::moving;
     };
 
-    // What a solve may do: which iterations of those that are left. Where small steps suit the island and its guess
-    // has a residual of more than `iterates_up_to` [m/s], it looks for an exact answer only, and may leave the
-    // island unfinished.
+    // What a solve may do: which iterations of those that are left. Of a guess with a residual of more than
+    // `iterates_up_to` [m/s], it looks for an exact answer only, and may leave the island unfinished.
     struct Allowed {
         Budget::Take take = Budget::Take::half;
         double iterates_up_to = std::numeric_limits<double>::infinity();

@@ -151,42 +151,31 @@ Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
 
 // Returns whether they are others than the last time.
 bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* threads) {
-    bool changed = body_count_ != system.inverse_mass.size();
-    body_count_ = system.inverse_mass.size();
     const std::span<const RowDigest> rows = system.digests;
     // The last run may go on with the new rows.
-    const bool again = first_new > 0 && !found_.empty();
-    const int from = again ? found_.back().begin : 0, row_count = static_cast<int>(rows.size());
-    std::size_t count = again ? found_.size() - 1 : 0;
-    const auto note = [&](const Found& run) {
-        if (count == found_.size()) found_.emplace_back();
-        Found& known = found_[count++];
-        // Of those that follow others it is not known whom.
-        if (known == run && !run.follows) return;
-        known = run;
-        changed = true;
+    const std::size_t as_before = first_new > 0 && !found_.empty() ? found_.size() - 1 : 0;
+    const std::size_t from = first_new > 0 && !found_.empty() ? at(found_.back().begin) : 0;
+    const auto begins_run = [&](std::size_t j) {
+        return j == from || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
     };
-    if (threads) {
-        const auto begins_run = [&](std::size_t j) {
-            return j == at(from) || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
-        };
-        new_found_.clear();
-        run_search_.append_to(new_found_, threads, at(row_count - from), rows_of_a_part,
-                              [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
-                                  std::size_t j = at(from) + begin;
-                                  end += at(from);
-                                  while (j < end && !begins_run(j)) ++j;
-                                  for (; j < end; j = at(found.back().end)) {
-                                      found.push_back(run_from(system, static_cast<int>(j)));
-                                  }
-                              });
-        std::for_each(new_found_.begin(), new_found_.end(), note);
-    } else {
-        for (int j = from; j < row_count; j = found_[count - 1].end) note(run_from(system, j));
-    }
-    changed = changed || count != found_.size();
-    found_.resize(count);
-    if (!changed) return false;
+    new_found_.clear();
+    run_search_.append_to(new_found_, threads, rows.size() - from, rows_of_a_part,
+                          [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
+                              std::size_t j = from + begin;
+                              end += from;
+                              while (j < end && !begins_run(j)) ++j;
+                              for (; j < end; j = at(found.back().end)) {
+                                  found.push_back(run_from(system, static_cast<int>(j)));
+                              }
+                          });
+    // Of those that follow others it is not known whom.
+    const bool unchanged = body_count_ == system.inverse_mass.size() &&
+                           std::ranges::equal(std::span(found_).subspan(as_before), new_found_) &&
+                           std::ranges::none_of(new_found_, &Found::follows);
+    if (unchanged) return false;
+    body_count_ = system.inverse_mass.size();
+    found_.resize(as_before);
+    found_.insert(found_.end(), new_found_.begin(), new_found_.end());
     followers_.clear();
     for (const Found& run : found_) {
         for (int j = run.begin; run.follows && run.movable >= 0 && j < run.end; ++j) {

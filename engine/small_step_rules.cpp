@@ -1,6 +1,7 @@
 #include "engine/small_step_rules.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pushfactor::engine::small_step_rules {
 
@@ -51,13 +52,14 @@ double fastest_by_forces(double dt, std::span<const Body> bodies, const Island& 
     return dt * fastest;
 }
 
-}  // namespace
-
 bool suit(const Island& island) {
     return island.movable() >= few && !island.has(RowDigest::acts_both_ways) && !island.has(RowDigest::rebounds);
 }
 
-double settled_speed(double dt, std::span<const Body> bodies, const Island& island) {
+}  // namespace
+
+double largest_to_sweep(double dt, std::span<const Body> bodies, const Island& island) {
+    if (!suit(island)) return std::numeric_limits<double>::infinity();
     return settled * fastest_by_forces(dt, bodies, island);
 }
 

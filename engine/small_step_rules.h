@@ -15,15 +15,14 @@ struct SmallStepDivision {
 
 namespace small_step_rules {
 
-// Whether small steps are for the island. Not for a few bodies, whose sweeps get somewhere in a whole step; not
-// where a bar acts both ways, because sweeps leave it a little wrong in every small step, and what it is wrong by
-// has no side on which it does no harm; and not where something bounces or its push stays in the momenta, because a
-// collision that a small step takes over from the one before happens twice.
-bool suit(const Island& island);
-
 // Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
 // travel, and when they are done the forces can be kept.
-double settled_speed(double dt, std::span<const Body> bodies, const Island& island);
+//
+// Infinite where small steps are not for the island: a few bodies, whose sweeps get somewhere in a whole step; bars
+// that act both ways, because sweeps leave them a little wrong in every small step, and what they are wrong by has
+// no side on which it does no harm; and what bounces or keeps its push in the momenta, because a collision that a
+// small step takes over from the one before happens twice.
+double largest_to_sweep(double dt, std::span<const Body> bodies, const Island& island);
 
 // Residual of a guess [m/s] up to which an exact answer may serve for good: no more than the external forces of the
 // step, where nearly all bodies are slower than these make them. Zero where they are not.

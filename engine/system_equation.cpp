@@ -122,9 +122,10 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
-    int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta;
+    int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
     if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
+        traits |= RowDigest::limited;
         // Those of a contact point are side by side.
         const auto leader = static_cast<std::size_t>(bounds.of_row);
         const auto acts_on_same = [&](const ConstraintRow& other) {
@@ -133,7 +134,8 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
         if (j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]))
             traits |= RowDigest::follows;
     } else {
-        if (bounds.c_min == -infinity && bounds.c_max == infinity) traits |= RowDigest::acts_both_ways;
+        const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
+        traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
         if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
             traits |= RowDigest::rebounds;
         }
@@ -154,10 +156,6 @@ bool corrects(const ConstraintRow& row) {
 }
 
 }  // namespace
-
-Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
-    return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
-}
 
 void weigh_rows(SystemEquation& system) {
     size_rows(system);

@@ -47,6 +47,7 @@ struct RowDigest {
         rebounds = 4,         // pushes its bodies beyond the step, the way that it acts
         drives = 8,           // friction that aims at a speed, as that of a belt does
         not_in_momenta = 16,  // as in Bounds
+        limited = 32,         // its force has a bound of some kind
     };
 
     int body_a = 0, body_b = 0;
@@ -91,7 +92,9 @@ void weigh_rows(SystemEquation& system);
 Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
-Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force);
+inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
+    return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
+}
 
 // 6.2.1: f_c = J^T lambda for column `column` of `lambda`, one force and torque a body (written to `forces`).
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,

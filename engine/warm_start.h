@@ -31,14 +31,13 @@ class WarmStart {
     // Before a step in which others take part than in the last one: those at rest are in no island.
     void forget_islands() { records_.clear(); }
 
-    // When to stop solving `island`, where `usual` is the world's own rule.
+    // The residual [m/s] up to which `island` is not solved, where `usual` is the world's own rule.
     //
     // An exact answer that has stopped a motion holds the force that stopped it; kept for another step it would
     // start the motion again, the other way round. So after an exact solve the guess has to be as good as an
     // answer, and better, because what is left of the error grows while nothing is solved.
-    solvers::Termination termination(const Island& island, solvers::Termination usual) const {
-        if (was_exact(island)) usual.tolerance_high = after_exact * usual.tolerance_low;
-        return usual;
+    double tolerance_high(const Island& island, const solvers::Termination& usual) const {
+        return was_exact(island) ? after_exact * usual.tolerance_low : usual.tolerance_high;
     }
 
     // Whether nearly all of its bodies were in islands that were solved to rounding in the last step.
