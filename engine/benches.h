@@ -78,8 +78,8 @@ template <typename Solve>
 void Benches::solve_side_by_side(std::span<const Island> islands, const Solve& solve) {
     const auto island_of = [&](int number) -> const Island& { return islands[static_cast<std::size_t>(number)]; };
     works_.assign(numbers_.size(), {});
-    const auto first_large = std::stable_partition(numbers_.begin(), numbers_.end(),
-                                                   [&](int number) { return !SolveWork::is_large(island_of(number)); });
+    const auto first_large = std::stable_partition(
+        numbers_.begin(), numbers_.end(), [&](int number) { return !SolveWork::is_large(island_of(number)); });
     const auto small = static_cast<std::size_t>(first_large - numbers_.begin());
     threads_->share(small, 1, [&](std::size_t begin, std::size_t end, int slot) {
         IslandSolver::Bench& bench = benches_[static_cast<std::size_t>(slot)];

@@ -100,8 +100,8 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         if (larger(outcome.residuals) > tolerance) {
             const bool exact_only = larger(outcome.residuals) > allowed.iterates_up_to;
             outcome.outlook = outlook_of(island, larger(outcome.residuals), allowed, lambda);
-            solvers::Termination termination =
-                budget_.limits(island, usual, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
+            solvers::Termination termination = budget_.limits(
+                island, usual, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
             termination.tolerance_high = tolerance;
             outcome.outdated = is_outdated(system, island, lambda, usual, bench);
             count = find_better(bench, termination, system, island, first_guess, lambda, forces, outcome);

@@ -72,6 +72,7 @@ const std::vector<Case> cases{
     {"bridge", {}, 20},
     {"restitution", {}, 50},
     {"conveyor", {}, 50},
+    {"starting_belt", {}, 100},  // before the belt runs, at rest
     {"newtons_cradle", {}, 50},
     {"stack", {{"rest", "on"}}, 75},  // before it rests, and when it does
     {"stack", {{"rest", "on"}}, 100},

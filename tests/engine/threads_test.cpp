@@ -9,9 +9,11 @@
 #include "tests/random.h"
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 
 using namespace pushfactor::engine;
 using pushfactor::tests::ContactScene;
@@ -310,4 +312,31 @@ TEST_CASE("small steps of a heap have the bits of one thread on any number of th
 TEST_CASE("a world of many islands and a heap has the same bits with any number of threads") {
     const std::uint64_t one = hash_with(1);
     for (const int threads : {2, 3, 8}) CHECK(hash_with(threads) == one);
+}
+
+TEST_CASE("after threads had to wait for each other, the caller works alone for some calls and then not any more") {
+    Threads threads(2);
+    if (threads.count() < 2) return;
+    // The largest team of some jobs; stops when there is one of two, whose helper then takes long if it is to be
+    // late.
+    const auto largest_team = [&](bool late) {
+        int largest = 0;
+        threads.keep_at_hand([&] {
+            for (int job = 0; job < 10'000 && largest < 2; ++job) {
+                threads.as_team([&](Team& team) {
+                    if (team.member() > 0) {
+                        if (late) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                        return;
+                    }
+                    largest = team.size();
+                });
+            }
+        });
+        return largest;
+    };
+    if (largest_team(true) < 2) return;  // no other core was free
+    int alone = 0;
+    while (alone < 1000 && largest_team(false) == 1) ++alone;
+    CHECK(alone >= 8);
+    CHECK(alone < 1000);
 }
