@@ -41,6 +41,11 @@ bool spins_alike(const Body& body, const Rest::Span& span, const Rest::Stay& pla
     return change * span.time <= span.bound;
 }
 
+// Whether it has turned by no more than an angle [rad].
+bool is_turned_within(const Body& body, double angle, const Rest::Stay& place) {
+    return std::abs(body.orientation.dot(place.orientation)) >= std::cos(0.5 * angle);
+}
+
 void forget_stays(Rest::Memory& memory) {
     for (Rest::Stay& stay : memory.stays) stay.still = 0.0;
 }
@@ -142,11 +147,12 @@ void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns
         const bool unseen = turns_unseen[at(index)];
         for (std::size_t k = 0; k < spans.size(); ++k) {
             Stay& stay = memory_[at(index)].stays[k];
-            const bool stays =
-                is_near(body, sizes, spans[k].bound, stay) && (is_turned_alike(body, sizes, spans[k].bound, stay) ||
-                                                               (unseen && spins_alike(body, spans[k], stay)));
-            if (stays) {
+            const bool spins_on = unseen && spins_alike(body, spans[k], stay);
+            const bool is_alike = spins_on || is_turned_alike(body, sizes, spans[k].bound, stay) ||
+                                  (unseen && is_turned_within(body, spans[k].unseen_turn, stay));
+            if (is_alike && is_near(body, sizes, spans[k].bound, stay)) {
                 stay.still += dt;
+                if (!spins_on) stay.spin.setZero();
             } else {
                 stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
                 if (unseen) stay.spin = body.angular_momentum;
@@ -155,11 +161,12 @@ void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns
     }
 }
 
-// Whether it has been still in its place only, and not in how it is turned. What rocks to and fro has been in both.
+// Whether it has been still in its place only, with a spin of its own. What rocks to and fro has none.
 bool Rest::turns_on(const Body& body, const Memory& memory) const {
     for (std::size_t k = 0; k < spans.size(); ++k) {
         if (memory.stays[k].still < spans[k].time) continue;
-        if (is_turned_alike(body, Sizes(body), spans[k].bound, memory.stays[k])) return false;
+        const bool spins_on = !memory.stays[k].spin.isZero(0.0);
+        if (!spins_on || is_turned_alike(body, Sizes(body), spans[k].bound, memory.stays[k])) return false;
     }
     return true;
 }

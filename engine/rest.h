@@ -10,7 +10,8 @@
 //
 // A ball that turns in place, as one that is pinched between two others does for ever because nothing brakes a turn
 // about the line through both contacts, moves nothing either: as long as its spin stays the same it counts as
-// still, and it goes on turning while it and all around it rest. It keeps its angular momentum.
+// still, and it goes on turning while it and all around it rest. It keeps its angular momentum. One whose turn goes
+// to and fro in its place, as when it is pinched a little beside its middle, counts as still in the long span.
 //
 // Bodies that rows join without any force push nothing: what rolls by at the distance of the margin neither keeps
 // awake nor wakes. So it is groups of bodies that push each other which come to rest, parts of islands.
@@ -36,17 +37,18 @@ namespace pushfactor::engine {
 class Rest {
   public:
     struct Span {
-        double time;   // s
-        double bound;  // of the size of a body
+        double time;         // s
+        double bound;        // of the size of a body
+        double unseen_turn;  // rad, for what turns unseen; less than half a turn, so that none goes round and round
     };
-    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5}, {8.0, 2e-2}}};
+    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5, 0.0}, {8.0, 2e-2, 2.5}}};
 
     // Where a body has been within the bound of a span, and since when.
     struct Stay {
         double still = 0.0;                  // s
         Vector3 position = Vector3::Zero();  // m
         Quaternion orientation = Quaternion::Identity();
-        Vector3 spin = Vector3::Zero();  // kg m^2/s, angular momentum of a body that turns unseen; else zero
+        Vector3 spin = Vector3::Zero();  // kg m^2/s, angular momentum that a body has kept which turns unseen
     };
     // What the next step has to know of a body.
     struct Memory {
