@@ -30,7 +30,7 @@ double sideways(const Vector3& from, const Vector3& to) {
 }
 
 // The length L by which a scene is judged: the smallest movable body that can touch something.
-double judged_size(const Scene& scene) {
+double judged_size(const BuiltScene& scene) {
     double size = std::numeric_limits<double>::infinity();
     if (!scene.contacts) return 1.0;
     for (const auto& collider : scene.contacts->colliders()) {
@@ -41,7 +41,7 @@ double judged_size(const Scene& scene) {
 }
 
 // The bodies that are planes.
-std::vector<std::size_t> planes_of(const Scene& scene) {
+std::vector<std::size_t> planes_of(const BuiltScene& scene) {
     std::vector<std::size_t> planes;
     if (!scene.contacts) return planes;
     for (const auto& collider : scene.contacts->colliders()) {

@@ -12,7 +12,7 @@ std::string text_of(const UnsolvedSteps::Place& place) {
 }
 
 // ", between 'a' and 'b'"
-std::string bodies_of(const UnsolvedSteps::Place& place, const Scene& scene) {
+std::string bodies_of(const UnsolvedSteps::Place& place, const BuiltScene& scene) {
     if (!place.bodies) return "";
     return fmt::format(", between '{}' and '{}'", body_name(scene, place.bodies->a),
                        body_name(scene, place.bodies->b));
@@ -22,7 +22,7 @@ std::string bodies_of(const UnsolvedSteps::Place& place, const Scene& scene) {
 
 std::string warning_text(const std::string& name, const Simulation& simulation, const Measurements& measured) {
     const UnsolvedSteps& steps = measured.unsolved();
-    const Scene& scene = simulation.scene();
+    const BuiltScene& scene = simulation.scene();
     std::string text;
     if (steps.first) {
         text += fmt::format("pushfactor: warning: {}: {} of {} steps {} not solved to {} m/s, the first is {}",

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/base/math.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 
 #include <functional>
 #include <map>
