@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <sstream>
 
 using namespace pushfactor;
 using namespace pushfactor::tests;
@@ -62,6 +64,19 @@ void understand(const demos::Request& request, bool values) {
     }
 }
 
+// Keeps what --help prints out of the tests' output.
+class Silence {
+  public:
+    Silence() : before_(std::cout.rdbuf(text_.rdbuf())) {}
+    ~Silence() { std::cout.rdbuf(before_); }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+  private:
+    std::ostringstream text_;
+    std::streambuf* before_;
+};
+
 // Empty when the program accepts the command.
 std::string refusal(const Words& words, bool values) {
     Words with_program = words;
@@ -74,6 +89,7 @@ std::string refusal(const Words& words, bool values) {
     }
     std::vector<char*> arguments;
     for (std::string& word : with_program) arguments.push_back(word.data());
+    const Silence silence;
     try {
         const auto request = demos::parse_command_line(static_cast<int>(arguments.size()), arguments.data());
         if (request) understand(*request, values);
