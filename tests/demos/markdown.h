@@ -10,8 +10,8 @@
 namespace pushfactor::tests {
 
 // The commands that call `pushfactor` or `build/release/pushfactor`, as words without the program's name: lines of
-// code blocks, fenced or indented, and, where `in_sentences`, code between backticks of more than two words. Comments,
-// redirections and what follows them are left out.
+// code blocks, fenced or indented, and, where `in_sentences`, code between backticks of more than two words.
+// Comments, redirections and what follows them are left out.
 std::vector<std::vector<std::string>> commands_of(const std::string& page, bool in_sentences);
 
 // Targets of links and pictures outside of code, without those of other hosts.
