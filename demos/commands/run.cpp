@@ -1,7 +1,7 @@
 #include "demos/commands/commands.h"
-#include "demos/observed_run.h"
-#include "demos/output_file.h"
-#include "demos/progress.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
+#include "demos/runs/observed_run.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,8 @@ namespace pushfactor::demos::commands {
 namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
-    return {request.csv, request.trajectory, request.rows, request.save_state};
+    const RunFiles& files = request.files;
+    return {files.csv, files.trajectory, files.rows, files.save_state};
 }
 
 // Of the first file that was asked for; the working folder when none was.
@@ -29,7 +30,7 @@ std::filesystem::path folder_of_outputs(const Request& request) {
 
 void run(const Request& request) {
     const Choices choices = understand(request.scenes.front(), request.given);
-    ObservedRun observed(choices, request, folder_of_outputs(request));
+    ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
     const long steps = whole_steps(choices.settings);
     {
         ProgressBar bar(choices.description.name, steps);

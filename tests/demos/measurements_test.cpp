@@ -1,8 +1,8 @@
 // How runs are judged, on scenes whose end is known beforehand.
-#include "demos/measurements.h"
+#include "demos/runs/measurements.h"
 
-#include "demos/errors.h"
-#include "demos/scenes/cube_tower.h"
+#include "demos/scenes/named/cube_tower.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // The commands and links of all pages: each command is one that the program accepts, each link leads somewhere.
 // Nothing is run.
-#include "demos/command_line.h"
-#include "demos/comparison.h"
-#include "demos/errors.h"
-#include "demos/families/family.h"
+#include "demos/commands/command_line.h"
 #include "demos/figures/figure.h"
+#include "demos/options/comparison.h"
+#include "demos/scenes/families/family.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/markdown.h"
 #include "tests/texts.h"
