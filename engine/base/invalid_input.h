@@ -1,4 +1,4 @@
-// The one exception for input that the engine cannot take.
+// Exception for input that the engine cannot handle.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// The vector types that the engine computes with.
+// Vector types of the engine.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ using VectorX = Eigen::VectorXd;
 using MatrixX = Eigen::MatrixXd;
 using Quaternion = Eigen::Quaterniond;
 
-// One line a constraint row, one or two columns (design: the single-frame push factor is one more column).
-// The first column moves positions, the last one sets momenta; with one column they are the same.
+// One line per constraint row, one or two columns. The first column moves positions, the last one sets momenta;
+// with one column both are the same.
 using Columns = Eigen::MatrixXd;
 
 inline Vector6 stacked(const Vector3& linear, const Vector3& angular) {

@@ -13,24 +13,24 @@ namespace pushfactor::engine {
 
 namespace {
 
-// How often a thread looks whether another one is there before it hands its core over, some tenths of a
-// millisecond: whoever yields to another program gets the core back after milliseconds only.
+// Polls before a waiting thread yields its core, some tenths of a millisecond: a thread that yields to another
+// program gets the core back only after milliseconds.
 constexpr int looks_before_yield = 400'000;
-// And how often before that means that the other one is not running: not at all where a team meets after equal
-// parts, and about a millisecond where the last part of shared work may take long.
+// Polls after which the awaited thread counts as not running: none beyond the above for a team (its parts are
+// equal), about a millisecond at the end of shared work, whose last part may take long.
 constexpr int looks_of_a_team = looks_before_yield, looks_at_the_end = 2'000'000;
 
-// Calls of keep_at_hand() that the caller does alone after one in which the threads have waited for each other:
-// twice as many each time, half as many after each one in which they have not.
+// Number of keep_at_hand() calls that run on the caller alone after the threads had to wait for each other:
+// doubles each time, halves after each call without waiting.
 constexpr int least_alone = 8, most_alone = 256;
 
-// A job says in one byte how many take part.
+// A job stores its number of participants in one byte.
 constexpr int most_threads = 255;
 
-// Parts per thread: enough that one which takes longer does not hold up the others for long.
+// Parts per thread: enough that a slow part does not hold up the other threads for long.
 constexpr std::size_t parts_per_thread = 8;
 
-// Returns how often it had to look.
+// Returns the number of polls.
 template <typename IsThere>
 int wait_until(const IsThere& is_there) {
     int looks = 0;
@@ -41,7 +41,7 @@ int wait_until(const IsThere& is_there) {
     return looks;
 }
 
-// In cache lines of their own, as is everything that several threads write.
+// On its own cache line, like everything that several threads write, to avoid false sharing.
 struct alignas(64) Counter {
     std::atomic<std::size_t> value = 0;
 };
@@ -51,7 +51,7 @@ struct alignas(64) Counter {
 struct Team::Meeting {
     alignas(64) std::atomic<int> arrived = 0;
     alignas(64) std::atomic<unsigned> round = 0;
-    alignas(64) std::atomic<bool> stalled = false;  // whether somebody has waited for long
+    alignas(64) std::atomic<bool> stalled = false;  // some member has waited for long
 
     void wait_for(int size, int patience) {
         const unsigned before = round.load(std::memory_order_relaxed);
@@ -69,8 +69,9 @@ void Team::wait_for_all() {
     if (size_ > 1) meeting_->wait_for(size_, looks_of_a_team);
 }
 
-// What is written before a task begins is read in it, and what it has written after it has ended. The library sees
-// to that, but the thread sanitizer does not see into the library, so it is said once more.
+// Runs the parallel region in a TBB arena. oneTBB already orders writes before a task with reads inside it, and
+// its results with reads afterwards; `begun` and `ended` repeat that for the thread sanitizer, which cannot see
+// into the library.
 struct Threads::Arena {
     explicit Arena(int count) : of_tbb(count) {}
 
@@ -91,16 +92,16 @@ struct Threads::Arena {
     std::atomic<unsigned> begun = 0, ended = 0;
 };
 
-// The threads at hand during keep_at_hand(). Helpers come when they are awake, and take part in what is posted from
-// then on.
+// The threads available during keep_at_hand(). Helpers join when they have woken up, and take part in jobs
+// posted after that.
 struct Threads::Crew {
-    // The last job: its number, and in the lowest byte how many take part, or `dismissed`.
+    // The last job: its number and, in the lowest byte, the number of participants or `dismissed`.
     static constexpr std::uint64_t size_mask = most_threads, one_job = 0x100;
     static constexpr std::uint64_t dismissed = 0;
 
     alignas(64) std::atomic<std::uint64_t> posted = 1;
     alignas(64) std::atomic<int> helpers = 0;
-    const std::function<void(Team&)>* work = nullptr;  // read by those only who take part
+    const std::function<void(Team&)>* work = nullptr;  // read by participants only
     Team::Meeting meeting;
 
     void take_part(int member, int size) noexcept {
@@ -146,7 +147,7 @@ int Threads::all() {
     return tbb::this_task_arena::max_concurrency();
 }
 
-// Each member begins with a stretch of its own, and helps with the others when that is done.
+// Each member starts with its own range of parts, then helps with the ranges of the others.
 void Threads::share(std::size_t count, std::size_t grain, const Part& work) {
     if (!crew_ || count <= grain) {
         if (count > 0) work(0, count, 0);
@@ -154,7 +155,7 @@ void Threads::share(std::size_t count, std::size_t grain, const Part& work) {
     }
     const std::size_t least = std::max(grain, count / (parts_per_thread * static_cast<std::size_t>(count_)));
     const std::size_t parts = (count + least - 1) / least;
-    std::vector<Counter> taken(static_cast<std::size_t>(count_));  // of each stretch
+    std::vector<Counter> taken(static_cast<std::size_t>(count_));  // per range
     std::atomic<bool> failed = false;
     std::exception_ptr failure;
     const auto job = [&](Team& team) {
@@ -200,7 +201,7 @@ void Threads::keep_at_hand(const std::function<void()>& work) {
     }
 }
 
-// Returns whether the threads have waited for each other.
+// Returns whether the threads had to wait for each other.
 bool Threads::work_in_crew(const std::function<void()>& work) {
     Crew crew;
     const auto leader = std::this_thread::get_id();

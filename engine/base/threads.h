@@ -1,5 +1,5 @@
-// Threads that share the work of a step. Each result is written to its own place and each sum has a fixed order, so
-// the bits do not depend on the number of threads. The only file in the engine that knows oneTBB.
+// Threads that share the work of a step. Every result has its own place and every sum a fixed order, so results
+// are bit-identical for any number of threads. The only file in the engine that uses oneTBB.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace pushfactor::engine {
 
-// One of several threads that go through the same work at the same time; by default it is alone.
+// One of several threads that run the same function concurrently; by default the only one.
 class Team {
   public:
     int member() const { return member_; }  // 0 .. size() - 1
     int size() const { return size_; }
 
-    // Returns once every member has called it equally often. What the others wrote before is visible then.
+    // Barrier. Writes of the other members before it are visible afterwards.
     void wait_for_all();
 
-    // Whether this member takes part `part` of `count`. Parts next to each other go to the same one, and each time
-    // to the same one, so that their data stays in the caches of one core.
+    // Whether this member takes part `part` of `count`. Neighbouring parts go to the same member, every time,
+    // so that their data stays in the caches of one core.
     bool owns(std::size_t part, std::size_t count) const {
         return static_cast<int>(part * static_cast<std::size_t>(size_) / count) == member_;
     }
@@ -37,30 +37,30 @@ class Team {
 
 class Threads {
   public:
-    // This many, the caller included; at least one, and no more than the machine runs at once.
+    // `count` threads including the caller, clamped to 1 .. all().
     explicit Threads(int count);
     ~Threads();
 
-    // As many as this machine runs at once.
+    // Number of threads that this machine runs concurrently.
     static int all();
 
     int count() const { return count_; }
 
-    // Calls `work(begin, end, slot)` for parts of 0 .. count - 1, which together are all of it, of at least
-    // `grain` numbers where there are that many; all at once outside of keep_at_hand(). Each of the slots,
-    // 0 .. count() - 1, is in one call at a time.
+    // Calls `work(begin, end, slot)` for ranges that together cover 0 .. count - 1, of at least `grain`
+    // elements where there are that many; a single call outside of keep_at_hand(). Each slot, 0 .. count() - 1,
+    // is in use by at most one call at a time.
     using Part = std::function<void(std::size_t begin, std::size_t end, int slot)>;
     void share(std::size_t count, std::size_t grain, const Part& work);
 
-    // Calls `work(team)` at the same time on all threads that are at hand, once on each: the caller, and during
-    // keep_at_hand() others. It must not throw.
+    // Calls `work(team)` concurrently, once on each available thread: the caller and, during keep_at_hand(),
+    // others. `work` must not throw.
     void as_team(const std::function<void(Team& team)>& work);
 
-    // Calls `work()`, which is rich in calls of the above. Meanwhile the other threads do not go to sleep between
-    // these: to wake one takes some ten microseconds, and that for each call.
+    // Calls `work()`, which calls the functions above many times. Meanwhile the other threads do not sleep
+    // between these calls: waking one takes some ten microseconds per call.
     //
-    // Threads that meet often have to run at the same time. Where other programs take their cores they wait for
-    // each other for milliseconds, so after a call in which they did, the caller works alone for some calls.
+    // Threads that synchronise often have to run at the same time. Where other programs take their cores they
+    // wait for each other for milliseconds; after such a call the caller works alone for a number of calls.
     void keep_at_hand(const std::function<void()>& work);
 
   private:
@@ -72,11 +72,11 @@ class Threads {
     int count_;
     std::unique_ptr<Arena> arena_;
     Crew* crew_ = nullptr;    // during keep_at_hand()
-    int alone_for_ = 0;       // calls of keep_at_hand() from now on
-    int after_next_one_ = 0;  // the same after the next one in which the threads wait for each other
+    int alone_for_ = 0;       // remaining calls of keep_at_hand() that run on the caller alone
+    int after_next_one_ = 0;  // value of alone_for_ after the next call with waiting
 };
 
-// Calls `work(begin, end)` for parts of 0 .. count - 1; all at once without threads.
+// Calls `work(begin, end)` for ranges that cover 0 .. count - 1; a single call without threads.
 template <typename Work>
 void share(Threads* threads, std::size_t count, std::size_t grain, const Work& work) {
     if (threads && count > grain) {
@@ -86,8 +86,8 @@ void share(Threads* threads, std::size_t count, std::size_t grain, const Work& w
     }
 }
 
-// Calls `work(part, begin, end)` for parts of 0 .. count - 1 of `size` numbers each, the last one of what is left.
-// Returns how many there are. Without threads all is one part.
+// Calls `work(part, begin, end)` for ranges of `size` elements that cover 0 .. count - 1; the last one may be
+// shorter. Returns their number. Without threads there is one range.
 template <typename Work>
 std::size_t share_parts(Threads* threads, std::size_t count, std::size_t size, const Work& work) {
     if (!threads || count <= size) {
@@ -103,16 +103,16 @@ std::size_t share_parts(Threads* threads, std::size_t count, std::size_t size, c
     return parts;
 }
 
-// As many as share_parts() would make.
+// The number of ranges that share_parts() would make.
 inline std::size_t parts_of(const Threads* threads, std::size_t count, std::size_t size) {
     return !threads || count <= size ? 1 : (count + size - 1) / size;
 }
 
-// A search whose findings come in the order of what is searched, however many threads search it.
+// Parallel search whose results are in the order of the searched range, for any number of threads.
 template <typename T>
 class Search {
   public:
-    // Appends to `all` what `find(begin, end, found)` appends to `found`, for parts of 0 .. count - 1.
+    // Appends to `all` what `find(begin, end, found)` appends to `found`, for ranges that cover 0 .. count - 1.
     template <typename Find>
     void append_to(std::vector<T>& all, Threads* threads, std::size_t count, std::size_t size, const Find& find) {
         if (parts_of(threads, count, size) == 1) {
@@ -132,7 +132,7 @@ class Search {
     std::vector<std::vector<T>> found_;  // by part
 };
 
-// As std::sort, of numbers of which no two are equal.
+// std::sort for elements of which no two are equal.
 template <typename T, typename Before>
 void sort_distinct(Threads* threads, std::span<T> all, const Before& before) {
     constexpr std::size_t worth_it = 2000;
