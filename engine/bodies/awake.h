@@ -1,4 +1,4 @@
-// Which of many numbered things (bodies, colliders) take part in a step, where others rest (rest.h).
+// The items (bodies or colliders, by index) that take part in a step; the others rest (rest.h).
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace pushfactor::engine {
 
 class Awake {
   public:
-    Awake() = default;  // of nothing
+    Awake() = default;  // no items
 
-    // All of `count`.
+    // All of `count` items.
     explicit Awake(std::size_t count) : is_awake_(count, 1), members_(count) {
         std::iota(members_.begin(), members_.end(), 0);
     }
 
-    // Those of which `is_awake` says so, by number.
+    // The items whose flag is set.
     explicit Awake(std::vector<char> is_awake) : is_awake_(std::move(is_awake)) {
         for (std::size_t i = 0; i < is_awake_.size(); ++i) {
             if (is_awake_[i]) members_.push_back(static_cast<int>(i));
@@ -27,14 +27,14 @@ class Awake {
 
     std::span<const int> members() const { return members_; }  // ascending
     bool has(int number) const { return is_awake_[static_cast<std::size_t>(number)] != 0; }
-    std::size_t of() const { return is_awake_.size(); }  // the others included
+    std::size_t of() const { return is_awake_.size(); }  // number of items, resting ones included
 
   private:
-    std::vector<char> is_awake_;  // by number
+    std::vector<char> is_awake_;  // by index
     std::vector<int> members_;
 };
 
-// Some bodies of a world by their numbers, or all.
+// Some bodies of a world by index, or all.
 struct SomeBodies {
     bool all = false;
     std::vector<int> some{};

@@ -43,7 +43,7 @@ double max_speed(std::span<const Body> bodies) {
 
 namespace {
 
-// Calls `visit(quantity, value)` for every number of the state of a body.
+// Calls `visit(quantity, value)` for each number of the body's state.
 template <typename Visit>
 void visit_state(const Body& body, Visit visit) {
     for (const double value : body.position) visit("position", value);

@@ -1,4 +1,4 @@
-// What can be measured of a state: pure functions, nothing is remembered.
+// Measured quantities of a state: pure functions.
 #pragma once
 
 #include "engine/bodies/body.h"
@@ -16,10 +16,10 @@ Vector3 linear_momentum(std::span<const Body> bodies);                          
 Vector3 angular_momentum(std::span<const Body> bodies);                         // kg m^2/s, about the origin
 double max_speed(std::span<const Body> bodies);                                 // m/s, from the momenta
 
-// 64-bit FNV-1a over the bits of position, orientation and momenta of all bodies, in their order.
+// 64-bit FNV-1a over the bits of position, orientation and momenta of all bodies, in order.
 std::uint64_t state_hash(std::span<const Body> bodies);
 
-// The first body with a number that is not finite, and which quantity it is.
+// The first body with a non-finite number, and the name of that quantity.
 struct NonFinite {
     std::size_t body = 0;
     std::string quantity;

@@ -8,12 +8,12 @@ namespace pushfactor::engine {
 
 namespace {
 
-// The small turns [rad]. The energy of the splitting errs by their square, which is no drift in free flight, but at
-// random from bounce to bounce.
+// Largest angle of a sub-turn [rad]. The energy error of the splitting grows with its square; in free flight
+// that is no drift, but from bounce to bounce it is a random walk.
 constexpr double largest_turn = 0.1;
 constexpr double most_turns = 1000.0;
 
-// 12.4.1 with a b = `rotation_vector` [rad]; the division by a is avoided where a is nearly zero.
+// 12.4.1 with a b = `rotation_vector` [rad]; a series near zero avoids the division by a.
 Quaternion exponential(const Vector3& rotation_vector) {
     const double angle = rotation_vector.norm();
     const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
@@ -27,7 +27,7 @@ Vector3 to_body_frame(const Quaternion& orientation, const Vector3& vector) {
     return orientation.conjugate() * vector;
 }
 
-// Rotates by the share of the angular momentum along one body axis, as if the other two were absent.
+// Rotates by the component of the angular momentum along one body axis, as if the other two were zero.
 void rotate_about_axis(Quaternion& orientation, const Body& body, const Vector3& angular_momentum, int axis,
                        double dt) {
     const double along = to_body_frame(orientation, angular_momentum)[axis];
@@ -49,7 +49,8 @@ int symmetry_axis(const Vector3& inverse_inertia) {
     return -1;
 }
 
-// Symmetric body: it precesses about l at l / I_perp while it spins about its own axis at the rest of l_axis.
+// Closed form for a symmetric body: it precesses about l at l / I_perp and spins about its own axis at the
+// remaining rate of l_axis.
 Quaternion rotate_symmetric(const Body& body, const Vector3& angular_momentum, int axis, double dt) {
     const double across = body.inverse_inertia[(axis + 1) % 3];
     const double along = body.inverse_inertia[axis];
@@ -80,7 +81,7 @@ Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, d
     if (const int axis = symmetry_axis(body.inverse_inertia); axis >= 0) {
         return rotate_symmetric(body, angular_momentum, axis, dt).normalized();
     }
-    int smallest = 0;  // inertia, so the largest inverse
+    int smallest = 0;  // smallest inertia, i.e. largest inverse
     body.inverse_inertia.maxCoeff(&smallest);
     const int first = (smallest + 1) % 3;
     const int second = (smallest + 2) % 3;

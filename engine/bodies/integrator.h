@@ -2,10 +2,10 @@
 //
 // Symbols as in body.h; dt time step [s].
 //
-// Deviation: 3.2.4 does not keep the energy of a tumbling body. With the inertia at the start of the step it
-// drives every free body towards the axis of its smallest inertia. The exponential map (12.4.1) removes the
-// error of the angle, not that drift; three-axis splitting removes both. All three are here with one signature,
-// and a world holds the one that it was given.
+// Deviation: 3.2.4 does not conserve the energy of a tumbling body. With the inertia at the start of the step
+// it drives every free body towards its axis of smallest inertia. The exponential map (12.4.1) removes the
+// error of the angle but not that drift; three-axis splitting removes both. All three have one signature, and a
+// world holds the one to use.
 #pragma once
 
 #include "engine/bodies/body.h"
@@ -22,23 +22,23 @@ inline Vector3 advance_position(const Body& body, const Vector3& linear_momentum
     return body.position + (body.inverse_mass * dt) * linear_momentum;
 }
 
-// The orientation after dt [s] of torque-free motion with the (new) `angular_momentum` [kg m^2/s, world frame].
-// The result has unit length.
+// Orientation after dt [s] of torque-free motion with the (new) `angular_momentum` [kg m^2/s, world frame]. The
+// result has unit length.
 using OrientationStep = Quaternion (*)(const Body& body, const Vector3& angular_momentum, double dt);
 
-// 3.2.4: o + [0, 1/2 I^-1 l] o dt. The angle of a step is 2 atan(|w| dt / 2) instead of |w| dt.
+// 3.2.4: o + [0, 1/2 I^-1 l] o dt. The angle per step is 2 atan(|w| dt / 2) instead of |w| dt.
 Quaternion rotate_euler(const Body& body, const Vector3& angular_momentum, double dt);
 
-// 12.4.1: the exact rotation for a constant angular velocity I^-1 l.
+// 12.4.1: exact rotation for a constant angular velocity I^-1 l.
 Quaternion rotate_exponential(const Body& body, const Vector3& angular_momentum, double dt);
 
-// Strang splitting of the free rigid body into rotations about its three principal axes, the axis of the
-// smallest inertia in the middle. Second order, keeps |l| to rounding and the energy without drift. Bodies with two
-// equal moments (spheres and cubes among them) take the closed form: precession about l times spin.
+// Strang splitting of the free rigid body into rotations about its three principal axes, with the axis of
+// smallest inertia in the middle. Second order; conserves |l| to rounding and the energy without drift. Bodies
+// with two equal moments (spheres and cubes among them) use the closed form: precession about l times spin.
 Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, double dt);
 
-// The same, as often within dt as keeps the angle of each small: for bodies that bounce, whose energy errs at
-// random from bounce to bounce otherwise. Not smooth in dt, so nothing to compose higher orders from.
+// rotate_splitting in sub-steps of small angle, for bodies that bounce: their energy would otherwise err at
+// random from bounce to bounce. Not smooth in dt, so not suitable for composing higher-order schemes.
 Quaternion rotate_by_small_turns(const Body& body, const Vector3& angular_momentum, double dt);
 
 }  // namespace pushfactor::engine

@@ -1,4 +1,4 @@
-// How a body moves within one step: uniformly, as 3.2.3 takes it from place to place.
+// Motion of a body within one step: constant velocities, as in 3.2.3.
 #pragma once
 
 #include "engine/bodies/body.h"
@@ -10,12 +10,12 @@ struct Motion {
     Vector3 angular_velocity = Vector3::Zero();  // rad/s, world frame
 };
 
-// Of `body` as it is.
+// Motion with the current momenta.
 inline Motion motion_of(const Body& body) {
     return {velocity(body), angular_velocity(body)};
 }
 
-// Of `body` in a step of `dt` [s], with its external forces and `constraint_force` (N and N m, world frame).
+// Motion in a step of `dt` [s] with external forces and `constraint_force` (N and N m, world frame).
 inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_force = Vector6::Zero()) {
     if (body.is_static()) return {};
     const Vector3 force = body.force + constraint_force.head<3>();
@@ -24,8 +24,9 @@ inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_f
             world_inverse_inertia(body) * (body.angular_momentum + dt * torque)};
 }
 
-// Whether a body has got another constraint force, and how: as part of an answer for the whole step, or in small
-// steps, which stir a heap by more than any answer would be worth for a small part of a size.
+// How a solve has changed the constraint force of a body: not at all, by a solution for the whole step, or by
+// small steps. The latter move the bodies of a heap about by more than a re-solve for a small fraction of a
+// size is worth.
 enum class NewForce : char { none, of_answer, of_small_steps };
 
 }  // namespace pushfactor::engine
