@@ -1,8 +1,8 @@
 // Paper section 4: "a separating axis test is used", "clipping the most penetrating face of the first polyhedron
 // to the volume below the corresponding anti-parallel face on the second".
 //
-// What the text leaves open, and what is done here:
-// - of the axes of a box, and they tie in every row of boxes that touch, the first one is taken, but for roundings;
+// Choices that the paper leaves open:
+// - among the axes of one box that tie up to rounding, as in every row of touching boxes, the first one is taken;
 // - the reference face is a's unless b's separates clearly better, and an edge pair has to be clearly better
 //   than both: a choice that rounding could flip would change the features and lose the cached forces;
 // - the incident face is the most anti-parallel one;
@@ -19,15 +19,15 @@ namespace pushfactor::engine::collision {
 namespace {
 
 constexpr double axis_preference = 5e-4;  // of the smaller box's shortest edge, for the choice of the axis
-constexpr double axis_rounding = 1e-6;    // the same, among the axes of one box, of which the first one is taken
+constexpr double axis_rounding = 1e-6;    // the same, among the axes of one box; within it the first one wins
 constexpr double clip_tolerance = 2e-4;   // the same, by which the reference face is widened
-constexpr double same_direction = 0.9;    // cosine of the angle below which two axes are not two ways out
+constexpr double same_direction = 0.9;    // cosine above which two axes count as the same direction
 
-// One candidate for the direction of least penetration.
+// Candidate axis of least penetration.
 struct Axis {
-    double separation = -std::numeric_limits<double>::infinity();  // m, below zero while the boxes overlap
+    double separation = -std::numeric_limits<double>::infinity();  // m, negative while the boxes overlap
     int of_a = 0;                                                  // face axis or edge direction of a, 0..2
-    int of_b = 0;                                                  // the same of b
+    int of_b = 0;                                                  // of b
 };
 
 struct Axes {
@@ -41,9 +41,8 @@ double size_of(const Box& a, const Box& b) {
     return 2.0 * std::min(a.half_size.minCoeff(), b.half_size.minCoeff());
 }
 
-// Separations along the three face axes of each box and along the nine that are across two edges, in a's frame; the
-// best of each of the three groups. An edge axis is only looked at closely where it could be better than those
-// before it.
+// Best separation of each of the three groups of axes: face axes of a, face axes of b, cross products of edges;
+// computed in a's frame. An edge axis is normalised only if it could beat the axes before it.
 Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin) {
     const Matrix3 R = pose_a.rotation.transpose() * pose_b.rotation;  // b's axes in a's frame
     const Matrix3 absR = R.cwiseAbs();
@@ -66,29 +65,29 @@ Axes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
         for (int j = 0; j < 3; ++j) {
             const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            // Of the axis e_i x R e_j, which is shorter than 1; so a negative separation is no better than this.
+            // The axis e_i x R e_j is shorter than 1, so normalising makes a negative separation only worse.
             const double reach =
                 A[i1] * absR(i2, j) + A[i2] * absR(i1, j) + B[j1] * absR(i, j2) + B[j2] * absR(i, j1);
             const double separation = std::abs(t[i2] * R(i1, j) - t[i1] * R(i2, j)) - reach;
             if (separation <= std::min(0.0, best.largest())) continue;
             const double length = std::sqrt(R(i1, j) * R(i1, j) + R(i2, j) * R(i2, j));
-            if (length < parallel_edges) continue;  // the faces beside them cover this direction
+            if (length < parallel_edges) continue;  // the adjacent faces cover this direction
             if (separation / length > best.edges.separation) best.edges = {separation / length, i, j};
         }
     }
     return best;
 }
 
-// A corner of the polygon that is left of the incident face, in the frame of the reference face.
+// Corner of the clipped incident face, in the frame of the reference face.
 struct Corner {
-    double u, v;    // m along the two edges of the reference face
+    double u, v;    // m, along the two edges of the reference face
     double height;  // m above it
-    unsigned edge;  // label of the edge to the next corner: 0..3 of the face, 4..7 cut by that side
+    unsigned edge;  // label of the edge to the next corner: 0..3 of the face, 4..7 made by that clipping side
 };
 
 struct Polygon {
-    // Of which `count` are there. A quadrilateral that four straight cuts go through has eight corners at most;
-    // only by rounding could a sliver have one more, which then lies on the corner before it.
+    // The first `count` are valid. A quadrilateral clipped by four lines has at most eight corners; rounding
+    // could add a sliver corner that coincides with the one before it.
     std::array<Corner, 8> corners;
     int count = 0;
 
@@ -105,7 +104,7 @@ Corner between(const Corner& from, const Corner& to, double share) {
             from.height + share * (to.height - from.height), from.edge};
 }
 
-// Sutherland-Hodgman against one side of the reference face: keeps what is at most `limit` along +-u or +-v.
+// Sutherland-Hodgman against one side of the reference face: keeps the part within `limit` along +-u or +-v.
 void clip(Polygon& polygon, unsigned side, double limit) {
     std::array<double, 8> beyond;  // of each corner
     bool cuts = false;
@@ -125,7 +124,7 @@ void clip(Polygon& polygon, unsigned side, double limit) {
         if (out_from <= 0.0) result.add(from);
         if ((out_from <= 0.0) == (out_to <= 0.0)) continue;
         Corner cut = between(from, to, out_from / (out_from - out_to));
-        if (out_from <= 0.0) cut.edge = 4 + side;  // leaves here, so the next edge runs along this side
+        if (out_from <= 0.0) cut.edge = 4 + side;  // leaves here: the next edge runs along this side
         result.add(cut);
     }
     polygon = result;
@@ -148,8 +147,8 @@ Face most_antiparallel(const Pose& pose, const Vector3& normal) {
     return {axis, along[axis] > 0.0 ? -1.0 : 1.0};
 }
 
-// Clips the incident face of `other` to the face `face` of `reference` and adds what is below `margin`.
-// `flipped` says that the reference box is b.
+// Clips the incident face of `other` to the face `face` of `reference` and adds the points below `margin`.
+// `flipped`: the reference box is b.
 void clip_faces(const Box& reference, const Pose& reference_pose, Face face, const Box& other,
                 const Pose& other_pose, bool flipped, double tolerance, double margin, Manifold& manifold) {
     const Vector3 normal = face.sign * reference_pose.rotation.col(face.axis);
@@ -159,7 +158,7 @@ void clip_faces(const Box& reference, const Pose& reference_pose, Face face, con
     const Vector3 v = reference_pose.rotation.col(v_axis);
     const Vector3 centre = reference_pose.position + normal * reference.half_size[face.axis];
 
-    // The incident face in the frame of the reference face: its middle, and half of each edge.
+    // The incident face in the frame of the reference face: its centre, and half of each edge.
     const auto seen = [&](const Vector3& vector) {
         return Vector3(u.dot(vector), v.dot(vector), normal.dot(vector));
     };
@@ -195,7 +194,7 @@ double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
 }
 
-// The point midway between the closest points of the two edges that face each other along the axis.
+// Adds the point midway between the closest points of the two edges that face each other along the axis.
 void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, const Axis& axis,
                  Manifold& manifold) {
     const Vector3 edge_a = pose_a.rotation.col(axis.of_a);
@@ -203,7 +202,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     Vector3 normal = edge_a.cross(edge_b).normalized();
     if (normal.dot(pose_b.position - pose_a.position) < 0.0) normal = -normal;
 
-    // The middles of the edges: farthest along the normal on a, against it on b.
+    // Midpoints of the edges: farthest along the normal on a, against it on b.
     Vector3 corner_a = pose_a.position;
     Vector3 corner_b = pose_b.position;
     unsigned which = 0;
@@ -211,7 +210,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
         const double side_a = sign_of(normal.dot(pose_a.rotation.col(k)));
         const double side_b = sign_of(normal.dot(pose_b.rotation.col(k)));
         which *= 4u;
-        // Along the edges themselves the sides are roundings of zero.
+        // Along the edges themselves the signs are rounding noise.
         if (k != axis.of_a) {
             corner_a += pose_a.rotation.col(k) * (side_a * a.half_size[k]);
             which += side_a > 0.0 ? 2u : 0u;
@@ -228,7 +227,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     const double denominator = 1.0 - along * along;  // at least the square of `parallel_edges`
     const double s = (edge_a.dot(between_middles) - along * edge_b.dot(between_middles)) / denominator;
     const double t = (along * edge_a.dot(between_middles) - edge_b.dot(between_middles)) / denominator;
-    // Nearly parallel edges cross where rounding says; the point belongs to both of them.
+    // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
     const double half_a = a.half_size[axis.of_a], half_b = b.half_size[axis.of_b];
     const Vector3 on_a = corner_a + edge_a * std::clamp(s, -half_a, half_a);
     const Vector3 on_b = corner_b + edge_b * std::clamp(t, -half_b, half_b);
@@ -238,7 +237,7 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     manifold.add({0.5 * (on_a + on_b), axis.separation, (1u << 16) + edges * 64u + which});
 }
 
-// How the faces of both boxes are clipped to each other.
+// Parameters of clipping the faces of both boxes.
 struct Clipping {
     double tolerance;  // m, by which the reference face is widened
     double margin;     // m
@@ -256,7 +255,7 @@ void clip_to_face_of_b(const Box& a, const Pose& pose_a, const Box& b, const Pos
     clip_faces(b, pose_b, face, a, pose_a, true, clipping.tolerance, clipping.margin, manifold);
 }
 
-// The largest separation along a face axis that is not the manifold's normal.
+// Largest separation along a face axis other than the manifold's normal.
 double largest_of_others(const Axes& axes, const Pose& pose_a, const Pose& pose_b, double much,
                          const Vector3& normal) {
     double largest = -std::numeric_limits<double>::infinity();
@@ -290,7 +289,7 @@ void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
     } else {
         clip_to_face_of_a(a, pose_a, axes.face_a.of_a, b, pose_b, clipping, manifold);
     }
-    const double much = 0.1 * std::max(a.half_size.minCoeff(), b.half_size.minCoeff());  // overlap, m
+    const double much = 0.1 * std::max(a.half_size.minCoeff(), b.half_size.minCoeff());  // m of overlap
     manifold.other_gap = largest_of_others(axes, pose_a, pose_b, much, manifold.normal);
     manifold.separation = axes.largest();
 }

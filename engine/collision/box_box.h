@@ -7,13 +7,13 @@
 
 namespace pushfactor::engine::collision {
 
-// As collide() in pair_table.h. The feature of a point names the two faces and the two edges that made it, or the
-// two edges that cross.
+// Box-box collide(), see pair_table.h. The feature of a point encodes the two faces and the two edges that made
+// it, or the two crossing edges.
 void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                      Manifold& manifold);
 
-// The same along `axis`, one of the Separations of the boxes, whether or not it is the best. Points may lie up to
-// `room` [m] beside the face that they belong to.
+// The same along `axis`, one of the Separations of the boxes, even if it is not the best. Points may lie up to
+// `room` [m] beside their face.
 void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,
                            const Pose& pose_b, double room, double margin, Manifold& manifold);
 

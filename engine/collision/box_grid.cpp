@@ -9,7 +9,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Of the cells that hold a box with this longest edge.
+// Level of the cells for boxes with this longest edge.
 int level_of(double edge) {
     return std::isfinite(edge) && edge > 0.0 ? std::ilogb(edge) + 1 : 0;
 }
@@ -24,8 +24,8 @@ void BoxGrid::clear(std::size_t count) {
     heads_.assign(std::bit_ceil(2 * count + 1), -1);
 }
 
-// Beyond 2^52 cells from the origin neighbours are not told apart; they share a cell then, which costs time only.
-// Non-finite boxes get no pairs; the caller's check reports them.
+// Beyond 2^52 cells from the origin neighbours share a cell, which costs only time. Non-finite bodies get no
+// pairs; the caller's check reports them.
 BoxGrid::Cell BoxGrid::cell_of(const Vector3& point, int level) {
     const auto index = [level](double x) {
         constexpr double farthest = 4503599627370496.0;
@@ -57,7 +57,7 @@ void BoxGrid::insert(int index, const BoundingBox& box) {
     Level& level = level_at(level_of(2.0 * box.reach.maxCoeff()));
     ++level.count;
     for (int axis = 0; axis < 3; ++axis) {
-        // In this order a number that is not finite changes nothing.
+        // With this order of arguments a NaN changes nothing.
         level.low[axis] = std::min(level.low[axis], box.centre[axis] - box.reach[axis]);
         level.high[axis] = std::max(level.high[axis], box.centre[axis] + box.reach[axis]);
     }
@@ -81,7 +81,7 @@ bool BoxGrid::may_overlap(const Level& level, const BoundingBox& box) const {
            ((box.centre + box.reach).array() > level.low.array()).all();
 }
 
-// Whether looking into all cells of this lower level takes longer than looking at all boxes.
+// Whether visiting all cells of this lower level takes longer than visiting all boxes.
 bool BoxGrid::covers_many_cells(const BoundingBox& box, int level) const {
     const auto cells = [&](int axis) { return 2.0 * std::ldexp(box.reach[axis], -level) + 2.0; };
     return !(cells(0) * cells(1) * cells(2) < 0.25 * static_cast<double>(cells_.size()));

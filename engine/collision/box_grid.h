@@ -1,5 +1,5 @@
-// Boxes in a hash grid, for finding those that come near each other: a level of cells for each power of two of
-// sizes, so that small boxes among large ones cost neither.
+// Hash grid of boxes for finding neighbours. One level of cells per power of two of box sizes, so that mixing
+// small and large boxes costs neither.
 #pragma once
 
 #include "engine/base/math.h"
@@ -10,9 +10,9 @@
 
 namespace pushfactor::engine::collision {
 
-// Along the world axes.
+// Axis-aligned, world frame.
 struct BoundingBox {
-    Vector3 centre, reach;  // m; reach is half its edges
+    Vector3 centre, reach;  // m; reach is half the edge lengths
 };
 
 inline bool overlap(const BoundingBox& a, const BoundingBox& b) {
@@ -22,7 +22,7 @@ inline bool overlap(const BoundingBox& a, const BoundingBox& b) {
     return near(0) && near(1) && near(2);
 }
 
-// Boxes are named by their index. What visitors are given has to be compared with overlap(): it is near, not more.
+// Boxes are identified by index. Visited boxes are only near: the caller has to test them with overlap().
 class BoxGrid {
   public:
     // Empties the grid for boxes with indices below `count`.
@@ -30,13 +30,14 @@ class BoxGrid {
     void insert(int index, const BoundingBox& box);
     void remove(int index);
 
-    // Calls `visit(other)` once for each other box in the grid that may overlap `box`, which is in it as `index`.
+    // Calls `visit(other)` once for each other box in the grid that may overlap `box`, which is stored as
+    // `index`.
     template <typename Visit>
     void visit_neighbours(int index, const BoundingBox& box, const Visit& visit) const {
         for (const Level& level : levels_) visit_level(level, index, box, visit);
     }
 
-    // Of all boxes: visits every pair from one of its two.
+    // Called for every box, visits each pair exactly once.
     template <typename Visit>
     void visit_pairs_from(int index, const BoundingBox& box, const Visit& visit) const {
         const Cell& own = cells_[at(index)];
@@ -45,7 +46,7 @@ class BoxGrid {
         }
         for (const Level& level : levels_) {
             if (level.level == own.level) {
-                // Each pair of cells from one side.
+                // Each pair of cells from one side only.
                 for (int k = 14; k < 27; ++k) visit_cell(neighbour(own, k), index, visit);
             } else if (level.level > own.level) {
                 visit_level(level, index, box, visit);
@@ -55,14 +56,14 @@ class BoxGrid {
 
   private:
     struct Cell {
-        int level = 0;  // its edge is 2^level m
+        int level = 0;  // edge length 2^level m
         std::int64_t x = 0, y = 0, z = 0;
         friend bool operator==(const Cell&, const Cell&) = default;
     };
     struct Level {
         int level = 0;
-        int count = 0;      // of boxes
-        Vector3 low, high;  // m, around all boxes that have been there since clear()
+        int count = 0;      // number of boxes
+        Vector3 low, high;  // m, bounds of all boxes inserted since clear()
     };
 
     static std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -78,12 +79,12 @@ class BoxGrid {
     template <typename Visit>
     void visit_cell(const Cell& cell, int index, const Visit& visit) const {
         for (int other = heads_[bucket_of(cell)]; other >= 0; other = next_[at(other)]) {
-            // Others may have come into the same bucket.
+            // Other cells may share the bucket.
             if (other != index && cells_[at(other)] == cell) visit(other);
         }
     }
 
-    // Boxes no longer than a cell overlap only when their centres are in the same or in adjacent cells.
+    // Boxes no longer than a cell overlap only if their centres are in the same or in adjacent cells.
     template <typename Visit>
     void visit_level(const Level& level, int index, const BoundingBox& box, const Visit& visit) const {
         if (level.count == 0 || !may_overlap(level, box)) return;
@@ -96,7 +97,7 @@ class BoxGrid {
                 if (held_[at(other)] && cells_[at(other)].level == level.level) visit(other);
             }
         } else {
-            // Half a cell for the other box, and a quarter for roundings.
+            // Half a cell for the other box and a quarter for rounding.
             const Vector3 reach = box.reach + Vector3::Constant(std::ldexp(0.75, level.level));
             const Cell low = cell_of(box.centre - reach, level.level),
                        high = cell_of(box.centre + reach, level.level);
@@ -108,11 +109,11 @@ class BoxGrid {
         }
     }
 
-    std::vector<Cell> cells_;    // of the centres, with edges no shorter than the box's; by index
-    std::vector<char> held_;     // whether there is such a box; by index
+    std::vector<Cell> cells_;    // of the box centres, on the level of the box; by index
+    std::vector<char> held_;     // whether the box is in the grid; by index
     std::vector<Level> levels_;  // ascending
-    std::vector<int> heads_;     // hash table: the first of each bucket, -1 for none
-    std::vector<int> next_;      // the next of the same bucket
+    std::vector<int> heads_;     // hash table: first box of each bucket, -1 if empty
+    std::vector<int> next_;      // next box of the same bucket
 };
 
 }  // namespace pushfactor::engine::collision

@@ -6,7 +6,7 @@
 
 namespace pushfactor::engine::collision {
 
-// As collide() in pair_table.h. The feature of a point is the number of the corner.
+// Box-plane collide(), see pair_table.h. The feature of a point is the number of the corner.
 void collide_box_plane(const Box& box, const Pose& box_pose, const Plane& plane, const Pose& plane_pose,
                        double margin, Manifold& manifold);
 

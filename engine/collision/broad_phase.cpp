@@ -11,34 +11,35 @@ const Collider& at(std::span<const Collider> colliders, int index) {
     return colliders[static_cast<std::size_t>(index)];
 }
 
-// Half the edges of the box around a finite shape, world axes.
+// Half the edge lengths of the bounding box of a finite shape, world axes.
 Vector3 reach_of(const Shape& shape, const Pose& pose) {
     if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
     return pose.rotation.cwiseAbs() * std::get<Box>(shape).half_size;
 }
 
-// So many are compared each with each in less time than a grid takes to fill and search.
+// Up to this many boxes all pairs are tested: faster than filling and searching a grid.
 constexpr std::size_t few = 96;
 
-// What a thread takes at a time.
+// Work items per thread task.
 constexpr std::size_t boxes_of_a_part = 250, left_of_a_part = 50, candidates_of_a_part = 2000;
 
-// When so many of the boxes have left, all of them are looked at anew.
+// Share of boxes that have left their wide boxes above which all candidates are found anew.
 constexpr double most_left = 0.5;
 
-// By which a wide box reaches farther, as a fraction of the size: some steps of a slow body.
+// Extra reach of a wide box as a fraction of the size: some steps of a slow body.
 constexpr double slack_share = 0.1;
 
-// Whether some of the box may be below the plane.
+// Whether part of the box may be below the plane.
 template <typename Plane>
 bool reaches(const BoundingBox& box, const Plane& plane) {
     return !(plane.up.dot(box.centre - plane.point) >= plane.up.cwiseAbs().dot(box.reach));
 }
 
-// A wide box that was made for something fast is far too wide when that has come to rest.
+// Limit on how much wider than needed a wide box may be: one made for a fast body is too wide once it has come
+// to rest.
 constexpr double far_too_wide = 3.0;
 
-// Whether the wide box still serves for `box`, which is to be widened by `slack` [m].
+// Whether the wide box still encloses `box` and is not far too wide for it; `slack` [m] is its extra reach.
 bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
     const auto along = [&](int axis) {
         return std::abs(box.centre[axis] - wide.centre[axis]) + box.reach[axis] <= wide.reach[axis] &&
@@ -49,12 +50,12 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 
 }  // namespace
 
-// The finite ones and the planes among `moved`, and where the former are in bounds_.
+// Collects the planes and the places in bounds_ of the finite shapes among `moved`.
 void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
                              std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
     if (all) place_.assign(colliders.size(), -1);
-    planes_.clear();  // they are static, so all of them are looked at
+    planes_.clear();  // always listed anew: planes are static, and static ones are always in `moved`
     looked_at_.clear();
     int place = 0;
     for (const int i : moved) {
@@ -92,7 +93,7 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
     });
 }
 
-// Whether the candidates are of the same colliders, on the same planes.
+// Whether the candidates were found for the same colliders and the same planes.
 bool BroadPhase::has_same_shapes() const {
     const auto same_plane = [](const Plane& a, const Plane& b) {
         return a.collider == b.collider && a.point == b.point && a.up == b.up;
@@ -119,7 +120,7 @@ void BroadPhase::update_candidates(Threads* threads) {
     if (some_came_to_rest) std::erase_if(candidates_, [this](const Candidate& c) { return !can_move(c); });
     if (left_.empty()) return;
     put_again_ += left_.size();
-    // The grid forgets places that have been left only when it is filled anew.
+    // The level bounds of the grid only ever grow, until it is filled anew.
     const bool many = static_cast<double>(left_.size()) > most_left * static_cast<double>(wide_.size());
     if (many || put_again_ > 8 * wide_.size()) {
         find_all_candidates(threads);
@@ -128,9 +129,9 @@ void BroadPhase::update_candidates(Threads* threads) {
     }
 }
 
-// Lists the boxes that have left their wide box or have woken. Returns whether some have come to rest.
+// Lists the boxes that have left their wide box or have woken. Returns whether any have come to rest.
 bool BroadPhase::find_left(Threads* threads) {
-    has_left_.assign(wide_.size(), 0);  // of those at rest too, which are not looked at
+    has_left_.assign(wide_.size(), 0);  // by box, resting ones included
     share(threads, looked_at_.size(), boxes_of_a_part, [this](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto place = static_cast<std::size_t>(looked_at_[k]);
@@ -194,7 +195,7 @@ void BroadPhase::find_candidates_of_left(Threads* threads) {
     const auto find = [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
         for (const int i : std::span(left_).subspan(begin, end - begin)) {
             add_with_planes(i, found);
-            // A pair of two that have left is found by both.
+            // A pair of two moved boxes is found from both.
             const auto add = [&](int j) {
                 if (j != i && !(left(j) && j < i)) add_if_near(i, j, found);
             };

@@ -1,6 +1,6 @@
-// Which pairs of colliders may touch. Candidates are found for boxes that are somewhat wider than the shapes, and
-// serve for as long as a shape stays within its wide box. Only for one that has left it they are found anew, so
-// that what moves costs nothing where nothing does.
+// Broad phase: pairs of colliders that may touch. Candidates are found for boxes somewhat wider than the shapes
+// and stay valid while each shape is within its wide box; new ones are found only for shapes that have left
+// theirs, so bodies that hold still cost nothing.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -22,40 +22,40 @@ struct Pair {
 
 class BroadPhase {
   public:
-    // All pairs whose bounding boxes come closer than `margin` (a fraction of each shape's size) allows, and the
-    // paths of their colliders with `foresight`, in ascending order. Never two colliders of one body, never two
-    // that are static or not `awake`: such a row could move nothing. `poses` are those of the bodies. Only the
-    // colliders `moved` (ascending) are looked at; the others are where they were in the last call. `threads` share
-    // the work; null: one thread.
+    // All pairs, in ascending order, whose bounding boxes come closer than `margin` (a fraction of each shape's
+    // size) and, with `foresight`, the paths of the colliders allow. Never two colliders of one body, never two
+    // that are static or not `awake`: their rows could move nothing. `poses` are those of the bodies. Only the
+    // colliders `moved` (ascending) are updated; the others are where they were in the last call. `threads`
+    // share the work; null: one thread.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin, const Foresight* foresight,
                                      const Awake& awake, std::span<const int> moved, Threads* threads = nullptr);
 
-    // The same where nothing rests.
+    // The same with nothing at rest.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin,
                                      const Foresight* foresight = nullptr);
 
-    // Puts another box in the place of a finite shape's own, until the next find_pairs().
+    // Replaces the bounding box of a finite shape until the next find_pairs().
     void put(int collider, const BoundingBox& box);
 
-    // The pairs with one of the colliders `of` (by collider), with the boxes as they are now. Good until the next
-    // call, as those of find_pairs() are.
+    // The pairs with at least one collider in `of` (by collider), with the current boxes. Valid until the next
+    // call, like those of find_pairs().
     std::span<const Pair> find_pairs_of(const std::vector<bool>& of);
 
   private:
-    // The bounding box of one finite shape.
+    // Bounding box of one finite shape.
     struct Bounds : BoundingBox {
-        double slack = 0.0;  // m, by which the wide box reaches farther
+        double slack = 0.0;  // m, extra reach of the wide box
         int collider = 0;
         int body = 0;
-        bool idle = false;  // of a static body, or of one at rest
+        bool idle = false;  // static or at rest
     };
     struct Plane {
-        Vector3 point, up;  // m; unit length
+        Vector3 point, up;  // m; unit normal
         int collider = 0;
     };
-    // Two boxes, or a plane (`other` counts down from -1) and a box.
+    // Two boxes, or a box and a plane (`other` = -1 - index of the plane).
     struct Candidate {
         Pair pair;
         int box = 0;
@@ -76,20 +76,20 @@ class BroadPhase {
     void add_with_planes(int index, std::vector<Candidate>& found) const;
     void add_if_near(int index, int other, std::vector<Candidate>& found) const;
     bool is_near(const Candidate& candidate) const;
-    bool can_move(const Candidate& candidate) const;  // one of the two at least
+    bool can_move(const Candidate& candidate) const;  // at least one of the two can
 
-    std::vector<Bounds> bounds_;  // of the finite shapes, as they are
+    std::vector<Bounds> bounds_;  // of the finite shapes, current
     std::vector<int> place_;      // in bounds_, by collider; -1 for a plane
     std::vector<Plane> planes_;
 
-    // As they were when the candidates were found.
-    std::vector<Bounds> wide_;  // with wide reach
+    // State when the candidates were found.
+    std::vector<Bounds> wide_;  // with the extra reach
     std::vector<Plane> wide_planes_;
     std::vector<Candidate> candidates_;  // in ascending order of the pair
-    BoxGrid grid_;                       // of wide_, where there are many
-    std::size_t put_again_ = 0;          // boxes, since the grid was filled
+    BoxGrid grid_;                       // of wide_, if there are many
+    std::size_t put_again_ = 0;          // boxes re-inserted since the grid was filled
 
-    std::vector<int> looked_at_;  // boxes of the last find_pairs() that may have moved
+    std::vector<int> looked_at_;  // boxes in the last find_pairs() that may have moved
     std::vector<int> left_;       // boxes that have left their wide box, or have woken
     std::vector<char> has_left_;  // by box
     std::vector<Pair> pairs_;

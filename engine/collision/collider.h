@@ -1,4 +1,4 @@
-// The shapes that bodies collide with, paper section 4.
+// Collision shapes of bodies, paper section 4.
 #pragma once
 
 #include "engine/base/math.h"
@@ -9,18 +9,18 @@
 
 namespace pushfactor::engine::collision {
 
-// Axes along the body frame, centred on the body's position.
+// Axis-aligned in the body frame, centred at the body's position.
 struct Box {
     Vector3 half_size = Vector3::Constant(0.5);  // m
 };
 
-// Centred on the body's position.
+// Centred at the body's position.
 struct Sphere {
     double radius = 0.5;  // m
 };
 
-// Infinite: the points below the plane through the body's position with the body frame's y axis as its normal.
-// Only for static bodies.
+// Infinite half-space below the plane through the body's position whose normal is the body frame's y axis. Only
+// for static bodies.
 struct Plane {};
 
 // The order of the alternatives is the order of the pair table.
@@ -29,25 +29,25 @@ using Shape = std::variant<Box, Sphere, Plane>;
 struct Collider {
     int body = 0;  // index into the bodies of the world
     Shape shape;
-    double friction = 0.5;     // mu >= 0; a pair has the root of the product
-    double restitution = 0.0;  // epsilon 0..1; a pair has the larger
-    // How fast the surface itself runs, as a conveyor belt does [m/s, body frame]; friction drives with it.
+    double friction = 0.5;     // mu >= 0; combined for a pair as the square root of the product
+    double restitution = 0.0;  // epsilon 0..1; a pair has the larger one
+    // Surface velocity of a conveyor belt [m/s, body frame]; acts through friction.
     Vector3 surface_velocity = Vector3::Zero();
-    double surface_from = 0.0;  // s since the start of the world, from when on it runs
+    double surface_from = 0.0;  // s since the start of the world, when the belt starts
 };
 
-// Whether its surface runs in a step that begins at `time` [s].
+// Whether the belt runs in a step that begins at `time` [s].
 bool runs_at(const Collider& collider, double time);
 
-// Where a body is: maps its frame to the world.
+// Transform from body frame to world.
 struct Pose {
     Vector3 position;  // m
     Matrix3 rotation;
 };
 Pose pose_of(const Body& body);
 
-// The length that slop, margin and tolerances of a shape are measured in [m]: its shortest edge or its
-// diameter; infinite for a plane.
+// Reference length of slop, margin and tolerances [m]: shortest edge or diameter of the shape; infinite for a
+// plane.
 double size_of(const Shape& shape);
 
 }  // namespace pushfactor::engine::collision

@@ -12,26 +12,26 @@ double margin_of(const Collider& collider, const ContinuousCollision::Step& step
     return step.detection.margin * size_of(collider.shape);
 }
 
-// By the velocities before the step: what rests on something is not fast because of its weight. The largest inverse
-// moment bounds the rate of turning.
+// Path by the velocities before the step: a resting body is not fast because of its weight. The largest inverse
+// moment bounds the angular velocity.
 double free_path(const Collider& collider, const Body& body, const ContinuousCollision::Step& step) {
     const double rate = body.angular_momentum.norm() * body.inverse_inertia.maxCoeff();
     return path_of(collider, velocity(body).norm(), rate, step.dt);
 }
 
-// Whether the external forces of the step bring the collider into that danger.
+// Whether the external forces of the step make the path of the collider dangerous.
 bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity,
                 const ContinuousCollision::Step& step) {
     const double rate = (body.angular_momentum + step.dt * body.torque).norm() * body.inverse_inertia.maxCoeff();
     return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
 }
 
-// What is_pressed() asks of a body that its velocity alone takes so far [m], for certain where the answer is no. In
-// squares, because every body is asked in every step.
+// Conservative pre-test for is_pressed(): false is certain. `path` [m] is the path by the velocity alone. Uses
+// squares, because it runs for every body in every step.
 bool could_be_pressed(const Collider& collider, const Body& body, double path,
                       const ContinuousCollision::Step& step) {
     double acceleration =
-        body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // squared, of any point
+        body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // m^2/s^4, of the fastest point
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
         const double turning = body.inverse_inertia.maxCoeff();
         acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
@@ -44,8 +44,8 @@ Vector3 velocity_with_forces(const Body& body, double dt) {
     return body.inverse_mass * (body.linear_momentum + dt * body.force);
 }
 
-// Takes from the velocity of a body what would bring it closer along `normal` than the touch allows; the other body
-// has its velocity of before, because something holds its weight in turn.
+// Removes the part of a body's velocity that would close more along `normal` than the touch's gap. The other
+// body counts with its velocity before the step, because something holds its weight too.
 void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double margin, double dt,
              Vector3& velocity_of_body) {
     double gap = std::numeric_limits<double>::infinity();
@@ -55,11 +55,11 @@ void stop_at(const Touch& touch, const Vector3& normal, const Body& other, doubl
     if (excess > 0.0) velocity_of_body -= excess * normal;
 }
 
-// The share of its size by which small steps may move a body otherwise than foreseen.
+// Share of its size by which small steps may move a body differently than predicted.
 constexpr double loose = 0.1;
 
-// Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
-// more than that where it comes from small steps.
+// Whether the constraint force moves the body fast and differently than predicted: by more than its margin, or
+// by more than `loose` of its size if the force comes from small steps.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
                const ContinuousCollision::Step& step) {
     if (kind == NewForce::none) return false;
@@ -76,10 +76,10 @@ bool bounces(const Collider& collider) {
     return collider.restitution > 0.0;
 }
 
-// How near two bodies have to come for having met, as a fraction of the size.
+// Distance at which two bodies have met, as a fraction of the size.
 constexpr double met = 1e-4;
 
-// By how much deeper a pair with rows may end the step, as a fraction of the size.
+// Extra depth that a pair with rows may end the step with, as a fraction of the size.
 constexpr double deep = 0.05;
 
 bool before(const Touch& touch, const Pair& pair) {
@@ -92,14 +92,14 @@ double smallest_gap(std::span<const ContactPoint> points) {
     return gap;
 }
 
-// Whether the free motion may take a touching pair beyond what its manifold knows: into contact by a way that the
-// margin's normal does not foresee, or with corners that the margin does not reach.
+// Whether the free motion may take a touching pair beyond its manifold: into contact in a direction that the
+// margin's normal does not foresee, or with corners outside the margin.
 bool has_more(const Touch& touch, const Moving& a, const Moving& b, double dt, double margin) {
     const double gap = smallest_gap(touch.points);
     return approach(a, b, touch.normal, dt) > (gap > 0.0 ? gap : margin);
 }
 
-// How fast the bodies close the gap at `point` of their meeting, m/s.
+// Closing speed of the bodies at `point` when they meet, m/s.
 double closing_speed(const Meeting& meeting, const Moving& a, const Moving& b, const Vector3& point) {
     const auto velocity = [&point](const Motion& motion, const Pose& pose) -> Vector3 {
         return motion.velocity + motion.angular_velocity.cross(point - pose.position);
@@ -108,8 +108,8 @@ double closing_speed(const Meeting& meeting, const Moving& a, const Moving& b, c
     return relative.dot(meeting.manifold.normal);
 }
 
-// What is thrown back is so at the points that meet of themselves. One that only the throw brings down would be
-// stopped in this step; left out, it is thrown back in its turn.
+// For bouncing pairs, keeps the points that close by the incoming motion alone. A point that only the rebound
+// brings down would be stopped in this step; left out, it bounces in its turn.
 void keep_meeting_points(Meeting& meeting, const Moving& a, const Moving& b, double rest) {
     Manifold kept;
     kept.normal = meeting.manifold.normal;
@@ -119,8 +119,8 @@ void keep_meeting_points(Meeting& meeting, const Moving& a, const Moving& b, dou
     if (kept.count > 0) meeting.manifold = kept;
 }
 
-// From the gaps at the meeting to those that the motion so far has been closing. A point that was opening meanwhile
-// keeps its gap, which leaves it more room than it has, but never pushes it.
+// Converts gaps at the time of impact to gaps at the start of the step: adds the distance closed until then. A
+// point that was opening meanwhile keeps its gap; that is too much room, but never pushes.
 void wind_back(Meeting& meeting, const Moving& a, const Moving& b) {
     for (int i = 0; i < meeting.manifold.count; ++i) {
         ContactPoint& point = meeting.manifold.storage[static_cast<std::size_t>(i)];
@@ -128,7 +128,7 @@ void wind_back(Meeting& meeting, const Moving& a, const Moving& b) {
     }
 }
 
-// The body with its momenta as they are, where its centre will be.
+// The body with its momenta unchanged and its centre at `pose`.
 Body moved_to(const Body& body, const Pose& pose) {
     Body moved = body;
     moved.position = pose.position;
@@ -164,7 +164,7 @@ bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& s
     return std::find(fast_.begin(), fast_.end(), true) != fast_.end();
 }
 
-// What lies on something is held and not fast, however it is pressed.
+// Bodies that lie on something are held: not fast, however hard they are pressed.
 void ContinuousCollision::find_pressed(std::span<const Touch> touches, const Step& step) {
     freely_.resize(step.bodies.size());
     for (const int index : step.awake) {
@@ -205,7 +205,7 @@ bool ContinuousCollision::is_swept(const Pair& pair, const Step& step) const {
     return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
 }
 
-// Adds the touch of a pair that meets, with the motions of the moment.
+// Adds a touch for a pair that meets with the current motions.
 ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, const Step& step,
                                                               std::vector<Touch>& touches) {
     const Moving a = moving(pair.a, step);
@@ -222,7 +222,7 @@ ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, 
     if (touch.restitution > 0.0) keep_meeting_points(*meeting, a, b, step.dt - meeting->time);
     const bool doubtful = permitted > 0.0 && meeting->manifold.other_gap + permitted >= 0.0;
     if (meeting->time > 0.0) wind_back(*meeting, a, b);
-    if (meeting->time > 0.0 || doubtful) keep_bodies(*meeting, step, touch);  // what keeps them apart is looked for
+    if (meeting->time > 0.0 || doubtful) keep_bodies(*meeting, step, touch);  // needed by take_out_held()
     keep_points(meeting->manifold, a, step, touch);
     touches.push_back(touch);
     return Outcome::meets;
@@ -241,8 +241,8 @@ void ContinuousCollision::keep_points(Manifold& manifold, const Moving& a, const
     touch.points = found_.keep(manifold.points());
 }
 
-// Adds another touch of a pair that has one, but is turned by its rows so that it ends the step deep in each other
-// all the same: with the points and the normal of that end.
+// Adds a second touch for a pair that has one but ends the step deep in each other because its rows turn it:
+// with points and normal of the end of the step.
 void ContinuousCollision::add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches) {
     if (first.restitution > 0.0) return;
     const Moving a = moving(first.pair.a, step);

@@ -15,10 +15,10 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
     return std::min(size_a, size_b);
 }
 
-// What a thread takes at a time.
+// Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
 
-// Takes out those points beyond the margin that the step does not bring together.
+// Removes the points beyond the margin that the step does not close.
 void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
     int kept = 0;
     for (int i = 0; i < manifold.count; ++i) {
@@ -31,7 +31,7 @@ void keep_closing_points(const Touch& touch, double margin, const Foresight& for
     manifold.count = kept;
 }
 
-// Whether the step may close the gap between two boxes that are beside each other.
+// Whether the step may close the gap between two boxes beside each other.
 bool may_meet(const Pair& pair, std::span<const Collider> colliders, double margin, const Foresight& foresight,
               const Manifold& manifold) {
     if (std::isinf(manifold.separation)) return false;
@@ -114,12 +114,13 @@ void Detector::find(const Scene& scene, std::span<const Pair> pairs, Found& foun
         if (scene.detection.reduce_to_four_points) reduce_to_four(manifold, pose_a.rotation);
         touch.normal = manifold.normal;
         touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
-        touch.points = manifold.points();  // as many; where they are is said when all have been found
+        // Only the count is valid here; put_together() sets the spans, once points_ no longer grows.
+        touch.points = manifold.points();
         found.points.insert(found.points.end(), touch.points.begin(), touch.points.end());
     }
 }
 
-// What has been found in this many parts, in their order.
+// Merges the first `parts` results in order.
 void Detector::put_together(Threads* threads, std::size_t parts) {
     std::size_t touches = 0, points = 0;
     beside_.clear();

@@ -7,7 +7,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Half the edges of a box around the shape, however it turns within the step [m].
+// Half the edge lengths of a box around the shape for all orientations within the step [m].
 Vector3 reach_of(const Shape& shape, const Body& body, double turning_path, double margin) {
     if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
     const Vector3& half = std::get<Box>(shape).half_size;
@@ -31,7 +31,7 @@ bool is_plane(const Outlook& outlook, std::size_t collider) {
 
 }  // namespace
 
-// How the collider moves, and what through.
+// Motion and swept box of the collider, computed once per search.
 const FastPairs::Swept& FastPairs::sweep(const Outlook& outlook, int collider) {
     const auto index = static_cast<std::size_t>(collider);
     Swept& swept = swept_[index];

@@ -1,6 +1,6 @@
-// The pairs of colliders that may meet within a step although their margins do not reach each other: at least one
-// is so fast that the sweep has to look (sweep.h). They come from the broad phase of the step, with other boxes for
-// what is fast.
+// Pairs of colliders that may meet within a step although their margins do not overlap: at least one is fast
+// enough to be swept (continuous_collision.h). They come from the broad phase of the step, with swept boxes for
+// fast colliders.
 #pragma once
 
 #include "engine/bodies/motion.h"
@@ -12,47 +12,46 @@
 
 namespace pushfactor::engine::collision {
 
-// How its bodies move in the coming step.
+// Inputs for predicting the motions of the coming step.
 struct Outlook {
     std::span<const Collider> colliders;
     std::span<const Body> bodies;                // with the external forces of the step
-    std::span<const Vector6> constraint_forces;  // N and N m, by body; none at all when they are not known yet
+    std::span<const Vector6> constraint_forces;  // N and N m, by body; empty while unknown
     double dt = 0.0;                             // s
     double margin = 0.0;                         // fraction of each shape's size
 };
 
 class FastPairs {
   public:
-    // Before the first find() of a step.
+    // To be called before the first find() of a step.
     void begin(std::size_t colliders);
 
-    // Those with at least one fast collider (`fast`, by collider, each of them `awake`), in ascending order; good
-    // until the next call.
-    // `broad_phase` has the boxes of the step: around each shape, as far as it comes if it is not fast. It gets
-    // other ones for those that are, or have been in this step.
+    // Pairs with at least one fast collider (`fast`, by collider, all of them `awake`), ascending; valid until
+    // the next call. `broad_phase` has the boxes of the step, which are wide enough for slow colliders; swept
+    // boxes replace those of colliders that are fast or have been in this step.
     std::span<const Pair> find(const Outlook& outlook, std::span<const int> awake, const std::vector<bool>& fast,
                                BroadPhase& broad_phase);
 
-    // The same, and the pairs `more` (ascending) among them.
+    // The same, merged with the pairs `more` (ascending).
     std::span<const Pair> find(const Outlook& outlook, std::span<const int> awake, const std::vector<bool>& fast,
                                std::span<const Pair> more, BroadPhase& broad_phase);
 
-    // Of a collider of the pairs that were found.
+    // Motion of a collider of the found pairs.
     const Motion& motion_of(int collider) const { return swept_[static_cast<std::size_t>(collider)].motion; }
 
   private:
-    // What a collider moves through: a box around it, whatever its shape.
+    // Motion of a collider and the box that it sweeps.
     struct Swept {
         Motion motion;
         BoundingBox box;
-        long search = 0;  // that it is of
+        long search = 0;  // number of the search that computed it
     };
 
     const Swept& sweep(const Outlook& outlook, int collider);
 
-    long step_ = 0, search_ = 0;  // the last ones
+    long step_ = 0, search_ = 0;  // current numbers
     std::vector<long> fast_in_;   // by collider, the last step in which it was fast
-    std::vector<Swept> swept_;    // by collider, where it has been asked for
+    std::vector<Swept> swept_;    // by collider, if requested
     std::vector<Pair> pairs_, merged_;
 };
 

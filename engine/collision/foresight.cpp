@@ -6,7 +6,7 @@ namespace pushfactor::engine::collision {
 
 double path_of(const Collider& collider, double speed, double rate, double dt) {
     const auto* box = std::get_if<Box>(&collider.shape);
-    return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns in itself
+    return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns within its own surface
 }
 
 void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
@@ -26,7 +26,7 @@ double Foresight::path_of_step(const Collider& collider) const {
     const Body& body = bodies_[static_cast<std::size_t>(collider.body)];
     if (body.is_static()) return 0.0;
     const double size = size_of(collider.shape);
-    // The largest inverse moment bounds the rate of turning.
+    // The largest inverse moment bounds the angular velocity.
     const double turning = body.inverse_inertia.maxCoeff();
     const double speed = velocity(body).norm(), rate = body.angular_momentum.norm() * turning;
     if (path_of(collider, speed, rate, dt_) > dangerous * size) return 0.0;

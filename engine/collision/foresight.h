@@ -1,10 +1,11 @@
-// How far bodies come in a step by themselves. A point that is still apart takes part in the step when that may
-// close it: its row aims at -gap/dt and does nothing while the gap is wider ("speculative contacts"), so that what
-// lands, lands at the surface. What is stopped or thrown in the step is looked after when that is known (sweep.h).
+// Speculative contacts: how far bodies move in a step by themselves. A separated point that the step may close
+// takes part: its row aims at -gap/dt and does nothing while the gap stays wider, so that a landing body ends
+// the step at the surface. Bodies that are stopped or thrown in the step are handled afterwards
+// (continuous_collision.h).
 //
-// The normals are those of the start of the step, which is good enough only for bodies that move by a part of their
-// size. Faster ones are swept (sweep.h), and so is what may bounce, because it does not end its step where it
-// touches.
+// The normals are those of the start of the step, which is accurate enough only for bodies that move by a part
+// of their size. Faster ones are swept (continuous_collision.h), and so are those that may bounce, because they
+// do not end the step where they touch.
 //
 // Not from the paper, which has no continuous collision detection.
 #pragma once
@@ -19,28 +20,27 @@
 
 namespace pushfactor::engine::collision {
 
-// Share of its size from which on a body that moves by so much in a step could go through something, or end deep
-// inside.
+// Path per step, as a share of its size, from which on a body could tunnel or end deep inside another.
 inline constexpr double dangerous = 0.25;
 
 class Foresight {
   public:
-    // For the coming step of `dt` [s], with the external forces of `bodies`. Only the colliders `which` are looked
-    // at; the others, which rest, are as they were in the last call. `threads` share the work; null: one thread.
+    // Predicts the coming step of `dt` [s] with the external forces of `bodies`. Only the colliders `which` are
+    // updated; the others, at rest, keep their values. `threads` share the work; null: one thread.
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
                     std::span<const int> which, Threads* threads = nullptr);
     void look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt) {
         look_ahead(colliders, bodies, dt, Awake(colliders.size()).members());
     }
 
-    // How far a point of the collider comes at most [m], but no more than the dangerous share of its size; zero for
-    // one that its velocity takes farther, which is swept.
+    // Upper bound on the path of a point of the collider [m], at most `dangerous` of its size; zero for a
+    // collider whose velocity exceeds that, since it is swept.
     double path(int collider) const { return paths_[static_cast<std::size_t>(collider)]; }
 
-    // How much of a gap at `point` along `normal`, which points from body a to body b, the free motions close [m].
+    // How much of a gap at `point` along `normal` (from body a to body b) the free motions close [m].
     double closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const;
 
-    // The most that these motions close of any gap between two colliders along `normal` [m].
+    // Upper bound on how much the free motions close any gap between two colliders along `normal` [m].
     double most_closing(const Collider& a, const Collider& b, const Vector3& normal) const;
 
   private:
@@ -51,8 +51,8 @@ class Foresight {
     std::vector<double> paths_;  // by collider
 };
 
-// How far a point of `collider` comes at most in `dt` [s] with the body's `speed` [m/s] and `rate` of turning
-// [rad/s].
+// Upper bound on the path of a point of `collider` in `dt` [s] with `speed` [m/s] and angular velocity `rate`
+// [rad/s] of the body.
 double path_of(const Collider& collider, double speed, double rate, double dt);
 
 }  // namespace pushfactor::engine::collision

@@ -6,7 +6,7 @@
 namespace pushfactor::engine::collision {
 
 Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal) {
-    // The x axis unless it nearly is the normal; not "the axis farthest from it", which rounding could flip
+    // The x axis unless it is nearly the normal; not "the axis farthest from it", which rounding could flip
     // between two equally far ones.
     const Vector3 x = reference.col(0);
     const Vector3 axis = std::abs(x.dot(normal)) < 0.8 ? x : Vector3(reference.col(2));
@@ -15,24 +15,23 @@ Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal) {
 
 namespace {
 
-// Beyond this ratio of its lengths a manifold has a long direction of its own; below it is as good as round, and
-// its long direction noise.
+// Ratio of length to width above which a manifold has a long direction; below it that direction is noise.
 constexpr double long_ratio = 2.0;
 
-// Two directions across the normal in which the outermost points are looked for. Their lengths differ where the
-// manifold is long: by them it becomes as long as wide.
+// Two directions across the normal in which outermost points are searched. Their lengths differ for a long
+// manifold and scale it to equal length and width.
 struct Outwards {
     Vector3 along, across;
 };
 
-// `u` and `v` rotated and scaled so that the corners of a rectangle along them are told from each other, although
-// the directions lie off its diagonals.
+// `u` and `v` rotated and scaled so that the corners of a rectangle along them differ in both directions, which
+// lie off its diagonals.
 Outwards off_diagonals(const Vector3& u, const Vector3& v) {
     return {(2.0 * u + v) / std::sqrt(5.0), (2.0 * v - u) / std::sqrt(5.0)};
 }
 
-// The root of the larger and of the smaller eigenvalue of the points' covariance in the plane of u and v [m], and
-// the angle from u to the long direction.
+// Square roots of the eigenvalues of the points' covariance in the plane of u and v [m], and the angle from u
+// to the long direction.
 struct Spread {
     double length, width, angle;
 };

@@ -13,13 +13,13 @@ namespace {
 using Collide = void (*)(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
                          Manifold& manifold);
 
-// Unpacks the shapes for a function of two known ones.
+// Adapter for a function of two concrete shapes.
 template <typename A, typename B, void (*function)(const A&, const Pose&, const B&, const Pose&, double, Manifold&)>
 void of(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin, Manifold& manifold) {
     function(std::get<A>(a), pose_a, std::get<B>(b), pose_b, margin, manifold);
 }
 
-// The same pair the other way round: swapped arguments, opposite normal.
+// The same pair in reverse order: swapped arguments, opposite normal.
 template <Collide function>
 void swapped(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
              Manifold& manifold) {
@@ -35,7 +35,7 @@ constexpr Collide sphere_box = swapped<box_sphere>;
 constexpr Collide sphere_sphere = of<Sphere, Sphere, collide_sphere_sphere>;
 constexpr Collide sphere_plane = of<Sphere, Plane, collide_sphere_plane>;
 constexpr Collide plane_sphere = swapped<sphere_plane>;
-constexpr Collide never = nullptr;  // both are always static
+constexpr Collide never = nullptr;  // planes are always static
 
 // Row: shape of a, column: shape of b, in the order of the variant.
 // clang-format off

@@ -1,4 +1,4 @@
-// Which pairs of shapes collide, and by which function.
+// Dispatch table of shape pairs.
 #pragma once
 
 #include "engine/collision/collider.h"
@@ -6,8 +6,8 @@
 
 namespace pushfactor::engine::collision {
 
-// Writes the points of `a` and `b` whose gap is below `margin` [m, >= 0] into `manifold`, up to eight, with the
-// normal from a to b. None when they are apart, or when the table has no function for the pair.
+// Writes up to eight points of `a` and `b` with a gap below `margin` [m, >= 0] into `manifold`, with the normal
+// from a to b. None if they are apart, or if the table has no function for the pair.
 void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
              Manifold& manifold);
 

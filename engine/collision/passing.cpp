@@ -11,12 +11,11 @@ namespace pushfactor::engine::collision {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double noise = 1e-6;           // of the permitted overlap, what a body at rest moves by in one step
-constexpr double rounding = 1e-6;        // of the size, between gaps along axes that are the same
-constexpr double same_direction = 0.9;   // cosine below which two axes of boxes are not two ways out
-constexpr double holding_along = 0.999;  // cosine above which a touch holds what moves along an axis
+constexpr double noise = 1e-6;           // of the permitted overlap: motion per step of a body at rest
+constexpr double rounding = 1e-6;        // of the size: tolerance between gaps along equal axes
+constexpr double same_direction = 0.9;   // cosine above which two axes of boxes count as the same direction
+constexpr double holding_along = 0.999;  // cosine above which a touch blocks motion along an axis
 
-// A body in the coming step.
 struct Mover {
     Vector3 centre;
     Motion before, with_forces;
@@ -24,7 +23,7 @@ struct Mover {
 
 Mover mover_of(const Body& body, const Shape& shape, double dt) {
     Mover mover{body.position, motion_of(body), motion_of(body, dt)};
-    if (std::holds_alternative<Sphere>(shape)) {  // which turns in itself
+    if (std::holds_alternative<Sphere>(shape)) {  // turning moves no point out of its surface
         mover.before.angular_velocity.setZero();
         mover.with_forces.angular_velocity.setZero();
     }
@@ -38,7 +37,7 @@ Vector3 velocity_at(const Motion& motion, const Vector3& centre, const Vector3& 
 struct Movers {
     Mover a, b;
 
-    // How fast a comes towards b along `normal`, m/s.
+    // Closing speed of a towards b along `normal`, m/s.
     double before(const Vector3& normal, const Vector3& point) const {
         return normal.dot(velocity_at(a.before, a.centre, point) - velocity_at(b.before, b.centre, point));
     }
@@ -46,7 +45,7 @@ struct Movers {
         return normal.dot(velocity_at(a.with_forces, a.centre, point) -
                           velocity_at(b.with_forces, b.centre, point));
     }
-    // Where something may hold the weight of either.
+    // Upper bound, because the weight of either may be held.
     double at_most(const Vector3& normal, const Vector3& point) const {
         return std::max(normal.dot(velocity_at(a.before, a.centre, point)),
                         normal.dot(velocity_at(a.with_forces, a.centre, point))) -
@@ -59,7 +58,7 @@ const Body& body_of(int body, const Passing::Step& step) {
     return step.bodies[static_cast<std::size_t>(body)];
 }
 
-// With the centres where they will be when the bodies meet.
+// With the centres at the time of impact, if the pair meets.
 Movers movers_of(const Touch& touch, const Passing::Step& step) {
     const Body& a = touch.meeting ? touch.meeting->a : body_of(touch.body_a, step);
     const Body& b = touch.meeting ? touch.meeting->b : body_of(touch.body_b, step);
@@ -85,7 +84,7 @@ struct Shapes {
                (std::holds_alternative<Sphere>(a) && std::holds_alternative<Box>(b));
     }
 
-    // Calls `visit` with the other ways to be apart than along `normal`.
+    // Calls `visit` with the separating axes in other directions than `normal`.
     template <typename Visit>
     void visit_others(const Vector3& normal, Visit visit) const {
         if (are_boxes()) {
@@ -122,11 +121,11 @@ struct Shapes {
     }
 };
 
-// How the axis of a touch closes in the step.
+// How the axis of a touch closes within the step.
 struct Closing {
-    double path = 0.0;                // m, the longest way beyond its gap that a point would go; 0 when none does
-    double time = never;              // s, in which the motion before the step closes the first point
-    Vector3 where = Vector3::Zero();  // the point with that path
+    double path = 0.0;                // m, the longest path of a point beyond its gap; 0 if no gap closes
+    double time = never;              // s, until the motion before the step closes the first point
+    Vector3 where = Vector3::Zero();  // the point with the longest path
 };
 
 Closing closing_of(const Touch& touch, const Movers& movers, double permitted, double dt) {
@@ -150,7 +149,7 @@ double fastest_before(const Movers& movers, const Vector3& normal, std::span<con
     return fastest;
 }
 
-// What is as doubtful as the touch itself, or later, holds nothing: two could hold each other.
+// A touch that is just as doubtful, or meets no earlier, does not count as holding: two could hold each other.
 bool can_hold(const Touch& holder, const Touch& touch) {
     if (holder.meeting) return touch.meeting && holder.meeting->time < touch.meeting->time;
     return !holder.doubtful;
@@ -176,7 +175,7 @@ void Passing::list(std::span<const Touch> touches, const Step& step) {
     }
 }
 
-// Whether the touch `holder` of `body` keeps that body from closing `axis` of `touch` within the step.
+// Whether the touch `holder` of `body` prevents that body from closing `axis` of `touch` within the step.
 bool Passing::holds(const Touch& holder, int body, const Touch& touch, const Separation& axis, const Vector3& where,
                     const Step& step) const {
     const double way = (touch.body_a == body) == (holder.body_a == body) ? 1.0 : -1.0;
@@ -185,7 +184,7 @@ bool Passing::holds(const Touch& holder, int body, const Touch& touch, const Sep
     const Movers held = movers_of(holder, step);
     const ContactPoint& point = nearest_to(where, holder.points);
     const double gap = std::max(point.gap, 0.0);
-    // What can move may give way to more than a light touch.
+    // A movable body may give way to more than a light touch.
     const bool is_fixed = body_of(holder.body_a == body ? holder.body_b : holder.body_a, step).is_static();
     if (!is_fixed && step.dt * held.before(holder.normal, point.position) > gap + permitted) return false;
     const double stopped = std::max(0.0, step.dt * held.with_forces(holder.normal, point.position) - gap);
@@ -223,7 +222,7 @@ std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::s
         }
         if (time < step.dt && is_held(touch, axis, closing.where, touches, step)) time = never;
         if (time == 0.0) return;
-        // Of axes that are the same but for roundings the first one, which is a face's.
+        // Among axes that are equal up to rounding take the first, which is a face axis.
         const bool later =
             !last || time > last->time || (time == last->time && axis.gap > last->axis.gap + rounding * touch.size);
         if (later) last = {axis, time};
@@ -241,7 +240,7 @@ void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
         is_listed = true;
         const std::optional<Choice> choice = last_to_close(touch, touches, step);
         if (!choice) continue;
-        // Where the bodies come together in this step, with the points that the motion brings in.
+        // If the axis closes in this step, include the points that the motion brings in.
         const double speed = std::abs(fastest_before(movers_of(touch, step), touch.normal, touch.points));
         const double room = choice->time < step.dt ? speed * step.dt : 0.0;
         const Shapes shapes(touch, step);

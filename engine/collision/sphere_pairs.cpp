@@ -6,11 +6,12 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Share of the radius by which a centre may be beside a face and still count as above it. A sphere that lies where
-// the edges of four boxes meet would be turned out of balance by the normals of the edges.
+// Share of the radius by which a centre may be beside a face and still count as above it. Otherwise the edge
+// normals would unbalance a sphere that lies where the edges of four boxes meet.
 constexpr double rounding = 1e-6;
 
-// `surface` is the point of the other shape nearest to the sphere; `normal` points from that shape to the sphere.
+// `surface` is the point of the other shape closest to the sphere; `normal` points from that shape to the
+// sphere.
 void add_point(const Vector3& surface, const Vector3& normal, double gap, double margin, Manifold& manifold) {
     manifold.normal = normal;
     if (gap < margin) manifold.add({surface + (0.5 * gap) * normal, gap, 0});
@@ -46,13 +47,13 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
     if (distance > 1e-12 * sphere.radius) {
         add_point(box_pose.position + box_pose.rotation * nearest, box_pose.rotation * (offset / distance),
                   distance - sphere.radius, margin, manifold);
-        // Beside more than one face, the nearest point lies on an edge or a corner.
+        // Outside more than one face: the closest point is on an edge or a corner.
         if ((beside.array() > 0.0).count() > 1) {
             manifold.other_gap = (centre.cwiseAbs() - box.half_size).maxCoeff() - sphere.radius;
         }
         return;
     }
-    // The centre is inside: out through the nearest face, y before the others where two are equally near.
+    // Centre inside the box: push out through the closest face; y first among equals.
     const Vector3 depth = box.half_size - centre.cwiseAbs();
     int axis = 1;
     for (const int other : {0, 2}) {

@@ -1,4 +1,4 @@
-// The pairs in which one shape is a sphere: one point each, feature 0.
+// Pairs with a sphere: one point each, feature 0.
 #pragma once
 
 #include "engine/collision/collider.h"
@@ -7,8 +7,8 @@
 
 namespace pushfactor::engine::collision {
 
-// All as collide() in pair_table.h. Where the centres coincide the direction is the world's y axis for two spheres,
-// and the axis of least depth for a sphere whose centre is inside a box.
+// See collide() in pair_table.h. If the centres coincide the direction is the world's y axis for two spheres;
+// for a sphere whose centre is inside a box it is the axis of least depth.
 void collide_sphere_sphere(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b, double margin,
                            Manifold& manifold);
 void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose,
@@ -16,8 +16,8 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
 void collide_sphere_plane(const Sphere& sphere, const Pose& sphere_pose, const Plane& plane, const Pose& plane_pose,
                           double margin, Manifold& manifold);
 
-// The same along `axis`, one of their Separations: a point where the sphere is farthest along it, unless that lies
-// beside the face by more than `room` [m].
+// The same along `axis`, one of their Separations: the sphere's extreme point along it, unless that lies beside
+// the face by more than `room` [m].
 void collide_box_sphere_along(const Separation& axis, const Box& box, const Pose& box_pose, const Sphere& sphere,
                               const Pose& sphere_pose, double room, double margin, Manifold& manifold);
 

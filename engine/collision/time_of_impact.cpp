@@ -10,21 +10,21 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr int most_waits = 400;         // a box that spins by hundreds of radians in a step takes many
-constexpr double same_direction = 0.9;  // cosine of the angle between two normals of one face or edge
+constexpr int most_waits = 400;         // a box that spins by hundreds of radians per step needs many
+constexpr double same_direction = 0.9;  // cosine above which two normals belong to one face or edge
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// A pair in the course of its motion.
+// A pair at one time of its motion.
 struct Placed {
     const Moving& a;
     const Moving& b;
     Pose pose_a, pose_b;
 };
 
-// The first two terms of how far a shape reaches along a direction as time goes by.
+// Upper bound on the motion of a shape's extent along a direction: first- and second-order terms in time.
 struct Reach {
-    double speed = 0.0;         // m/s, of its fastest point
-    double acceleration = 0.0;  // m/s^2, the most by which turning can add to it
+    double speed = 0.0;         // m/s, of the fastest point
+    double acceleration = 0.0;  // m/s^2, the most that turning can add to it
 };
 
 Reach operator+(const Reach& p, const Reach& q) {
@@ -34,7 +34,7 @@ Reach operator+(const Reach& p, const Reach& q) {
 Reach reach_along(const Moving& moving, const Pose& pose, const Vector3& direction) {
     Reach reach{.speed = moving.motion.velocity.dot(direction)};
     const auto* box = std::get_if<Box>(&moving.shape);
-    if (!box) return reach;  // turning moves nothing of a sphere, and planes stand still
+    if (!box) return reach;  // turning does not move a sphere's surface, and planes are static
     // direction . (w x r) = r . across, and its rate of change is (w x r) . -across.
     const Vector3 across = direction.cross(moving.motion.angular_velocity);
     reach.speed += (pose.rotation.transpose() * across).cwiseAbs().dot(box->half_size);
@@ -70,14 +70,14 @@ void visit_separations(const Placed& pair, Visit visit) {
     visit(Separation{nearest.normal, gap});
 }
 
-// Until the shapes can meet, and how far apart they are before.
+// Time before which the shapes cannot meet, and their distance now.
 struct Wait {
     double time = 0.0;     // s
-    double gap = -never;   // m, the largest
-    double fastest = 0.0;  // m/s, of all directions
+    double gap = -never;   // m, largest
+    double fastest = 0.0;  // m/s, over all directions
 };
 
-// `permitted`: the overlap with which they still count as apart [m].
+// `permitted`: overlap [m] up to which they still count as separated.
 Wait wait_of(const Placed& pair, double permitted) {
     Wait wait;
     visit_separations(pair, [&](const Separation& separation) {
@@ -94,7 +94,7 @@ double path(const Reach& reach, double time) {
     return std::max(0.0, (reach.speed + 0.5 * reach.acceleration * time) * time);
 }
 
-// The points of a pair that has just met, also those that are to meet in the `rest` [s] of the step.
+// Points of a pair that has just met, including those that may close in the `rest` [s] of the step.
 Manifold manifold_of(const Placed& pair, double rest, double margin) {
     Manifold manifold;
     collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, margin, manifold);
@@ -139,10 +139,10 @@ Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearn
                 overlap = nearness.permitted;
                 continue;
             }
-            // What they grazed first is what they meet, unless they went on to another face.
+            // They meet where they grazed first, unless they went on to another face.
             const bool same = graze && graze->manifold.normal.dot(manifold.normal) > same_direction;
             if (manifold.count > 0) return {same ? *graze : here};
-            // Close along every axis and yet beside each other, corner to corner: a little later they are past.
+            // All axes within tolerance but the manifold is empty (corner beside corner): advance and retry.
             wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
         }
         time += wait.time;
