@@ -9,7 +9,7 @@ namespace {
 
 constexpr double position_tolerance = 0.02;  // of the size of the pair
 
-constexpr std::size_t touches_of_a_part = 256;  // that a thread takes
+constexpr std::size_t touches_of_a_part = 256;  // per thread task
 
 }  // namespace
 
@@ -19,8 +19,8 @@ bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::C
                       [](const auto& now, const auto& before) { return now.feature == before.feature; });
 }
 
-// Each force once: first to the points of the same feature, then to the nearest of the others, pair by pair in
-// ascending order of their distances.
+// Assigns each force once: first to points with the same feature, then to the closest remaining points, in
+// ascending order of distance.
 void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
                             std::span<ContactForce> forces, Matched& matched) const {
     const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
@@ -74,7 +74,7 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::vector
                 });
 }
 
-// Writes the forces of some touches.
+// Writes the forces of a range of touches.
 void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces,
                           Matched& matched) const {
     auto entry = std::lower_bound(entries_.begin(), entries_.end(), touches.front().pair,

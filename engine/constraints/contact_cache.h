@@ -1,4 +1,4 @@
-// Contact caching, paper section 6.2.3: the forces of the previous step as the guess of this one.
+// Contact caching, paper section 6.2.3: the forces of the previous step as warm start of this one.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -11,8 +11,8 @@
 
 namespace pushfactor::engine {
 
-// The force at one contact point in both columns [N]. The friction part is a vector in the world frame, because
-// the tangents may turn from step to step.
+// Force at one contact point in both columns [N]. The friction part is a world-frame vector, because the
+// tangents may turn from step to step.
 struct ContactForce {
     Lambda normal;
     Vector3 friction_first = Vector3::Zero();
@@ -22,7 +22,7 @@ struct ContactForce {
 class ContactCache {
   public:
     struct Point {
-        // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+        // Not defaulted: a vector would zero-fill the object before its members are set.
         Point() {}  // NOLINT(modernize-use-equals-default)
         Point(std::uint32_t of, const Vector3& at, const ContactForce& with)
             : feature(of), position(at), force(with) {}
@@ -37,25 +37,25 @@ class ContactCache {
         int count = 0;
     };
 
-    // Appends the cached force for every point of `touches`, point after point; zero where nothing matches. A point
-    // is the same as before when its feature is, or else when it is the nearest one within 2 % of the size. No
-    // force is given to two points. `threads` share the work; null: one thread.
+    // Appends the cached force of every point of `touches`, in order; zero if nothing matches. Points match by
+    // feature, otherwise by distance: the closest one within 2 % of the size. No force is used twice. `threads`
+    // share the work; null: one thread.
     void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
                 Threads* threads = nullptr);
 
-    // Replaces the cache. `forces` in the order of recall.
+    // Replaces the cache. `forces` in the order of recall().
     void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
                Threads* threads = nullptr);
 
-    // The same touch after touch, in ascending order of the pair, once the cache is empty. `forces`: one per point.
+    // The same one touch at a time, in ascending order of the pair, after clear(). `forces`: one per point.
     void clear();
     void store(const collision::Touch& touch, std::span<const ContactForce> forces);
 
-    // What is stored, for whoever saves and restores a run: ascending pairs, and the points of all of them.
+    // Stored entries, for saving and restoring a run: ascending pairs, and the points of all of them.
     std::span<const Entry> entries() const { return entries_; }
     std::span<const Point> points() const { return points_; }
 
-    // Moves into this cache what `from` has of the pairs that `belongs` says so of.
+    // Moves the entries of `from` whose pairs satisfy `belongs` into this cache.
     template <typename Belongs>
     void take_from(ContactCache& from, const Belongs& belongs) {
         ContactCache left, mine;
@@ -74,11 +74,11 @@ class ContactCache {
         return std::span(points_).subspan(entry.first, static_cast<std::size_t>(entry.count));
     }
 
-    // Appends an entry; its pair must be greater than those before.
+    // Appends an entry; its pair must be greater than all before.
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
-    // Of the touch at hand: forces of before, points of now.
+    // Flags for the current touch: old forces that are used, new points that have one.
     struct Matched {
         std::vector<char> taken, given;
     };

@@ -7,15 +7,15 @@ namespace pushfactor::engine {
 
 namespace {
 
-// What a thread takes at a time.
+// Contacts per thread task.
 constexpr std::size_t contacts_of_a_part = 128;
 
-// A gap beyond this share of the size is one, and not what the solver has left of a contact.
+// Share of the size above which a gap is real, not an error that the solver has left.
 constexpr double apart_share = 1e-5;
 
-// Overlap along an axis with which bodies count as apart along it, as a fraction of the size: as deep as they may
-// lie, with some room. Where no slop is left alone they lie at the surface as well as the solver can tell, and the
-// margin says how exactly a surface is meant.
+// Overlap along an axis up to which bodies count as separated along it, as a fraction of the size: the allowed
+// penetration plus some room. With zero slop, bodies touch the surface only up to the solver's error; the
+// margin then gives the scale.
 double permitted_overlap(double slop, double margin) {
     return std::min(0.02, std::max(1.1 * slop, 0.2 * margin));
 }
@@ -26,13 +26,13 @@ BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) 
             bodies[static_cast<std::size_t>(touch.body_b)]};
 }
 
-// Whether an impulse along `axis` (a body's half of j_c) turns a body with unequal moments of inertia.
+// Whether an impulse along `axis` (the body's half of j_c) turns a body with unequal moments of inertia.
 bool turns(const Body& body, const Vector6& axis, double size) {
     const Vector3& moments = body.inverse_inertia;
     return axis.tail<3>().norm() > 1e-9 * size && moments.maxCoeff() > (1.0 + 1e-9) * moments.minCoeff();
 }
 
-// What 8.2 needs to know of a contact row before the step.
+// State of a contact row before the step, for 8.2.
 Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision::Touch& touch, double dt) {
     const auto velocity_of = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
     const auto acceleration_of = [](const Body& body) {
@@ -59,7 +59,7 @@ ContactConstraints::ContactConstraints(std::vector<collision::Collider> collider
                                [](const collision::Collider& collider) { return collider.restitution > 0.0; });
 }
 
-// The default, until leave_out_others() is called.
+// Default until leave_out_others() is called.
 void ContactConstraints::wake_all(std::size_t bodies) {
     all_bodies_ = awake_bodies_ = Awake(bodies);
     all_colliders_ = awake_colliders_ = Awake(colliders_.size());
@@ -87,7 +87,7 @@ bool ContactConstraints::turns_unseen(int body) const {
     });
 }
 
-// Those on a belt that begins to run.
+// Resting bodies on a belt that starts to run.
 SomeBodies ContactConstraints::changed_anew(double from, double until) const {
     SomeBodies changed;
     const auto begins = [&](int collider) {
@@ -98,7 +98,7 @@ SomeBodies ContactConstraints::changed_anew(double from, double until) const {
                      [](const auto& own) { return own.surface_from > 0.0; })) {
         return changed;
     }
-    if (!cache_) {  // without a cache it is unknown which bodies lie on the belt
+    if (!cache_) {  // without a cache the bodies on the belt are unknown
         for (int i = 0; i < static_cast<int>(colliders_.size()) && !changed.all; ++i) changed.all = begins(i);
         return changed;
     }
@@ -118,7 +118,7 @@ void ContactConstraints::all_forces(ContactCache& into) const {
     into.take_from(at_rest, [](const collision::Pair&) { return true; });
 }
 
-// Each surface velocity is across the normal as far as friction is concerned.
+// Relative surface velocity of the belts [m/s]. Its normal component does not affect friction.
 Vector3 ContactConstraints::belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const {
     const auto run = [&](int collider, const Body& body) -> Vector3 {
         const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
@@ -127,12 +127,12 @@ Vector3 ContactConstraints::belt_of(const collision::Touch& touch, const BodyPai
     return run(touch.pair.a, pair.body_a) - run(touch.pair.b, pair.body_b);
 }
 
-// What the contact points of one touch have in common as far as friction is concerned.
+// Friction data shared by all contact points of a touch.
 struct ContactConstraints::TouchFriction {
-    FrictionBound bound, apart;  // of points that touch, and of those that are still apart
+    FrictionBound bound, apart;  // of touching points, and of separated ones
     Vector3 belt;                // m/s
     RelativeMotion motion;       // at the start of the step
-    Vector3 resting;             // the tangent of points that slide less
+    Vector3 resting;             // tangent of points that slide more slowly than the limit
 };
 
 ContactConstraints::TouchFriction ContactConstraints::friction_of(const collision::Touch& touch,
@@ -192,7 +192,7 @@ void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, c
     }
 }
 
-// The contacts of the touches in the order given.
+// Appends the contacts of the touches in the given order.
 std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::span<const collision::Touch> touches,
                                                                         std::span<const ContactIndex> order,
                                                                         Threads* threads) {
@@ -202,7 +202,7 @@ std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::spa
         first_force_.push_back(force);
         force += touch.points.size();
     }
-    forces_.resize(force);  // zero where the cache has said nothing
+    forces_.resize(force);  // zero if not cached
 
     const std::size_t before = contacts_.size();
     contacts_.resize(before + order.size());
@@ -218,7 +218,7 @@ std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::spa
     return added;
 }
 
-// A row each and two of friction, side by side, or all of friction after all others.
+// Per contact one normal row, then two friction rows; or all friction rows after all normal rows.
 void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t first_row) {
     const int foreign_rows = static_cast<int>(first_row) - own_rows_;
     const bool interleaved = choices_.order != RowOrder::normals_first;
@@ -235,7 +235,7 @@ void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t fi
     own_rows_ += static_cast<int>(contacts.size()) * (friction_ ? 3 : 1);
 }
 
-// As motion_of() has them, with the rotations that the detector has made.
+// Like motion_of(), but with the rotations that the detector has computed.
 void ContactConstraints::find_motions(const StepStart& step) {
     motions_.resize(step.bodies.size());
     accelerations_.resize(step.bodies.size(), 0.0);
@@ -263,7 +263,7 @@ void ContactConstraints::append_touches(std::span<const collision::Touch> touche
           [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, all); });
 }
 
-// Of the contacts from `begin` up to `end`.
+// Writes the rows of contacts `begin` .. `end` - 1.
 void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end,
                                     const StepStart& step, std::span<ConstraintRow> rows) const {
     for (std::size_t i = begin; i < end;) {
@@ -287,7 +287,7 @@ collision::ContinuousCollision::Step ContactConstraints::collision_step(const St
 void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     const std::span<const Body> bodies = step.bodies;
     threads_ = step.threads;
-    // First what refers to the touches of the last step, whose points and meetings the search throws away.
+    // First drop references to the touches of the last step, whose points and meetings the search invalidates.
     contacts_.clear();
     unforeseen_.clear();
     touches_ = {};
@@ -317,10 +317,10 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
     if (!continuous_collision_) return;
     const auto found = continuous_collision_->look(forces, changed, collision_step(step), detector_);
     if (found.empty()) return;
-    // Without forces from the cache: the answer that takes the bodies there was found without any.
+    // No warm start: the solution that takes the bodies there was found without these rows.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();
     append_touches(found, unforeseen_order_, step, rows);
-    // The sweep keeps its touches until the next look only.
+    // The touches of look() are valid only until its next call, so copy them.
     unforeseen_.insert(unforeseen_.end(), found.begin(), found.end());
     for (Contact& contact : std::span(contacts_).subspan(before)) {
         contact.touch = &unforeseen_[first + static_cast<std::size_t>(contact.touch - found.data())];
@@ -364,7 +364,7 @@ void ContactConstraints::remember(std::span<const Lambda> answers) {
     store_forces();
 }
 
-// The cache wants them in ascending order of the pair.
+// The cache needs ascending order of the pair.
 void ContactConstraints::store_forces() {
     if (unforeseen_.empty()) {
         cache_->store(touches_, forces_, threads_);
@@ -394,7 +394,7 @@ void ContactConstraints::store_forces() {
     for (const collision::Touch& touch : touches_) {
         for (; next != unforeseen.end() && next->touch->pair < touch.pair; ++next) store(*next);
         store({&touch, force});
-        // Of a pair that was found twice, the points that it began with.
+        // For a pair found twice, keep the points of the start of the step.
         if (next != unforeseen.end() && next->touch->pair == touch.pair) ++next;
         force += touch.points.size();
     }

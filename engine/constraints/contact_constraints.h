@@ -1,5 +1,5 @@
-// Contacts as a part of the world: colliders -> pairs -> manifolds -> rows (paper sections 4, 5.3, 5.4), and the
-// cache of their forces (6.2.3). A scene whose bodies never touch does not have this part.
+// Contacts as a constraint source: colliders -> pairs -> manifolds -> rows (paper sections 4, 5.3, 5.4), and
+// the cache of their forces (6.2.3).
 #pragma once
 
 #include "engine/collision/continuous_collision.h"
@@ -22,12 +22,12 @@ namespace pushfactor::engine {
 
 struct ContactChoices {
     Correction correction;           // how penetration is corrected (5.3.1, 8.1)
-    double slop = 0.002;             // penetration that is left alone, fraction of the size, >= 0
+    double slop = 0.002;             // uncorrected penetration, fraction of the size, >= 0
     collision::Detection detection;  // margin, points of a manifold
     RowOrder order = RowOrder::bottom_up;
 };
 
-// A contact point of the last step, for whoever wants to show it, and its rows among those of the step.
+// A contact point of the last step and its rows, for display.
 struct ContactSite {
     int body_a = 0;
     int body_b = 0;
@@ -36,7 +36,7 @@ struct ContactSite {
     std::size_t normal_row = 0;
     std::optional<std::size_t> friction_row{};  // the first of two
     std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
-    bool swept = false;  // found by the sweep: its rows act where the bodies meet within the step
+    bool swept = false;  // found by continuous collision: the rows act where the bodies meet within the step
 };
 
 class ContactConstraints : public ConstraintSource {
@@ -46,7 +46,7 @@ class ContactConstraints : public ConstraintSource {
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
-    // Without a sweep a fast body is not noticed before it is in the margin, or past it.
+    // Without it a fast body is noticed only once it is in the margin, or past it.
     void set_continuous_collision(std::unique_ptr<collision::ContinuousCollision> part) {
         continuous_collision_ = std::move(part);
     }
@@ -62,29 +62,29 @@ class ContactConstraints : public ConstraintSource {
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
-    // Null without.
+    // Null if absent.
     const FrictionRule* friction() const { return friction_.get(); }
     RestitutionRule restitution() const { return restitution_; }
     const collision::ContinuousCollision* continuous_collision() const { return continuous_collision_.get(); }
-    const ContactCache* cache() const { return cache_.get(); }  // without the contacts of bodies at rest
-    // Overwrites `into` with those of all contacts, bodies at rest included; nothing without a cache.
+    const ContactCache* cache() const { return cache_.get(); }  // without the contacts of resting bodies
+    // Overwrites `into` with the forces of all contacts, resting bodies included; empty without a cache.
     void all_forces(ContactCache& into) const;
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;
 
   private:
-    // One contact point of this step: where its answers will be, and along which directions.
+    // One contact point of this step, with its rows and tangents.
     struct Contact {
-        // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+        // Not defaulted: a vector would zero-fill the object before its members are set.
         Contact() {}  // NOLINT(modernize-use-equals-default)
 
         const collision::Touch* touch;
-        int point;          // of the touch
+        int point;          // within the touch
         std::size_t force;  // into forces_
-        int normal_row;     // of the rows of the step
-        int friction_row;   // the first of two; below zero without friction, which has no tangents
-        int foreign_rows;   // how many rows before these are not the stage's
+        int normal_row;     // index into the rows of the step
+        int friction_row;   // first of two; negative without friction (`tangents` is unset then)
+        int foreign_rows;   // number of rows of other sources before these
         std::array<Vector3, 2> tangents;
     };
     struct TouchFriction;
@@ -113,14 +113,14 @@ class ContactConstraints : public ConstraintSource {
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::ContinuousCollision> continuous_collision_;
-    ContactCache at_rest_;  // the forces between bodies at rest
+    ContactCache at_rest_;  // forces between resting bodies
     bool any_bounces_ = false;
 
-    // Whose rows are appended, and whether they are others than in the last step.
+    // Bodies and colliders whose rows are appended, and whether these have changed since the last step.
     Awake awake_bodies_, awake_colliders_, all_bodies_, all_colliders_;
     bool awake_anew_ = true;
 
-    // Of the current step.
+    // State of the current step.
     collision::Foresight foresight_;
     collision::Detector detector_;
     collision::Passing passing_;
@@ -129,11 +129,11 @@ class ContactConstraints : public ConstraintSource {
     std::deque<collision::Touch> unforeseen_;
     // By body, at the start of the step, for friction:
     std::vector<Motion> motions_;
-    std::vector<double> accelerations_;  // m/s^2, by the external forces; 0 of a static body
+    std::vector<double> accelerations_;  // m/s^2, from external forces; 0 for static bodies
     ContactOrder order_, unforeseen_order_;
     std::vector<Contact> contacts_;         // in the order of their rows
-    std::vector<ContactForce> forces_;      // in the order of touches_ and then of unforeseen_, and of their points
-    std::vector<std::size_t> first_force_;  // of each touch at hand, into forces_
+    std::vector<ContactForce> forces_;      // in the order of touches_, then unforeseen_, and of their points
+    std::vector<std::size_t> first_force_;  // of each current touch, into forces_
     int own_rows_ = 0;
 };
 

@@ -9,16 +9,16 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Heights that differ by less than a two hundredth of the size, or a little more, are equal: of a layer rounding
-// would decide the order, and another one after each step. They are rounded to a power of two, so that scaled
-// lengths have the same order; neither tenths nor halves of it are near where it rounds up.
+// Heights are rounded to 1/512 .. 1/256 of the size, because otherwise rounding errors would decide the order
+// within a layer, differently after each step. The quantum is a power of two, so that scaled lengths keep their
+// order; neither tenths nor halves of it are near the rounding threshold.
 constexpr double quanta_a_size = 256.0;
 constexpr double rounds_up_at = 0.54;
 
-// What a thread takes at a time.
+// Keys per thread task.
 constexpr std::size_t keys_of_a_part = 500;
 
-// The largest power of two that is not above a positive number.
+// Largest power of two that does not exceed a positive number.
 double power_of_two(double number) {
     constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & exponent);
@@ -39,7 +39,7 @@ double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
     return rounded(lowest, touch.size);
 }
 
-// A static partner is below whatever stands on it, so at equal height its pair comes first.
+// At equal height pairs with a static body come first: it is below what stands on it.
 bool rests_on_static(const collision::Touch& touch, std::span<const Body> bodies) {
     return bodies[static_cast<std::size_t>(touch.body_a)].is_static() ||
            bodies[static_cast<std::size_t>(touch.body_b)].is_static();
@@ -55,7 +55,7 @@ bool ContactOrder::before(const Key& a, const Key& b) {
 std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
                                                 std::span<const Body> bodies, Threads* threads) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
-    // Begins with the order of the last call, from which little changes while bodies rest.
+    // Start from the order of the last call, which changes little while bodies rest.
     if (keys_.size() != touches.size()) {
         keys_.resize(touches.size());
         for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].touch = static_cast<int>(i);

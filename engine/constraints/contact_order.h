@@ -1,5 +1,5 @@
-// The order in which contacts become rows. The paper does not give one, and for a truncated sweep nothing decides
-// more about how long a stack stands.
+// Order in which contacts become rows. The paper gives none, and nothing has more influence on how long a stack
+// stands under a truncated sweep.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -11,13 +11,13 @@
 namespace pushfactor::engine {
 
 enum class RowOrder {
-    bottom_up,      // pairs by the height of their lower movable body; normal, tangent, tangent a point
+    bottom_up,      // pairs by the height of their lower movable body; per point normal, tangent, tangent
     reverse,        // pairs in descending order of creation, points descending; normal, tangent, tangent
-    creation,       // pairs in the order of creation; normal, tangent, tangent a point
+    creation,       // pairs in order of creation; per point normal, tangent, tangent
     normals_first,  // bottom-up, all normals before all tangents
 };
 
-// One contact point: indices into the touches and into the points of its manifold.
+// A contact point: indices into the touches and into the points of its manifold.
 struct ContactIndex {
     int touch = 0;
     int point = 0;
@@ -25,9 +25,9 @@ struct ContactIndex {
 
 class ContactOrder {
   public:
-    // All points of `touches` (ascending order of creation, as the detector gives them) in the named order; good
-    // until the next call. Height is measured along world y, to a fraction of the size of a pair. `threads` share
-    // the work; null: one thread.
+    // All points of `touches` (in order of creation, as from the detector) in the given order; valid until the
+    // next call. Height is along world y, rounded to a fraction of the size of the pair. `threads` share the
+    // work; null: one thread.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
                                       std::span<const Body> bodies, Threads* threads = nullptr);
 

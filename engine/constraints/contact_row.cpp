@@ -4,16 +4,15 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Gap up to which a point counts as touching, and its row aims at rest, as a share of the slop. Closing gaps of
+// Gap up to which a point counts as touching and its row aims at rest, as a share of the slop. Closing gaps of
 // rounding size would shake bodies that are placed in contact.
 constexpr double touching = 1e-3;
-// Least penetration beyond the slop that is corrected, as a share of it: less would keep a second column for
-// nothing.
+// Least corrected penetration beyond the slop, as a share of it: less would keep a second column for nothing.
 constexpr double pushed_out = 1e-6;
 
 PushFactor contact_push(double gap, const Correction& correction, double slop, double dt) {
     if (gap > touching * slop) return {.correcting = 0.0, .lasting = -gap / dt};
-    // A body that has been pushed out to the slop stays there as exactly as the solver is asked to hold it.
+    // A body that has been pushed out to the slop stays there up to the tolerance of the solver.
     const double excess = -gap - slop;
     return correct(correction, excess > pushed_out * slop ? excess : 0.0, dt);
 }

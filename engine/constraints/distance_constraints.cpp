@@ -17,8 +17,8 @@ bool is_loose(const Distance& distance, double error) {
            (distance.acts == Distance::Acts::pushes && error > 0.0);
 }
 
-// A rope that hangs loose may tighten within the step, in both columns, as a contact point in the margin may close
-// its gap; a strut likewise.
+// A loose rope may tighten within the step, in both columns, like a contact point that closes its gap; a strut
+// likewise.
 PushFactor distance_push(const Distance& distance, double error, const Correction& correction, double dt) {
     if (is_loose(distance, error)) return {.correcting = 0.0, .lasting = -error / dt};
     return correct(correction, -error, dt);

@@ -7,7 +7,7 @@
 namespace pushfactor::engine {
 
 // Writes [d, r x d] for the direction d = (x, y, z) [1], r the offset from the centre of mass [m], world frame.
-// Number by number: read back as packets, what was written as numbers would have to be waited for.
+// Scalar access on purpose: a 16-byte load after 8-byte stores stalls store forwarding.
 inline void place_axis(double x, double y, double z, const Vector3& r, Vector6& axis) {
     axis[0] = x;
     axis[1] = y;
@@ -17,7 +17,6 @@ inline void place_axis(double x, double y, double z, const Vector3& r, Vector6& 
     axis[5] = r.x() * y - r.y() * x;
 }
 
-// The bodies of a row with their indices.
 struct BodyPair {
     int a = 0;
     int b = 0;
@@ -25,13 +24,13 @@ struct BodyPair {
     const Body& body_b;
 };
 
-// Where the bodies of a pair act on each other. The rows of a contact share it.
+// The point at which the bodies of a pair act on each other. Shared by the rows of a contact.
 class PairPoint {
   public:
-    // At one point [m, world frame].
+    // One point [m, world frame].
     PairPoint(const BodyPair& bodies, const Vector3& position) : PairPoint(bodies, position, position) {}
 
-    // At a point of each body [m, world frame].
+    // One point per body [m, world frame].
     PairPoint(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b)
         : a_(bodies.a),
           b_(bodies.b),
@@ -40,15 +39,15 @@ class PairPoint {
           a_moves_(!bodies.body_a.is_static()),
           b_moves_(!bodies.body_b.is_static()) {}
 
-    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero (the
-    // simplification at the end of 5.3).
+    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero
+    // (the simplification at the end of 5.3).
     Jacobian along(const Vector3& direction) const {
         ConstraintRow row;
         place(row, direction);
         return row.jacobian;
     }
 
-    // Gives a new row its bodies and its axis along `direction`.
+    // Sets bodies and Jacobian of a new row.
     void place(ConstraintRow& row, const Vector3& direction) const {
         row.body_a = a_;
         row.body_b = b_;

@@ -1,7 +1,7 @@
 // The push factor, paper sections 5.1, 5.2 and 8.1.
 //
-// Symbols: v push factor [m/s], the velocity that a row aims at along its axis; beta [1], the share of a
-// violation that one step corrects (called k in sections 8 and 10); dt time step [s].
+// Symbols: v push factor [m/s], the target velocity of a row along its axis; beta [1], the share of a violation
+// corrected per step (called k in sections 8 and 10); dt time step [s].
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace pushfactor::engine {
 
-// The two parts of v that a row carries. `lasting` stays in the momenta (restitution, motors, and the
-// correction of the original method); `correcting` moves the bodies in this step only (8.1).
+// The two parts of v. `lasting` stays in the momenta (restitution, motors, and the correction of the original
+// method); `correcting` moves the bodies in this step only (8.1).
 struct PushFactor {
     double correcting = 0.0;  // m/s
     double lasting = 0.0;     // m/s
@@ -22,15 +22,15 @@ enum class PushKind {
     single_frame,  // section 8.1: the correction moves the bodies and leaves no momentum
 };
 
-// How one kind of constraint corrects its violations.
+// How a kind of constraint corrects its violations.
 struct Correction {
     PushKind kind = PushKind::single_frame;
     double beta = 0.2;  // 0..1
-    // m/s, above 0: no correction is faster, however deep the bodies are in each other.
+    // m/s, > 0: limit on the correction speed, for any depth.
     double max_speed = std::numeric_limits<double>::infinity();
 };
 
-// 5.2.3, 5.3.1: `distance` [m] is how far the row has to move along its axis, in one step if beta is 1.
+// 5.2.3, 5.3.1: `distance` [m] is the correction along the axis of the row, made in one step if beta is 1.
 inline PushFactor correct(const Correction& correction, double distance, double dt) {
     const double wanted = correction.beta * distance / dt;
     const double speed = std::clamp(wanted, -correction.max_speed, correction.max_speed);

@@ -7,7 +7,7 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Of the push and of what a bounce wants in the first and in the last column.
+// Per column, the larger of the push and the rebound (`first`, `last`).
 Rebound larger(const PushFactor& push, double first, double last) {
     first = std::max(first, push.correcting + push.lasting);
     last = std::max(last, push.lasting);
@@ -29,15 +29,16 @@ Rebound restitution_larger(const PushFactor& push, const Impact& impact) {
     const double least = impact.weight * dt;
     if (impact.speed > least) return {.push = push, .in_momenta = false};
     const double gap = std::max(0.0, impact.gap);
-    const double before = impact.speed + 0.5 * a * dt;  // at the start of the step
+    const double before = impact.speed + 0.5 * a * dt;  // at the start of the step (v1 is half a step earlier)
     const double squared = before * before - 2.0 * a * gap;
-    const double at_contact = std::sqrt(std::max(0.0, squared));  // downwards
+    const double at_contact = std::sqrt(std::max(0.0, squared));  // approach speed
     if (squared < 0.0 || at_contact - before <= 0.0) return {.push = push};
     const double tau = 2.0 * gap / (at_contact - before);
     const double rebound = impact.restitution * at_contact;
     if (tau >= dt || rebound <= least) return {.push = push};
 
-    const double up_here = rebound * rebound + 2.0 * a * gap;  // squared, on the way up
+    // squared, at the height of the start of the step on the way up
+    const double up_here = rebound * rebound + 2.0 * a * gap;
     if (impact.turns && up_here > least * least) {
         const double speed = std::sqrt(up_here) + 0.5 * a * dt;
         return larger(push, speed, speed);

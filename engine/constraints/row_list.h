@@ -1,4 +1,4 @@
-// The rows of a step. The memory is reused from step to step, and each row is initialised where it is written,
+// The rows of a step. Memory is reused from step to step, and each row is initialised where it is written,
 // which saves a pass over all of them.
 #pragma once
 
@@ -13,13 +13,12 @@ namespace pushfactor::engine {
 
 class RowList {
   public:
-    // Appends one initialised row.
     ConstraintRow& emplace_back() {
         if (count_++ == made_.size()) return made_.emplace_back();
         return *std::construct_at(&made_[count_ - 1]);
     }
 
-    // Appends this many rows that hold old values: the caller has to initialise each. Returns all rows.
+    // Appends `count` rows with stale values that the caller has to initialise. Returns all rows.
     std::span<ConstraintRow> append(std::size_t count) {
         count_ += count;
         if (made_.size() < count_) made_.resize(count_ + count_ / 8);
@@ -40,7 +39,7 @@ class RowList {
     const ConstraintRow* end() const { return made_.data() + count_; }
 
   private:
-    std::vector<ConstraintRow> made_;  // of which count_ are there
+    std::vector<ConstraintRow> made_;  // the first count_ are valid
     std::size_t count_ = 0;
 };
 
