@@ -9,19 +9,19 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Rows of a leaf at least, halvings at most, and the share of the rows that may cross planes. Those are swept after
-// all others: a heap of 20,000 balls in 64 leaves trembles and does not settle.
+// Least rows per leaf, most bisections, and largest share of rows across planes. Those rows are swept after all
+// others: with 64 leaves a heap of 20,000 balls jitters and does not settle.
 constexpr int least_rows_of_leaf = 1000;
 constexpr int most_halvings = 3;
 constexpr double most_crossing = 0.2;
-// Of the bodies, on either side of a plane.
+// Least share of the bodies on either side of a plane.
 constexpr double least_share = 0.25;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// A body that is nowhere is put somewhere, so that there is an order.
+// Replaces non-finite coordinates, so that there is a strict order.
 double finite(double place) {
     return std::isfinite(place) ? place : 0.0;
 }
@@ -32,7 +32,7 @@ int halvings_for(int rows) {
     return halvings;
 }
 
-// Parts of lower heights come first: where those of this height begin.
+// Index of the first part of this height; parts of lower heights come first.
 int parts_below(int height, int halvings) {
     return (2 << halvings) - (2 << (halvings - height));
 }
@@ -65,8 +65,8 @@ void Dissection::leave_whole(const Island& island) {
     rounds_.assign(1, {});
 }
 
-// Upright is along y, as in the order of rows (row_order.h). What stands in one upright line stays on one side of a
-// plane, so that a tower is not cut across. Returns whether there are planes that halve well enough.
+// The vertical axis is y, as in the order of rows (contact_order.h). Bodies on one vertical line stay on one side
+// of a plane, so that towers are not cut. Returns whether there are planes that bisect well enough.
 bool Dissection::halve(int begin, int end, int halvings, int leaf) {
     const auto first = spots_.begin() + begin, last = spots_.begin() + end;
     if (halvings == 0) {
@@ -102,7 +102,7 @@ bool Dissection::halve(int begin, int end, int halvings, int leaf) {
            halve(begin + middle, end, halvings - 1, 2 * leaf + 1);
 }
 
-// Finds the part of each run, and the order that follows. Returns whether few enough rows cross planes.
+// Assigns runs to parts and counts them. Returns whether few enough rows cross planes.
 bool Dissection::put_runs(const Island& island, int halvings) {
     const auto leaf = [&](int body) { return body < island.movable() ? leaf_of_[at(body)] : -1; };
     part_of_.resize(island.runs.size());
@@ -136,7 +136,7 @@ void Dissection::put_bodies(const Island& island, int halvings) {
     next_.clear();
     for (const Leaf& leaf : leaves_) next_.push_back(leaf.begin);
     number_.resize(at(island.body_count));
-    std::iota(number_.begin(), number_.end(), 0);  // static ones keep theirs
+    std::iota(number_.begin(), number_.end(), 0);  // static bodies keep their numbers
     bodies_.resize(leaf_of_.size());
     for (std::size_t k = 0; k < leaf_of_.size(); ++k) {
         number_[k] = next_[at(leaf_of_[k])]++;

@@ -1,14 +1,14 @@
-// A large island in parts that threads can work on at the same time (nested dissection, George 1973).
+// Nested dissection (George 1973): cuts a large island into parts that threads can work on concurrently.
 //
-// Upright planes halve the bodies, then each half, and so on. The rows between bodies of one leaf touch no other
-// leaf; a row across a plane belongs to that plane. So the rows of all leaves can be gone through at the same time,
-// then those of all planes that halve the smallest parts, and the one plane through the whole island last. It is
-// the order of the rows that is changed, and by the places of the bodies alone, so the bits do not depend on how
-// many threads there are.
+// Vertical planes bisect the bodies, then each half, and so on. Rows between bodies of one leaf touch no other
+// leaf; a row across a plane belongs to that plane. So the rows of all leaves can be processed concurrently, then
+// those of all planes of the lowest level, and so on up to the one plane through the whole island. This changes
+// only the order of the rows, and depends only on the positions of the bodies, so results do not depend on the
+// number of threads.
 //
-// Within a part the order is that of the step: from the bottom up load still travels through a heap in one sweep,
-// because the planes are upright, and sweeps get as far as before. A colouring, which groups rows without common
-// bodies, loses that.
+// Within a part the order is that of the step: since the planes are vertical, load still travels through a heap
+// from the bottom up in one sweep, and sweeps converge as fast as before. A colouring, which groups rows without
+// common bodies, loses that.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -24,37 +24,37 @@ namespace pushfactor::engine {
 
 class Dissection {
   public:
-    // Rows next to each other, in the new order, that one thread goes through.
+    // Consecutive rows in the new order, processed by one thread.
     struct Part {
-        int begin_run = 0, end_run = 0;  // of island().runs
-        int begin_row = 0, end_row = 0;  // numbers in island()
+        int begin_run = 0, end_run = 0;  // indices into island().runs
+        int begin_row = 0, end_row = 0;  // row numbers in island()
     };
-    // Bodies of one leaf, in the new order.
+    // Bodies of one leaf, consecutive in the new order.
     struct Leaf {
-        int begin = 0, end = 0;  // numbers in island()
+        int begin = 0, end = 0;  // body numbers in island()
     };
-    // Parts that have no body in common.
+    // Parts without common bodies.
     struct Round {
         std::span<const Part> parts{};
     };
 
-    // Rows from which on an island is cut.
+    // Number of rows from which on an island is cut.
     static constexpr int least_rows = 2000;
 
-    // Cuts `island`, of which `bodies` of the world are where they are; an island that is small, too narrow to be
-    // cut upright, or whose rows follow those of other bodies becomes one part in the order that it has.
+    // Cuts `island` by the positions of `bodies` (of the world). An island that is small, too narrow for vertical
+    // cuts, or has rows whose bounds follow rows of other bodies becomes one part in its original order.
     void cut(std::span<const Body> bodies, const Island& island);
 
-    // The island that was cut, with its bodies and runs in the new order; rows keep their indices in the step. Its
-    // runs do not ascend, so number_of() is not to be asked of it. Good until the next cut().
+    // The cut island, with bodies and runs in the new order; rows keep their indices in the step. Its runs do not
+    // ascend, so Island::number_of() is invalid. Valid until the next cut().
     const Island& island() const { return island_; }
     std::span<const Round> rounds() const { return rounds_; }
     std::span<const Leaf> leaves() const { return leaves_; }
     std::size_t part_count() const { return parts_.size(); }
-    // The place of a part among all of them, below part_count().
+    // Index of a part, below part_count().
     std::size_t number_of(const Part& part) const { return static_cast<std::size_t>(&part - parts_.data()); }
 
-    // Calls `visit(part)` with all parts of this member of the team, round after round.
+    // Calls `visit(part)` for all parts of this member of the team, round by round, with a barrier after each.
     template <typename Visit>
     void by_rounds(Team& team, const Visit& visit) const {
         for (const Round& round : rounds_) {
@@ -63,13 +63,13 @@ class Dissection {
         }
     }
 
-    // The same where parts may share bodies, because nothing is written to them.
+    // Without barriers: parts may share bodies, so `visit` must not write to them.
     template <typename Visit>
     void in_any_order(Team& team, const Visit& visit) const {
         for (const Round& round : rounds_) in_any_order(team, round, visit);
     }
 
-    // Calls `visit(leaf, its place)` with all leaves of this member.
+    // Calls `visit(leaf, index)` for all leaves of this member.
     template <typename Visit>
     void by_leaves(Team& team, const Visit& visit) const {
         for (std::size_t k = 0; k < leaves_.size(); ++k) {
@@ -85,7 +85,7 @@ class Dissection {
         }
     }
 
-    // A movable body of the island, and where it is seen from above [m].
+    // A movable body of the island and its position in the horizontal plane [m].
     struct Spot {
         std::array<double, 2> place;
         int body;  // old number
@@ -105,10 +105,10 @@ class Dissection {
     std::vector<Round> rounds_;
     std::vector<Spot> spots_;
     std::vector<int> leaf_of_;  // by old number of a movable body
-    std::vector<int> number_;   // new, by old one
-    std::vector<int> part_of_;  // by old place of a run
-    std::vector<int> begin_;    // by part, where its runs begin, and where the last one's end
-    std::vector<int> next_;     // by leaf or part, while its bodies or runs are put there
+    std::vector<int> number_;   // new number, by old one
+    std::vector<int> part_of_;  // by old index of a run
+    std::vector<int> begin_;    // by part, first run; and the end of the last one
+    std::vector<int> next_;     // by leaf or part, next free place while filling
 };
 
 }  // namespace pushfactor::engine

@@ -13,10 +13,11 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// What a thread takes at a time.
+// Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400, rows_of_a_part = 1000;
 
-// 2 when the rows from `begin` up to `end` aim at different speeds in the two columns, or are in one of them only.
+// 2 if any row from `begin` up to `end` has different right-hand sides in the two columns, or is in one column
+// only.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
         if (system.b(j, 0) != system.b(j, 1) || system.digests[at(j)].has(RowDigest::not_in_momenta)) return 2;
@@ -134,7 +135,7 @@ void Islands::find(const SystemEquation& system, int first_new, Threads* threads
     number_static_bodies();
 }
 
-// The run that begins with a row.
+// The run of rows that starts at `begin`.
 Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
     const RowDigest* const rows = system.digests.data();
     const int a = rows[begin].body_a, b = rows[begin].body_b, row_count = static_cast<int>(system.digests.size());
@@ -149,10 +150,10 @@ Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
     return run;
 }
 
-// Returns whether they are others than the last time.
+// Returns whether the runs differ from those of the last call.
 bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* threads) {
     const std::span<const RowDigest> rows = system.digests;
-    // The last run may go on with the new rows.
+    // The new rows may extend the last run.
     const std::size_t as_before = first_new > 0 && !found_.empty() ? found_.size() - 1 : 0;
     const std::size_t from = first_new > 0 && !found_.empty() ? at(found_.back().begin) : 0;
     const auto begins_run = [&](std::size_t j) {
@@ -168,7 +169,7 @@ bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* th
                                   found.push_back(run_from(system, static_cast<int>(j)));
                               }
                           });
-    // Of those that follow others it is not known whom.
+    // For runs that follow others the leaders may have changed, so treat them as different.
     const bool unchanged = body_count_ == system.inverse_mass.size() &&
                            std::ranges::equal(std::span(found_).subspan(as_before), new_found_) &&
                            std::ranges::none_of(new_found_, &Found::follows);
@@ -196,7 +197,7 @@ int Islands::root_of(int body) {
     return body;
 }
 
-// The lower body is the root, so that the first body of an island is found first.
+// The lower body becomes the root, so that islands are numbered by their first body.
 void Islands::join(int a, int b) {
     const auto [low, high] = std::minmax({root_of(a), root_of(b)});
     parent_[at(high)] = low;
@@ -255,7 +256,7 @@ void Islands::gather_bodies(const SystemEquation& system) {
     }
 }
 
-// Each island's runs together, in the order in which they are in the step.
+// Groups the runs by island, in the order of the step.
 void Islands::gather_runs() {
     begin_.assign(islands_.size() + 1, 0);
     for (const Found& run : found_) {
@@ -277,7 +278,7 @@ void Islands::gather_runs() {
     }
 }
 
-// Gives the runs the numbers that their bodies have in the island.
+// Replaces the world indices of bodies in the runs by their numbers in the island.
 void Islands::number_static_bodies() {
     named_by_.assign(parent_.size(), -1);
     RowRun* run = runs_.data();

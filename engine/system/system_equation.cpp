@@ -10,7 +10,7 @@ namespace pushfactor::engine {
 
 namespace {
 
-// `result` is what it was in the last step, or zero.
+// `result` holds the values of the last step, or zero; bodies with equal moments keep them.
 void find_inverse_mass(const Body& body, InverseMass& result) {
     if (body.is_static()) {
         if (result.linear > 0.0) result = {};
@@ -51,8 +51,7 @@ void find_free_acceleration(const Body& body, const InverseMass& inverse_mass, d
     }
 }
 
-// M^(-1/2)^T j for one body, number by number: read back as packets, what was written as numbers would have to be
-// waited for.
+// M^(-1/2)^T j for one body. Scalar access on purpose: a 16-byte load after 8-byte stores stalls store forwarding.
 struct WeightedAxis {
     WeightedAxis(const InverseMass& inverse_mass, const Vector6& j)
         : x(inverse_mass.linear_root * j[0]),
@@ -66,7 +65,7 @@ struct WeightedAxis {
         return root(0, axis) * j[3] + root(1, axis) * j[4] + root(2, axis) * j[5];
     }
 
-    // Of a body that no force moves.
+    // A static body, or one that is left out.
     WeightedAxis() : x(0), y(0), z(0), u(0), v(0), w(0) {}
 
     double squared() const { return (x * x + y * y + z * z) + (u * u + v * v + w * w); }
@@ -99,8 +98,8 @@ struct WeightedRow {
     WeightedAxis a, b;
 };
 
-// A_jj of row j; of both rows of a disc when it is the second of them. These have the same step, the largest
-// eigenvalue of their block [a c; c b], so that a sweep of both at once does not go too far.
+// A_jj of row j; for the second row of a disc also that of the first. Both get the largest eigenvalue of their
+// block [a c; c b], so that a simultaneous update does not overshoot.
 inline void weigh(std::size_t j, SystemEquation& system) {
     const Disc disc = system.rows[j].bounds.disc;
     if (disc == Disc::first) return;
@@ -126,7 +125,7 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
-        // Those of a contact point are side by side.
+        // The rows of a contact point are adjacent.
         const auto leader = static_cast<std::size_t>(bounds.of_row);
         const auto acts_on_same = [&](const ConstraintRow& other) {
             return other.body_a == row.body_a && other.body_b == row.body_b;
@@ -143,11 +142,11 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint8_t>(traits)};
 }
 
-// Keeps what is there.
+// Keeps existing values.
 void size_rows(SystemEquation& system) {
     const auto count = static_cast<Eigen::Index>(system.rows.size());
     system.digests.resize(system.rows.size());
-    if (system.diagonal.size() == count) return;  // Eigen would ask for memory all the same
+    if (system.diagonal.size() == count) return;  // Eigen would reallocate all the same
     system.diagonal.conservativeResize(count);
 }
 
@@ -176,10 +175,10 @@ Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale)
 
 namespace {
 
-constexpr std::size_t rows_of_a_part = 1000;  // that a thread takes
+constexpr std::size_t rows_of_a_part = 1000;  // per thread task
 
-// The axes and right sides of the rows from `first` on, in as many columns as b has. Returns whether some of them
-// correct for a single frame.
+// Writes diagonals, digests and right-hand sides of the rows from `first` on, in as many columns as b has. Returns
+// whether any has a single-frame correction.
 bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
     const std::vector<Vector6>& free = system.free_acceleration;
     const bool two_columns = system.column_count() == 2;
@@ -202,8 +201,8 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
     return any_corrects;
 }
 
-// Starts with the column count of the last step and corrects it if the rows need another: one pass in nearly all
-// steps.
+// Starts with the column count of the last step and corrects it if the rows need another: a single pass in nearly
+// all steps.
 void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
                       Threads* threads) {
     system.rows = rows;
@@ -237,7 +236,7 @@ void build_system(std::span<const Body> bodies, std::span<const int> awake, std:
     system.dt = dt;
     std::vector<Vector6>& free = system.free_acceleration;
     if (awake.size() < bodies.size() && !std::ranges::equal(system.awake, awake)) {
-        // What is left out is as if it were static.
+        // Bodies that are left out count as static.
         system.inverse_mass.clear();
         free.clear();
     }

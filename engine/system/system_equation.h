@@ -1,4 +1,4 @@
-// The system equation, paper section 6: everything about one step that a solver may know.
+// The system equation, paper section 6: all data of a step that solvers may use.
 //
 //   A lambda = b,   A = J M^-1 J^T,   b = v/dt - J (v1/dt + M^-1 f_ext)          6.2.9
 //
@@ -6,13 +6,14 @@
 // v1 system velocity before the step (6.1.1, m/s and rad/s), f_ext external forces (6.1.3, N and N m),
 // v push factors (6.1.4, m/s), lambda [N], b [m/s^2], A [1/kg].
 //
-// Deviations: with the bounds of 5.1 it is not an equation but a box-constrained problem: A lambda - b is zero
-// between the bounds, >= 0 at c_min and <= 0 at c_max; for the two rows of a disc that is bounded by their length
-// it is zero inside, and points against lambda on the circle. b has two columns when some row has a correcting push
-// (8.1): column 0 with the whole push, the last column with the lasting part alone; otherwise it has one.
+// Deviations: with the bounds of 5.1 it is a box-constrained problem (complementarity) instead of an equation: A
+// lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max; for the two rows of a disc, bounded by
+// their norm, it is zero inside and points against lambda on the circle. b has two columns if any row has a
+// correcting push (8.1): column 0 with the whole push, the last column with the lasting part alone; otherwise it
+// has one.
 //
-// Both rows of a disc have the same step, the largest eigenvalue of their 2 x 2 block of A: with a step for each,
-// A_11 and A_22, the disc would be an ellipse and sliding friction would not point against the sliding.
+// Both rows of a disc use the same step size, the largest eigenvalue of their 2 x 2 block of A: with individual
+// ones, A_11 and A_22, the disc would become an ellipse and sliding friction would not oppose the sliding.
 #pragma once
 
 #include "engine/base/math.h"
@@ -29,24 +30,24 @@
 
 namespace pushfactor::engine {
 
-// The block of M^-1 of one body, and a square root of it: M^-1 = M^(-1/2) M^(-1/2)^T.
+// Block of M^-1 of one body, and a square root of it: M^-1 = M^(-1/2) M^(-1/2)^T.
 struct InverseMass {
     double linear = 0.0;                     // 1/kg
-    double linear_root = 0.0;                // its root
+    double linear_root = 0.0;                // square root of `linear`
     Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
-    bool turns_alike = false;                // the same about every axis, however the body is turned
+    bool turns_alike = false;                // equal moments: independent of the orientation
 };
 
-// The properties of a row that every step reads, in a compact array of their own: one cache line holds four rows of
-// it, where a ConstraintRow takes three lines.
+// Properties of a row that every step reads, in a compact array of their own: a cache line holds four of them,
+// while a ConstraintRow takes three lines.
 struct RowDigest {
     enum Trait : std::uint8_t {
         follows = 1,          // its bounds follow a row that may have other bodies
-        acts_both_ways = 2,   // without limit
-        rebounds = 4,         // pushes its bodies beyond the step, the way that it acts
-        drives = 8,           // friction that aims at a speed, as that of a belt does
-        not_in_momenta = 16,  // as in Bounds
+        acts_both_ways = 2,   // unbounded in both directions
+        rebounds = 4,         // one-sided row with a lasting push in its direction
+        drives = 8,           // friction that aims at a speed (belt)
+        not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
     };
 
@@ -59,11 +60,11 @@ struct RowDigest {
 
 struct SystemEquation {
     double dt = 0.0;                         // s
-    std::span<const ConstraintRow> rows;     // J, bounds, guesses
+    std::span<const ConstraintRow> rows;     // J, bounds, warm start
     std::vector<int> awake;                  // bodies that take part, ascending; rows move no others
-    std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
-    std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
-    VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
+    std::vector<InverseMass> inverse_mass;   // M^-1, one block per body
+    std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block per body
+    VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; for discs see above
     Columns b;                       // m/s^2, rows x columns
     std::vector<RowDigest> digests;  // by row
 
@@ -71,24 +72,22 @@ struct SystemEquation {
     Eigen::Index column_count() const { return b.cols(); }
 };
 
-// Writes 6.2.9 for the bodies with their forces and these rows into `system`, whose memory is reused.
-// `rows` must outlive its use. Bodies take part that are among those `awake` (ascending), or all; the others are as
-// if they were static.
-// `threads` share the work; null: one thread.
+// Writes 6.2.9 for the bodies, with their forces, and the rows into `system`, whose memory is reused. `rows` must
+// outlive its use. Only bodies in `awake` (ascending) take part, or all; the others count as static. `threads`
+// share the work; null: one thread.
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
                   double dt, SystemEquation& system, Threads* threads = nullptr);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
                   SystemEquation& system);
 
-// Adds to a system that was built the rows that have come behind its own: `rows` are all of them. The bodies are as
-// they were.
+// Extends a built system by rows appended after its own: `rows` are all of them. The bodies must be unchanged.
 void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system);
 
-// The part of build_system that depends on the rows and M^-1 alone: `diagonal` and `digests`.
+// The part of build_system() that depends only on the rows and M^-1: `diagonal` and `digests`.
 void weigh_rows(SystemEquation& system);
 
-// J M^(-1/2) / `scale` of a row, in body axes: with the root of its A_jj as `scale` of unit length, or of a disc at
-// most. Only who solves needs it: forces that are kept do not.
+// J M^(-1/2) / `scale` of a row, in body axes. With the square root of its A_jj as `scale` it has unit length, at
+// most that for a row of a disc. Computed only for solves: kept forces do not need it.
 Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
@@ -96,14 +95,14 @@ inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force)
     return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
 }
 
-// 6.2.1: f_c = J^T lambda for column `column` of `lambda`, one force and torque a body (written to `forces`).
+// 6.2.1: f_c = J^T lambda for column `column` of `lambda`, one force and torque per body (written to `forces`).
 void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                        std::vector<Vector6>& forces);
 
-// Adds what the rows from `begin` up to `end`, which act on the same two bodies, do to these.
+// Adds the forces of rows `begin` .. `end` - 1, which act on the same two bodies, to `on_a` and `on_b`.
 inline void add_forces_of_rows(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
                                Eigen::Index begin, Eigen::Index end, Vector6& on_a, Vector6& on_b) {
-    // In variables of their own, so that the sums are not written to memory and read back row by row.
+    // Local sums avoid a memory round trip per row.
     Vector6 sum_a = on_a, sum_b = on_b;
     for (Eigen::Index j = begin; j < end; ++j) {
         const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
@@ -114,7 +113,7 @@ inline void add_forces_of_rows(const SystemEquation& system, const Columns& lamb
     on_b = sum_b;
 }
 
-// The bounds [N] of row `row` while column `column` of `lambda` is as it is; of a row of a disc, those that it has
+// Bounds [N] of a row for the current values in column `column` of `lambda`; for a row of a disc, those that hold
 // while the other row is zero.
 struct Interval {
     double low = 0.0;
@@ -127,13 +126,13 @@ inline Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen
     return {row.bounds.c_min * other, row.bounds.c_max * other};
 }
 
-// What a vector of this squared length has to be multiplied with to lie in the disc.
+// Factor that scales a vector of this squared length into the disc.
 inline double share_in_disc(double squared_length, double radius) {
     return squared_length > radius * radius ? radius / std::sqrt(squared_length) : 1.0;
 }
 
-// Puts the force of row `j` within its bounds, and those of both rows of a disc when it is the second of them.
-// Returns whether one was not.
+// Clamps the force of row `j` to its bounds; for the second row of a disc, those of both rows. Returns whether
+// anything changed.
 inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eigen::Index column, Columns& lambda) {
     const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
     if (row.bounds.disc == Disc::first) return false;
@@ -152,15 +151,14 @@ inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eig
     return true;
 }
 
-// The velocity that rows still get wrong in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))|
-// with w = A lambda - b [m/s^2]; infinite where something is not a number. Rows are asked for in the order of the
-// step.
+// Velocity error of rows in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))| with w = A lambda
+// - b [m/s^2]; infinite for NaN. Rows have to be visited in the order of the step.
 class RowResiduals {
   public:
     RowResiduals(const SystemEquation& system, const Columns& lambda, Eigen::Index column)
         : system_(system), lambda_(lambda), column_(column) {}
 
-    // Of row `j`; of both rows of a disc when it is the second of them, and zero when it is the first.
+    // Of row `j`; for the second row of a disc that of both, for the first row zero.
     [[gnu::always_inline]] double next(Eigen::Index j, double w) {
         const ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
         const double diagonal = system_.diagonal[j];
@@ -193,7 +191,7 @@ class RowResiduals {
     double wanted_by_first_ = 0.0;  // N
 };
 
-// Natural-map residual [m/s]: the largest of RowResiduals, over all columns.
+// Natural-map residual [m/s]: the maximum of RowResiduals over all rows and columns.
 double natural_residual(const SystemEquation& system, const Columns& lambda);
 
 }  // namespace pushfactor::engine
