@@ -1,14 +1,14 @@
-// Sweeps contract slowly where a force has a long way to go (stacks, chains, great mass ratios), and exactly there
-// the bodies are connected like a thread: the matrix of the exact answer has little fill, and a factorisation costs
-// about as much as a few sweeps. Where the bodies are connected like a heap it is the other way round: a
-// factorisation costs as much as many sweeps, and while the heap moves its clamped rows change all the time.
+// Sweeps converge slowly where a force has to travel far (stacks, chains, large mass ratios). Exactly there the
+// bodies are connected like a chain: the matrix of the exact method has little fill-in, and a factorisation costs
+// about as much as a few sweeps. In heaps it is the other way round: a factorisation costs as much as many sweeps,
+// and while the heap moves its clamped rows change all the time.
 //
-// So, of each island: take the answer of a single row at once; solve a thread exactly, a tree if that costs no more
-// than its sweeps, and whatever stands and may keep its answer; sweep a heap. A heap whose sweeps end far from the
-// answer gets a bounded number of exact steps on top. A pile that begins to touch looks like a thread and is none:
-// exact answers have to pay off, which the account of the island knows (budget.h); one that is cut short gives back
-// the guess that it came with, and sweeps follow. The rules look at the structure, the residual and the account,
-// never at the clock.
+// So, per island: a single row is solved directly; a chain is solved exactly, and so are a tree if that costs no
+// more than its sweeps, and anything at rest that may keep its solution; a heap is swept. A heap whose sweeps end
+// far from the solution gets a bounded number of exact steps on top. A pile that is about to touch looks like a
+// chain but is none: exact solves have to pay off, which the account of the island tracks (budget.h); one that is
+// cut short restores the warm start, and sweeps follow. The rules depend on structure, residual and account, never
+// on the clock.
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
@@ -22,30 +22,31 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// From here on not even the order of elimination is worth finding out.
+// Pairs per movable body from which on not even the elimination order is computed.
 constexpr double pairs_of_a_heap = 2.2;
-// Factorisations that an exact answer takes at least where something has changed, and from a guess with more than
-// this share of the largest speed that a row is asked for.
+// Least factorisations per exact solve after a change; the second value if the residual of the warm start exceeds
+// `near_guess` of fastest().
 constexpr double least_factorisations = 2.0, least_from_afar = 16.0;
 constexpr double near_guess = 1e-2;
-// What one may cost at most, in sweeps: those of towers and walls cost 17 to 82 and lead to the end, those of heaps
-// that settle 100 and more and do not.
+// Largest cost of one factorisation, in sweeps: those of towers and walls cost 17 to 82 and reach the solution,
+// those of settling heaps cost 100 and more and do not.
 constexpr double most_sweeps_a_factorisation = 90.0;
-// Sweeps below which those of a heap may not have got anywhere: what looks have left of them. An island of so many
-// bodies gets its exact steps then, however they are connected.
+// Iteration limit below which the sweeps of a heap may have achieved nothing (the re-solves of a step have used up
+// the others). An island of at most `small_island` bodies then gets its exact steps for any connectivity.
 constexpr int enough_sweeps = 7;
 constexpr int small_island = 32;
-// What is left after the sweeps of a heap that calls for exact steps, as a share of the largest speed that a row is
-// asked for: 3 cm/s where something lands with 3 m/s.
+// Residual after the sweeps of a heap that calls for exact steps, as a share of fastest(): 3 cm/s for something
+// that lands at 3 m/s.
 constexpr double far = 1e-2;
-// How many, and what one may cost in sweeps, so that a step never costs more than a few times its sweeps.
+// Number of exact steps, and the largest cost of one in sweeps, so that a step never costs more than a few times
+// its sweeps.
 constexpr int exact_steps = 4;
 constexpr double sweeps_an_exact_step = 25.0;
-// Shares, of its guess's residual and of the largest speed that a row is asked for, with which an answer that was
-// cut short is worth having where all stand: the next step goes on from it.
+// Residual up to which a truncated exact solve is kept when the bodies are at rest, as shares of the warm start's
+// residual and of fastest(): the next step continues from it.
 constexpr double much_better = 0.1, near = 0.02;
-// Share of the largest speed that a row is asked for below which an exact answer is one, though it may have
-// stopped short of the tolerance.
+// Residual up to which an exact solve counts as successful although it missed the tolerance, as a share of
+// fastest().
 constexpr double good_share = 1e-6;
 
 template <int columns>
@@ -87,17 +88,17 @@ class Auto {
         return exact_.factorisation(rows_) <= most;
     }
 
-    // Returns whether that led anywhere; else the forces are those from before.
+    // Returns whether that succeeded; otherwise restores the forces.
     bool solve_exactly(const Termination& termination, double guessed, SolveCount& count) {
         guess_ = rows_.rows;
         Effort effort(termination.credit);
         count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
-        // What rows that contradict each other leave, sweeps cannot lower either.
+        // Sweeps cannot lower the residual of contradicting rows either.
         count.exhausted = count.contradicts;
         if (count.exact || count.contradicts) return true;
         count.multiply_adds += rows_.look_work();
         if (rows_.residual() <= good_share * rows_.fastest()) return true;
-        // In a heap that moves an answer that was cut short is worse to go on from than the guess.
+        // In a moving heap a truncated exact solve is a worse start than the warm start.
         const double reached = rows_.residual();
         if (termination.lasts && reached <= much_better * guessed && reached <= near * rows_.fastest()) return true;
         count.gave_up = true;

@@ -1,4 +1,4 @@
-// A solver out of a method that is written for a number of columns known to the compiler.
+// Adapter from a method templated on the number of columns to a Solver.
 #pragma once
 
 #include "engine/solvers/solver.h"
@@ -7,8 +7,8 @@
 
 namespace pushfactor::engine::solvers {
 
-// `Method<columns>` has a member solve() like that of Solver, for islands of that many columns: one, or two when
-// some row corrects for a single frame (8.1).
+// `Method<columns>` has a member solve() like that of Solver, for islands with that many columns: one, or two if
+// any row has a single-frame correction (8.1).
 template <template <int columns> typename Method>
 class ByColumns : public Solver {
   public:

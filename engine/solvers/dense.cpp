@@ -1,12 +1,12 @@
 // Paper section 7.2; 7.1.1 is the update of one row. Symbols: A [1/kg], b [m/s^2], lambda, c_min, c_max [N].
 //
-// A of the whole system is block diagonal when rows and bodies are ordered by island, and 7.2 would only multiply
-// with zeros outside of the blocks: so A here is one block, J M^-1 J^T of the rows and bodies of one island.
+// With rows and bodies ordered by island, A of the whole system is block diagonal, and outside of the blocks 7.2
+// would only multiply zeros: so A here is one block, J M^-1 J^T of the rows and bodies of one island.
 //
-// Deviations: the guess may be a cached answer (6.2.3) instead of zero; a row with A_jj = 0 keeps lambda 0 where
-// the text divides by it; a bound may follow another row's lambda; the two rows of a disc move together, by their
-// common step (system_equation.h). 7.2 reads A[i,j] as column i, row j, 7.1.1
-// as row, column: the same number, since A is symmetric.
+// Deviations: warm start (6.2.3) instead of zero; a row with A_jj = 0 keeps lambda 0 where the paper divides by it;
+// a bound may follow another row's lambda; the two rows of a disc move together, with their common step size
+// (system_equation.h). 7.2 reads A[i,j] as column i, row j, 7.1.1 as row, column: the same number, since A is
+// symmetric.
 #include "engine/solvers/dense.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Rows of the system by their number in the island.
+// Rows of the system, by their number in the island.
 std::vector<int> rows_of(const Island& island) {
     std::vector<int> rows;
     for (const RowRun& run : island.runs) {
@@ -38,7 +38,7 @@ MatrixX stacked_jacobian(const SystemEquation& system, const Island& island) {
     return jacobian;
 }
 
-// M^-1 as one 6n x 6n matrix (6.1.2 in section 6.1.3). That of a static body is zero.
+// M^-1 as one 6n x 6n matrix (6.1.2 in section 6.1.3). The blocks of static bodies are zero.
 MatrixX stacked_inverse_mass(const SystemEquation& system, const Island& island) {
     const Eigen::Index size = 6 * Eigen::Index{island.body_count};
     MatrixX inverse_mass = MatrixX::Zero(size, size);
@@ -54,7 +54,7 @@ MatrixX stacked_inverse_mass(const SystemEquation& system, const Island& island)
 
 void sweep(const SystemEquation& system, const std::vector<int>& rows, const MatrixX& A, Columns& lambda,
            Eigen::Index column) {
-    double wanted_by_first = 0.0;  // N, of a disc whose second row is to come
+    double wanted_by_first = 0.0;  // N, of a disc whose second row is next
     for (Eigen::Index i = 0; i < A.rows(); ++i) {
         const int row = rows[static_cast<std::size_t>(i)];
         const Disc disc = system.rows[static_cast<std::size_t>(row)].bounds.disc;

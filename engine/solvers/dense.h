@@ -1,5 +1,5 @@
-// Projected Gauss-Seidel as paper section 7.2 prints it, on the dense matrix A = J M^-1 J^T.
-// Cubic in the number of rows: an oracle for the sparse sweep, not a product.
+// Projected Gauss-Seidel as printed in paper section 7.2, on the dense matrix A = J M^-1 J^T. Cubic in the number
+// of rows: a test oracle for the sparse sweep.
 #pragma once
 
 #include "engine/solvers/solver.h"

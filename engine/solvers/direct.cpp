@@ -1,6 +1,5 @@
-// The exact answer every time (exact_answer.h), up to a bound on its work. What is too
-// large for that is swept, and so is what the exact method cannot get to the end of: from the best that it has
-// found and from the guess, whichever leads farther.
+// Exact solves (exact_answer.h) up to a bound on their work. Islands beyond that bound are swept, and so are those
+// on which the exact method fails: both from its best iterate and from the warm start, whichever gets farther.
 #include "engine/solvers/direct.h"
 
 #include "engine/solvers/by_columns.h"
@@ -12,7 +11,7 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Sweeps after an exact method that did not get to the end, at most.
+// Largest number of sweeps after a failed exact solve.
 constexpr int most_sweeps = 200;
 
 template <int columns>
@@ -48,7 +47,7 @@ class Direct {
   private:
     using Rows = std::vector<typename UnitRows<columns>::Row>;
 
-    // Takes what sweeps make of `start` where it is better than what there is.
+    // Sweeps from `start` and keeps the result if it is better than the current forces.
     void sweep_from(const Rows& start, const Termination& termination, SolveCount& count) {
         const Rows before = rows_.rows;
         const double reached = rows_.residual();

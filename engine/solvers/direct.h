@@ -4,15 +4,14 @@
 
 namespace pushfactor::engine::solvers {
 
-// What the exact answer of an island may cost, in multiply-adds per column and step, all looks together: some 0.25
-// s.
+// Largest cost of the exact solves of an island, in multiply-adds per column and step, including re-solves: some
+// 0.25 s.
 inline constexpr double most_work_of_a_column = 1e9;
-// Factorisations that a column usually takes when it cannot be told beforehand. An island that so many would bring
-// beyond the bound is swept.
+// Expected factorisations per column. An island that would exceed the bound with that many is swept.
 inline constexpr double usual_factorisations = 25.0;
 
-// The exact answer, see direct.cpp. `Termination::iterations` bounds the factorisations of a column, and the sweeps
-// that follow where they do not get there.
+// Exact solver, see direct.cpp. `Termination::iterations` bounds the factorisations per column, and the sweeps if
+// it fails.
 std::unique_ptr<Solver> make_direct();
 
 }  // namespace pushfactor::engine::solvers

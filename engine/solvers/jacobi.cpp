@@ -6,11 +6,10 @@
 // Symbols: y forces, t right sides [sqrt(kg) m/s], x body velocities [sqrt(kg) m/s], u row axes, w weight [1].
 //
 // Deviations: the paper has w = 1, which converges only while the largest eigenvalue of A, scaled to A_jj = 1, is
-// below 2. It is 3.6 for one box on four points and 6 in a stack of them, where the paper's form circles between
-// the bounds, further off than without any force. With w = 0.3 the limit is 6.7: stacks on four points converge
-// slowly; on eight points (7.0 and more) they do not, they circle between the bounds; and rows without bounds, such
-// as seven equal bars between two bodies, grow without limit. A bound that follows another row uses that row's y of
-// the last iteration.
+// below 2. It is 3.6 for one box on four points and 6 in a stack of them, where the paper's form cycles between the
+// bounds, farther off than without any force. With w = 0.3 the limit is 6.7: stacks on four points converge slowly;
+// on eight points (7.0 and more) they do not, they cycle between the bounds; and rows without bounds, such as seven
+// equal bars between two bodies, diverge. A bound that follows another row uses that row's y of the last iteration.
 #include "engine/solvers/jacobi.h"
 
 #include "engine/solvers/by_columns.h"
@@ -20,7 +19,6 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// The method for systems of `columns` columns.
 template <int columns>
 class SimultaneousRows {
   public:

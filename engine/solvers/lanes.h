@@ -1,5 +1,5 @@
-// Two doubles worked on at once, in the vector extension that g++ and clang++ share: every lane has the bits that a
-// double would have. An inner matter of the solvers.
+// Pairs of doubles, with the vector extension shared by g++ and clang++: each lane gives the same bits as a scalar
+// double. Internal to the solvers.
 #pragma once
 
 #include "engine/constraints/constraint_row.h"
@@ -12,7 +12,7 @@ namespace pushfactor::engine::solvers {
 
 using Two [[gnu::vector_size(16), gnu::may_alias]] = double;
 
-// One value for each column of the system: a double for one, both lanes for two.
+// One value per column of the system: a double for one column, two lanes for two.
 template <int columns>
 struct Lanes;
 
@@ -26,7 +26,7 @@ struct Lanes<1> {
     static double in(Value value, int) { return value; }
     static double largest(Value value) { return value; }
 
-    // The sums of both lanes of each column's sum.
+    // Horizontal sum of each column's pair.
     static Value sum(const Two (&sums)[1]) { return sums[0][0] + sums[0][1]; }
 };
 
@@ -45,7 +45,8 @@ struct Lanes<2> {
     }
 };
 
-// Calls `body` with 0, 1, .. count - 1 as constants: a loop that short costs more than what it repeats.
+// Calls `body` with 0, 1, .. count - 1 as compile-time constants: the overhead of such short loops exceeds their
+// body.
 template <int count, typename Body>
 void unrolled(const Body& body) {
     [&]<int... i>(std::integer_sequence<int, i...>) {
@@ -54,7 +55,7 @@ void unrolled(const Body& body) {
     (std::make_integer_sequence<int, count>());
 }
 
-// As std::min, std::max and std::abs, in each lane.
+// std::min, std::max and std::abs per lane.
 template <typename Value>
 Value smaller(Value a, Value b) {
     return b < a ? b : a;
@@ -75,7 +76,7 @@ inline Two root(Two a) {
     return Two{std::sqrt(a[0]), std::sqrt(a[1])};
 }
 
-// The numbers of the two bodies of a row, three pairs each, where they are in memory.
+// Pointers to the numbers of a row's two bodies, three pairs each.
 struct Axis {
     const Two* a;
     const Two* b;
@@ -90,13 +91,13 @@ inline Axis axis_of(const Jacobian& unit) {
     return {reinterpret_cast<const Two*>(unit.a.data()), reinterpret_cast<const Two*>(unit.b.data())};
 }
 
-// The scalar product is the sum of both lanes. In three pairs, so that they do not all wait for each other.
+// Dot product, to be summed over both lanes. Three independent partial sums shorten the dependency chain.
 inline Two products(const Axis& u, const Axis& v) {
     return (u.a[0] * v.a[0] + u.b[0] * v.b[0]) + (u.a[1] * v.a[1] + u.b[1] * v.b[1]) +
            (u.a[2] * v.a[2] + u.b[2] * v.b[2]);
 }
 
-// v += sum of u_i y_i, each number of v taken from memory once.
+// v += sum of u_i y_i, with one load and store per number of v.
 template <std::size_t count>
 void add(const Velocity& v, const Axis (&u)[count], const double (&y)[count]) {
     unrolled<3>([&](auto k) {

@@ -1,19 +1,18 @@
 // M. Silcowitz-Hansen, S. Niebe, K. Erleben, "A nonsmooth nonlinear conjugate gradient method for interactive
-// contact force problems", The Visual Computer 26 (2010). A sweep of paper 7.1.1 over all rows is taken for a step
-// down a gradient, and conjugate directions after Fletcher and Reeves are built from such steps:
+// contact force problems", The Visual Computer 26 (2010). A sweep of paper 7.1.1 over all rows takes the place of a
+// gradient step, and conjugate directions after Fletcher and Reeves are built from such steps:
 //
 //   y' = sweep(y_k)                   r_k = y' - y_k        beta = |r_k|^2 / |r_(k-1)|^2
 //   y_(k+1) = y' + beta p_(k-1)       p_k = beta p_(k-1) + r_k                            beta <= 1
-//   y_(k+1) = y'                      p_k = 0                          otherwise: start again
+//   y_(k+1) = y'                      p_k = 0                          otherwise: restart
 //
-// Symbols: y forces of the unit rows, r what a sweep changed, p direction [all sqrt(kg) m/s] (unit_rows.h), beta
-// [1].
+// Symbols: y forces of the unit rows, r change by a sweep, p direction [all sqrt(kg) m/s] (unit_rows.h), beta [1].
 //
-// Deviations: the method is written in lambda; in y its lengths do not depend on how a row is scaled. Each column
-// has its own beta. A step beyond a sweep may leave the bounds, so the last iteration makes none: answers lie
-// within them. The method is not monotone; with tolerances on, the answer is the best of all that were looked at.
-// The velocities x follow y row by row. They could follow by the formula of y itself, one step a body, which is
-// cheaper; but then rounding grows with the square of the iterations (5e-11 m/s after 1000, not 2e-15).
+// Deviations: the method is written in lambda; in y its norms do not depend on the scaling of rows. Each column has
+// its own beta. An extrapolation may leave the bounds, so the last iteration makes none: the result is within them.
+// The method is not monotone; with tolerances the result is the best iterate that was evaluated. The velocities x
+// follow y row by row. Applying the formula of y to x, one update per body, would be cheaper, but then rounding
+// errors grow with the square of the iterations (5e-11 m/s after 1000, not 2e-15).
 #include "engine/solvers/nncg.h"
 
 #include "engine/solvers/by_columns.h"
@@ -25,7 +24,6 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// The method for systems of `columns` columns.
 template <int columns>
 class ConjugateSweeps {
   public:
@@ -42,7 +40,7 @@ class ConjugateSweeps {
             ++count.iterations;
             count.multiply_adds += rows_.pass_work();
             const double change = sweep_and_remember();
-            // As in `iterate`, but the last state is always looked at: it may be worse than an earlier one.
+            // As in `iterate`, but the last state is always evaluated: it may be worse than an earlier one.
             const bool last = count.iterations == termination.iterations;
             if (!checked || (change > termination.tolerance_low && !last)) continue;
             if (look(count) <= termination.tolerance_low) break;
@@ -55,14 +53,14 @@ class ConjugateSweeps {
   private:
     using Values = std::array<double, columns>;
 
-    // What lies outside of its bounds could not be an answer, what the bounds make of it can.
+    // A warm start outside of its bounds cannot be a solution; its projection can.
     void start_from_guess(SolveCount& count) {
         project();
         best_residual_ = std::numeric_limits<double>::infinity();
         look(count);
     }
 
-    // Puts every row within its bounds.
+    // Clamps every row to its bounds.
     void project() {
         for (auto& row : rows_.rows) {
             for (int c = 0; c < columns; ++c) rows_.move(row, c, row.y[rows_.at(c)]);
@@ -71,7 +69,7 @@ class ConjugateSweeps {
 
     void forget_directions() {
         p_.assign(rows_.rows.size(), Values{});
-        // Makes the first beta zero: nothing to go on with, and p becomes r.
+        // Makes the first beta zero, so that p becomes r.
         last_length_.fill(std::numeric_limits<double>::infinity());
     }
 
@@ -81,17 +79,17 @@ class ConjugateSweeps {
         return sweep(rows_);
     }
 
-    // Goes on from the end of a sweep along p, in each column.
+    // Extrapolates from the result of a sweep along p, per column.
     void extrapolate(SolveCount& count) {
         for (int c = 0; c < columns; ++c) {
             const double length = changed_squared(c);
             const double beta = length / last_length_[rows_.at(c)];
             last_length_[rows_.at(c)] = length;
-            // Also when both are zero, or overflow.
+            // Negated, to restart also if both are zero or overflow.
             const bool restart = !(beta <= 1.0);
             go_on(c, restart ? 0.0 : beta, restart ? 0.0 : 1.0);
         }
-        // |r|^2, y and p, and x as in a sweep.
+        // r|^2, y and p, and x as in a sweep.
         count.multiply_adds += 15.0 * columns * static_cast<double>(rows_.rows.size());
     }
 
@@ -117,7 +115,7 @@ class ConjugateSweeps {
         }
     }
 
-    // The residual of the state as it is [m/s], remembered when it is the smallest so far.
+    // Residual of the current state [m/s]; stores the state if it is the best so far.
     double look(SolveCount& count) {
         count.multiply_adds += rows_.look_work();
         const double residual = rows_.residual();
@@ -136,7 +134,7 @@ class ConjugateSweeps {
 
     UnitRows<columns> rows_;
     std::vector<Values> y_before_, p_;
-    Values last_length_{};  // |r|^2 of the sweep before
+    Values last_length_{};  // |r|^2 of the previous sweep
     std::vector<Values> best_;
     double best_residual_ = 0.0;  // m/s
 };

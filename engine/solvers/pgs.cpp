@@ -1,4 +1,4 @@
-// Projected Gauss-Seidel, paper 7.1.1 row after row, with the sum over the other rows taken through the bodies
+// Projected Gauss-Seidel, paper 7.1.1 row after row, with the sum over the other rows computed through the bodies
 // (unit_rows.h). Both columns are swept together.
 #include "engine/solvers/pgs.h"
 

@@ -1,5 +1,5 @@
-// Projected Gauss-Seidel on the sparse rows (paper section 7): A is never formed, a row costs the same however
-// many others there are. The product; `dense` is its oracle.
+// Projected Gauss-Seidel on the sparse rows (paper section 7): A is never formed, and the cost per row does not
+// depend on the number of rows. `dense` is its test oracle.
 #pragma once
 
 #include "engine/solvers/solver.h"

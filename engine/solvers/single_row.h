@@ -1,5 +1,4 @@
-// The answer for an island of a single row, such as a pendulum: 7.1.1 gives it at once, because no other row has a
-// say. An inner matter of the solvers.
+// Direct solution for an island of a single row, such as a pendulum, by 7.1.1. Internal to the solvers.
 #pragma once
 
 #include "engine/solvers/solver.h"
@@ -9,7 +8,7 @@
 
 namespace pushfactor::engine::solvers {
 
-// lambda = clamp(b / A_jj). Counted as the one sweep that it would take.
+// lambda = clamp(b / A_jj). Counted as one sweep.
 inline SolveCount solve_single_row(const SystemEquation& system, const Island& island, Columns& lambda) {
     const Eigen::Index j = island.runs.front().begin;
     const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];

@@ -1,4 +1,4 @@
-// What all solvers have in common, paper sections 6.2.3 and 7: one signature, one table of names.
+// Interface of all solvers, paper sections 6.2.3 and 7, and the table of their names.
 #pragma once
 
 #include "engine/system/islands.h"
@@ -11,52 +11,52 @@
 
 namespace pushfactor::engine::solvers {
 
-// When to stop (6.2.3). While the natural-map residual of the guess is at most `tolerance_high` nothing needs to be
-// solved, which the caller of a solver finds out; a solver works until the residual is at most `tolerance_low` or
+// When to stop (6.2.3). If the natural-map residual of the warm start is at most `tolerance_high` no solve is
+// needed, which the caller of a solver checks; a solver iterates until the residual is at most `tolerance_low` or
 // the iterations are used up. Tolerances of zero give the paper's fixed number of iterations.
 //
-// Two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would circle
-// at the tolerance for ever instead of coming to rest.
+// There are two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would
+// cycle at the tolerance instead of coming to rest.
 //
-// What exact methods may take is counted in multiply-adds and over all solves of a step (budget.h).
+// The work of exact methods is limited in multiply-adds, over all solves of a step (budget.h).
 struct Termination {
-    int iterations = 25;          // 0: only what a method gives that goes to rounding
+    int iterations = 25;          // 0: only exact methods
     double tolerance_high = 0.0;  // m/s
-    double tolerance_low = 0.0;   // m/s, at most tolerance_high, but after an exact answer (warm_start.h)
-    double credit = std::numeric_limits<double>::infinity();  // that they may spend where they have to pay off
-    double spent = 0.0;                                       // that they have spent on these bodies in this step
-    bool lasts = false;                                       // whether an exact answer may serve for many steps
+    double tolerance_low = 0.0;   // m/s, at most tolerance_high, except after an exact solve (warm_start.h)
+    double credit = std::numeric_limits<double>::infinity();  // multiply-adds, if exact methods have to pay off
+    double spent = 0.0;                                       // multiply-adds spent on these bodies in this step
+    bool lasts = false;                                       // an exact solution may serve for many steps
 };
 
-// What a solve took.
+// Result and cost of a solve.
 struct SolveCount {
     int iterations = 0;           // of the solver's own kind
-    double multiply_adds = 0.0;   // work, the same on every machine; loading and storing are left out
-    bool exact = false;           // whether it was solved to the tolerance by a method that goes to rounding
-    double exact_work = 0.0;      // multiply-adds, the share of such methods
-    int exact_iterations = 0;     // their share of the iterations
-    bool gave_up = false;         // whether such a method was tried and did not get there
-    bool exhausted = false;       // whether more iterations would be of no use
-    bool contradicts = false;     // whether it found rows that no forces can satisfy together
-    bool in_small_steps = false;  // whether the step was taken in small ones (small_steps.h)
+    double multiply_adds = 0.0;   // work, machine-independent; without loading and storing
+    bool exact = false;           // solved to the tolerance by an exact method
+    double exact_work = 0.0;      // multiply-adds of exact methods
+    int exact_iterations = 0;     // iterations of exact methods
+    bool gave_up = false;         // an exact method was tried and failed
+    bool exhausted = false;       // more iterations would not help
+    bool contradicts = false;     // it found rows that no forces can satisfy together
+    bool in_small_steps = false;  // the step was divided into small ones (small_steps.h)
 };
 
 class Solver {
   public:
     virtual ~Solver() = default;
 
-    // Solves the rows of `island`, which is one of `system`, in all its columns. `lambda` [N, rows of the system x
-    // its columns] holds the guess and receives the answer, in both columns when the island has one; rows of other
+    // Solves the rows of `island`, one of `system`, in all its columns. `lambda` [N, rows of the system x its
+    // columns] holds the warm start and receives the solution, in both columns if the island has one; rows of other
     // islands are neither read nor written. A row with A_jj = 0 gets lambda 0.
     virtual SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                              Columns& lambda) = 0;
 
-    // One that does the same, for another thread to solve other islands at the same time; null: there is none, and
-    // islands are solved one after the other.
+    // Another instance for solving other islands concurrently; null: none, and islands are solved one after the
+    // other.
     virtual std::unique_ptr<Solver> another() const { return nullptr; }
 
-    // Solves `system` island by island, but for those whose guess will do. Counts the most iterations of an island
-    // and the work of all of them.
+    // Solves `system` island by island, except those whose warm start is good enough. Returns the maximum of the
+    // islands' iterations and the sum of their work.
     SolveCount solve(const SystemEquation& system, const Termination& termination, Columns& lambda);
 };
 
@@ -66,10 +66,10 @@ struct SolverEntry {
     std::unique_ptr<Solver> (*make)();
 };
 
-// Every solver that there is, by the name that the command line uses.
+// All solvers, by the name used on the command line.
 std::span<const SolverEntry> solver_table();
 
-// Throws InvalidInput when no solver has that name.
+// Throws InvalidInput for an unknown name.
 std::unique_ptr<Solver> make_solver(std::string_view name);
 
 }  // namespace pushfactor::engine::solvers

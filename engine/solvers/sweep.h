@@ -1,5 +1,4 @@
-// What the sweeping solvers share: the sweep of paper section 7 and the loop around one of theirs. An inner matter
-// of the solvers.
+// Shared by the sweeping solvers: the sweep of paper section 7 and the iteration loop. Internal to the solvers.
 #pragma once
 
 #include "engine/solvers/solver.h"
@@ -7,14 +6,14 @@
 
 namespace pushfactor::engine::solvers {
 
-// 7.1.1 row after row, each from the newest values of the others. Returns the largest change of a row's velocity
+// 7.1.1 row after row, each from the latest values of the others. Returns the largest change of a row's velocity
 // [m/s].
 //
-// The rows of a block take their errors from the same velocities, and take off by u_i . u_k what the rows before
-// them have changed since: the same as one row after the other. The two rows of a disc want their forces before
-// either has moved, and then move together.
+// The rows of a block compute their errors from the same velocities and subtract, by u_i . u_k, the changes of the
+// rows before them: equivalent to one row after the other. The two rows of a disc compute their forces before
+// either moves, and then move together.
 //
-// Of some blocks, whose bodies `bodies_of` gives the velocities of.
+// For some blocks; `bodies_of` returns the velocities of a block's bodies.
 template <int columns, typename BodiesOf>
 [[gnu::flatten]] double sweep(UnitRows<columns>& system, std::span<const typename UnitRows<columns>::Block> blocks,
                               const BodiesOf& bodies_of) {
@@ -50,7 +49,6 @@ template <int columns, typename BodiesOf>
     return Lanes<columns>::largest(largest);
 }
 
-// Of all blocks.
 template <int columns>
 double sweep(UnitRows<columns>& system) {
     using Block = typename UnitRows<columns>::Block;
@@ -60,8 +58,8 @@ double sweep(UnitRows<columns>& system) {
 }
 
 // Repeats `pass`, which reads and writes every row once and returns the largest change of a row's velocity [m/s],
-// until the residual is at most the lower tolerance or the iterations are used up; all of them when tolerances are
-// zero. Returns whether the residual got there.
+// until the residual is at most the lower tolerance or the iterations are used up; with zero tolerances, all of
+// them. Returns whether the tolerance was reached.
 template <int columns, typename Pass>
 bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCount& count, Pass pass) {
     const bool checked = termination.tolerance_high > 0.0;
@@ -69,7 +67,7 @@ bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCou
         ++count.iterations;
         count.multiply_adds += rows.pass_work();
         const double change = pass(rows);
-        // The change bounds nothing, but while it is large the residual need not be looked at.
+        // The change is no bound on the residual, but while it is large the residual need not be computed.
         if (!checked || change > termination.tolerance_low) continue;
         count.multiply_adds += rows.look_work();
         if (rows.residual() <= termination.tolerance_low) return true;

@@ -1,18 +1,18 @@
-// The rows of an island in the form that the iterative and direct solvers work on: of unit length, one set of axes
-// for reading and writing, rows and bodies by their numbers in the island. An inner matter of the solvers.
+// Rows of an island scaled to unit length, as the iterative and exact solvers use them: one set of axes for reading
+// and writing, rows and bodies by their numbers in the island. Internal to the solvers.
 //
 // With M^(-1/2) = [m^(-1/2), W] (W W^T = I^-1) and s_j = sqrt(A_jj):
 //
 //   row axis       u_j = M^(-1/2)^T j_c / s_j        unit length, so that A_jj becomes 1
 //   force          y_j = lambda_j dt s_j             [sqrt(kg) m/s]
 //   right side     t_j = b_j dt / s_j
-//   body velocity  x   = sum_j u_j y_j               what the forces of all rows do to a body
+//   body velocity  x   = sum_j u_j y_j               effect of the forces of all rows on a body
 //
-// and 7.1.1 reads y_j <- clamp(y_j + t_j - u_j . x): no division. u_j . x is A lambda, because
-// u_i . u_j = A_ij / (s_i s_j). The columns of b share the axes; each has its own y and x.
+// and 7.1.1 reads y_j <- clamp(y_j + t_j - u_j . x), without a division. u_j . x is A lambda, because u_i . u_j =
+// A_ij / (s_i s_j). The columns of b share the axes; each has its own y and x.
 //
-// Rows that stand together and act on the same two bodies, up to three, are a block: the contact row of a point and
-// its friction are one. A block takes the velocities of its bodies once, for all its rows and columns.
+// Up to three consecutive rows that act on the same two bodies form a block: the contact row of a point and its
+// friction rows are one. A block loads the velocities of its bodies once, for all its rows and columns.
 //
 // Two rows of a disc have one s, so that their y are bounded by a disc too, and u of length 1 or less. They move
 // together: y <- P_disc(y + t - U x), with both errors from the same x (system_equation.h).
@@ -47,17 +47,17 @@ class UnitRows {
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
     };
 
-    static constexpr int rows_of_a_block = 3;  // at most
+    static constexpr int rows_of_a_block = 3;  // maximum
     struct Block {
-        int begin = 0, count = 0;  // of rows
+        int begin = 0, count = 0;  // rows
         int a = 0, b = 0;          // bodies
-        int disc = -1;             // the first row of a disc, by its place in the block; of one disc at most
-        // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; for whoever has called couple().
+        int disc = -1;             // index in the block of the first row of a disc, or -1; at most one disc
+        // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; valid after couple().
         std::array<double, 3> couplings{};
     };
 
-    // Takes the rows of `island` and their guesses [N, rows of the system x columns]. A row with A_jj = 0 becomes
-    // one of zeros.
+    // Loads the rows of `island` and their warm start [N, rows of the system x columns]. A row with A_jj = 0
+    // becomes a row of zeros.
     void load(const SystemEquation& system, const Island& island, const Columns& guess) {
         begin(island);
         for (const RowRun& run : island.runs) load_run(system, island, run, guess, 0, system.dt);
@@ -65,8 +65,7 @@ class UnitRows {
         follow();
     }
 
-    // The same in steps, of which all but the first may be shared by threads, run by run and block by block: first
-    // this, for the number of rows and bodies.
+    // The same in four stages, of which threads may share all but the first, by run and by block. First: sizes.
     void begin(const Island& island) {
         rows.resize(static_cast<std::size_t>(island.rows));
         units_.resize(rows.size());
@@ -75,7 +74,7 @@ class UnitRows {
         blocks.clear();
         coupled_ = false;
     }
-    // Second, each run, for a step of `dt` [s], with guesses from column `first` on.
+    // Second, for each run: loads its rows for a step of `dt` [s], with the warm start in columns from `first` on.
     void load_run(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
                   Eigen::Index first, double dt) {
         for (int j = run.begin, number = run.first; j < run.end; ++j, ++number) {
@@ -88,12 +87,12 @@ class UnitRows {
             load_row(system, island, run, guess, first, dt, j, row);
         }
     }
-    // Third: the blocks of the rows from one number up to another.
+    // Third: the blocks of rows `begin_row` .. `end_row` - 1.
     void add_blocks(int begin_row, int end_row, std::vector<Block>& to) const {
         for (int j = begin_row; j < end_row; ++j) add_to_block(j, to);
     }
-    // Fourth: the velocities that follow from the forces. By follow(), or for movable bodies with velocities of
-    // zero by adding the blocks that act on them one after the other.
+    // Fourth: the velocities due to the forces. Either follow(), or, for movable bodies whose velocities are zero,
+    // adding the blocks that act on them one after the other.
     [[gnu::flatten]] void add_velocities(std::span<const Block> some, BodyVelocity& still) {
         for_each_block(some, [&](const Block& block, auto count, auto) {
             Value y[count];
@@ -104,7 +103,7 @@ class UnitRows {
         });
     }
 
-    // Writes the answer [N] for the rows of the island that was loaded; both columns of `lambda` when it has one.
+    // Writes the solution [N] for the rows of the loaded island; to both columns of `lambda` if it has one.
     void store(const SystemEquation& system, const Island& island, Columns& lambda) const {
         auto row = rows.begin();
         for (const RowRun& run : island.runs) {
@@ -116,7 +115,7 @@ class UnitRows {
     double error(const Row& row, int c) const {
         return row.t[at(c)] - row.unit->a.dot(x_of(row.a).col(c)) - row.unit->b.dot(x_of(row.b).col(c));
     }
-    // In all columns, of a row whose bodies have the velocities `x`.
+    // In all columns, for a row whose bodies have the velocities `x`.
     Value error(const Row& row, const Velocity (&x)[columns]) const {
         const Axis u = axis_of(*row.unit);
         Two sums[columns];
@@ -124,7 +123,7 @@ class UnitRows {
         return Lanes<columns>::of(row.t) - Lanes<columns>::sum(sums);
     }
 
-    // `y` between the bounds of a row without a disc as they are now.
+    // `y` clamped to the current bounds of a row without a disc.
     double clamped(const Row& row, int c, double y) const {
         const double other = leader(row, c);
         return std::max(std::min(y, row.high[at(c)] * other), row.low[at(c)] * other);
@@ -139,7 +138,7 @@ class UnitRows {
         return larger(smaller(y, high), low);
     }
 
-    // The forces of both rows of a disc put into it as it is now, which `row` is the second of.
+    // Projects the forces of both rows of a disc onto its current radius; `row` is the second.
     void put_in_disc(const Row& row, int c, double& first, double& second) const {
         const double share = share_in_disc(first * first + second * second, row.high[at(c)] * leader(row, c));
         first *= share;
@@ -155,9 +154,8 @@ class UnitRows {
         second *= Lanes<columns>::of(share);
     }
 
-    // Moves a row to the force `y`, as near as its bounds let it, and its bodies along; rows one after the other in
-    // their order. The two of a disc move together, when it is the turn of the second. Returns the largest change
-    // of a row's velocity [m/s].
+    // Sets a row's force to `y` clamped to its bounds, and updates its bodies; rows have to be visited in order.
+    // The two rows of a disc move together at the second one. Returns the largest change of a row's velocity [m/s].
     double move(Row& row, int c, double y) {
         switch (row.disc) {
             case Disc::none:
@@ -174,7 +172,7 @@ class UnitRows {
         return row.scale * std::max(std::abs(change), std::abs(set(row, c, y)));
     }
 
-    // Gives a row the force y, and its bodies the velocities that follow. Returns the change of y.
+    // Sets the force of a row and updates its bodies. Returns the change of y.
     double set(Row& row, int c, double y) {
         const double change = y - row.y[at(c)];
         row.y[at(c)] = y;
@@ -189,20 +187,19 @@ class UnitRows {
                 reinterpret_cast<Two*>(x_of(block.b).data() + 6 * c)};
     }
 
-    // The same for threads that work on other blocks of the same static bodies at the same time: `still` stands for
-    // these, and is zero.
+    // The same for threads that work concurrently on other blocks with the same static bodies: `still`, which is
+    // zero, replaces these.
     Velocity at_bodies(const Block& block, std::size_t c, BodyVelocity& still) {
         BodyVelocity& a = block.a < movable ? x_of(block.a) : still;
         BodyVelocity& b = block.b < movable ? x_of(block.b) : still;
         return {reinterpret_cast<Two*>(a.data() + 6 * c), reinterpret_cast<Two*>(b.data() + 6 * c)};
     }
 
-    // Calls `visit` with each block, and with the number of its rows and the place of its disc as constants.
+    // Calls `visit` for each block, with its number of rows and the index of its disc as compile-time constants.
     template <typename Visit>
     void for_each_block(const Visit& visit) {
         for_each_block(std::span<Block>(blocks), visit);
     }
-    // Of some blocks.
     template <typename AnyBlock, typename Visit>
     void for_each_block(std::span<AnyBlock> some, const Visit& visit) {
         for (AnyBlock& block : some) {
@@ -228,14 +225,14 @@ class UnitRows {
         }
     }
 
-    // Adds to the velocities of a block's bodies what its rows make of the changes of their y.
+    // Adds the changes of a block's forces to the velocities of its bodies.
     template <std::size_t count>
     void push(const Block& block, const Value (&changes)[count]) {
         Velocity x[columns];
         unrolled<columns>([&](auto c) { x[c] = at_bodies(block, c); });
         push<count>(block, changes, x);
     }
-    // Whose velocities are these.
+    // With the velocities of the bodies given.
     template <std::size_t count>
     void push(const Block& block, const Value (&changes)[count], const Velocity (&x)[columns]) {
         const Row* row = rows_of(block);
@@ -248,19 +245,18 @@ class UnitRows {
         });
     }
 
-    // The bodies' velocities anew from all forces, which removes what roundings have left behind.
+    // Recomputes the bodies' velocities from all forces, which removes accumulated rounding errors.
     void follow() {
         std::fill(velocity.begin(), velocity.end(), BodyVelocity::Zero());
         BodyVelocity still = BodyVelocity::Zero();
         add_velocities(blocks, still);
     }
 
-    // Writes the couplings of the blocks, if they are not there yet.
+    // Computes the couplings of the blocks unless up to date.
     void couple() {
         if (!coupled_) couple(blocks);
         coupled_ = true;
     }
-    // Of some blocks.
     void couple(std::span<Block> some) {
         for_each_block(some, [&](Block& block, auto count, auto) {
             const Row* row = rows_of(block);
@@ -304,10 +300,10 @@ class UnitRows {
     // Multiply-adds of one pass that reads and writes every row in every column, and of one that only reads.
     double pass_work() const { return 24.0 * columns * static_cast<double>(rows.size()); }
     double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
-    // Of adding all rows to a matrix that is to be factorised.
+    // Multiply-adds of adding all rows to a matrix to be factorised.
     double factor_rows_work() const { return 108.0 * static_cast<double>(rows.size()); }
 
-    // The largest speed that a row asks for while there are no forces [m/s].
+    // Largest speed that a row asks for without any forces [m/s].
     double fastest() const {
         double largest = 0.0;
         for (const Row& row : rows) {
@@ -320,7 +316,7 @@ class UnitRows {
         return largest;
     }
 
-    // Whether some bound is a multiple of another row's force.
+    // Whether any bound is a multiple of another row's force.
     bool bounds_follow() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });
     }
@@ -329,12 +325,12 @@ class UnitRows {
     }
 
     std::vector<Row> rows;
-    std::vector<Block> blocks;           // of all rows, in their order
-    std::vector<BodyVelocity> velocity;  // x, one a body
-    int movable = 0;                     // so many bodies can move; the static ones come after them
+    std::vector<Block> blocks;           // of all rows, in order
+    std::vector<BodyVelocity> velocity;  // x, one per body
+    int movable = 0;                     // number of movable bodies; static ones have higher numbers
 
   private:
-    // Row j of the system, which is of `run`; the bodies are there already.
+    // Row j of the system, part of `run`; its bodies are already set.
     void load_row(const SystemEquation& system, const Island& island, const RowRun& run, const Columns& guess,
                   Eigen::Index first, double dt, int j, Row& row) {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
@@ -365,7 +361,7 @@ class UnitRows {
     void store_row(const SystemEquation& system, const Row& row, int j, Columns& lambda) const {
         for (int c = 0; c < columns; ++c) {
             lambda(j, c) = row.scale > 0.0 ? row.y[at(c)] / (system.dt * row.scale) : 0.0;
-            // The bounds once more: scaling back may pass them by a rounding.
+            // Clamp again: scaling back may exceed the bounds by rounding.
             clamp_force(system.rows, j, c, lambda);
         }
         if (columns == lambda.cols()) return;
@@ -388,12 +384,12 @@ class UnitRows {
         to.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = row.disc == Disc::first ? 0 : -1});
     }
 
-    // What a row's bounds are factors of.
+    // The force that the row's bounds are factors of.
     double leader(const Row& row, int c) const {
         return row.of_row < 0 ? 1.0 : rows[static_cast<std::size_t>(row.of_row)].y[at(c)];
     }
 
-    // The residual of both rows of a disc that want these forces; `row` is the second.
+    // Residual of both rows of a disc for these unprojected forces; `row` is the second.
     Value missed_in_disc(const Row& row, Value first, Value second) const {
         put_in_disc(row, first, second);
         first -= Lanes<columns>::of((&row - 1)->y);
@@ -401,15 +397,15 @@ class UnitRows {
         return row.scale * root(Value(first * first + second * second));
     }
 
-    // The other row's s; 1 where it is 0, because its y is 0 then.
+    // s of the other row; 1 if it is 0, because its y is 0 then.
     double scale_of(int row) const {
         const double scale = rows[static_cast<std::size_t>(row)].scale;
         return scale > 0.0 ? scale : 1.0;
     }
 
     std::vector<Jacobian> units_;                    // by row
-    bool coupled_ = false;                           // whether the blocks have their couplings
-    std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is to come; see move()
+    bool coupled_ = false;                           // the couplings of the blocks are up to date
+    std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is next; see move()
 };
 
 }  // namespace pushfactor::engine::solvers

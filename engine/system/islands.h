@@ -129,10 +129,9 @@ class Islands {
     std::vector<int> joined_;     // movable bodies with rows
     std::vector<int> parent_;     // by body, union-find forest; -1 without rows
     std::vector<int> island_of_;  // by body
-    // by body, number in its island; for static bodies in the island that numbered it last
-    std::vector<int> number_of_;
-    std::vector<int> named_by_;  // by body, the island that numbered this static body last
-    std::vector<int> begin_;     // by island, first body or run; and the end of the last one
+    std::vector<int> number_of_;  // by body, in its island; for static bodies in the one that numbered it last
+    std::vector<int> named_by_;   // by body, the island that numbered this static body last
+    std::vector<int> begin_;      // by island, first body or run; and the end of the last one
     std::vector<Island> islands_;
     std::vector<int> bodies_;   // of all islands
     std::vector<RowRun> runs_;  // of all islands

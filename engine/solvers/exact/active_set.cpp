@@ -7,19 +7,19 @@ namespace {
 using Row = UnitProblem::Row;
 
 constexpr double greatest_rho = 1e9;
-// With discs, whose map is not linear between its bounds, a step may have to stay near where the map was taken:
-// where one leads farther away rho shrinks, to this or less, and the next starts from the best again; where one
-// leads nearer it grows.
+// With discs the natural map is not linear between its bounds, so steps may have to stay near the linearisation
+// point: rho shrinks, to this or less, after a step that makes the residual worse, and the next starts from the
+// best iterate; otherwise it grows.
 constexpr double careful_rho = 1e3, least_rho = 1e-3;
 constexpr double rho_gain = 10.0, rho_loss = 0.1;
-// Changes that improve nothing before the method gives up; one that leads this much farther away is the last.
+// Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.
 constexpr int most_without_gain = 3;
 constexpr double diverged = 1e3;
 
 }  // namespace
 
-// The free rows are judged by a Jacobi step: judged with rho_, every small residual would look like a change of the
-// active set. A row whose leader acts on other bodies is set to where its bound is now.
+// Free rows are found by a Jacobi step: with rho_ every small residual would look like a change of the active set.
+// A row whose leader acts on other bodies is set to its current bound.
 void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double>& y) {
     states_.resize(y.size());
     slides_.clear();
@@ -41,9 +41,9 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
     }
 }
 
-// Of both rows of the disc whose second row is `j`. On the circle, with w = y + r and radius R, the answer is
-// R w / |w|; to first order in the changes of w and R this is a force along d = w / |w| that follows R, and across
-// it a damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a).
+// Both rows of the disc whose second row is `j`. On the circle, with w = y + r and radius R, the solution is R w /
+// |w|; to first order in the changes of w and R this is a force along d = w / |w| that follows R, and across it a
+// damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a).
 void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                 bool may_follow) {
     const Row &first = problem.rows[j - 1], &second = problem.rows[j];
@@ -113,14 +113,14 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
     factored_ = states_;
 }
 
-// One change. Returns whether the rows are in the states of the change before.
+// One step. Returns whether the states of the rows are those of the previous step.
 bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                        SolveCount& count) {
     find_states(problem, y);
     const bool stayed = states_ == factored_ && slides_.empty();
     factor(order, problem, effort, count);
 
-    // Where rows go that are not solved for; before their leader has moved, if they follow.
+    // New values of the rows that are not solved for; with the leader's old value for those that follow.
     moved_.resize(y.size());
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -152,7 +152,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
-        const double scale = bound_scale(row, y);  // of the leader where it has moved to
+        const double scale = bound_scale(row, y);  // uses the leader's new value
         if (states_[j] == State::slides) {
             if (row.disc == Disc::second) end_slide(problem, *slide++, y);
             continue;
@@ -167,7 +167,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     return stayed;
 }
 
-// Pushes the bodies by what a sliding point changes of its force before its leader and they have moved.
+// Applies to the bodies the change of a sliding point's force for unchanged leader and velocities.
 void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y) {
     const Row& row = problem.rows[slide.second];
     const double y_1 = y[slide.second - 1], y_2 = y[slide.second];
@@ -177,7 +177,7 @@ void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, cons
     push(row, slide.across, -(1.0 + slide.k) * across, d_);
 }
 
-// Writes its forces, on the circle.
+// Writes the forces of a sliding point, on the circle.
 void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::vector<double>& y) {
     const Row& row = problem.rows[slide.second];
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
@@ -200,8 +200,8 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
     const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
     if (rho_ != begin) factored_.clear();
     rho_ = begin;
-    // One change more than the tolerance asks for: it has its factor already and takes the rest down to rounding,
-    // which a stack that is not solved again for a minute would add up to a motion.
+    // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
+    // not solved again for a minute from creeping.
     for (bool enough = false; !enough && count.iterations - before < changes && without_gain < most_without_gain &&
                               effort.affords(most);) {
         enough = best_.residual() <= tolerance;

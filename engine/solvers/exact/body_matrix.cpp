@@ -8,8 +8,7 @@ namespace pushfactor::engine::solvers {
 namespace {
 
 // Replaces the lower triangle of a symmetric positive definite matrix by the inverse of its Cholesky factor, and
-// what is above by zeros. With the inverse every further step is a product, without divisions that wait for each
-// other.
+// the rest by zeros. With the inverse all further steps are products, without dependent divisions.
 void invert_factor(Matrix6& matrix) {
     Matrix6 inverse = Matrix6::Zero();
     for (int column = 0; column < 6; ++column) {
@@ -28,7 +27,7 @@ void invert_factor(Matrix6& matrix) {
     matrix = inverse;
 }
 
-// Replaces any matrix by its inverse: Gauss-Jordan with exchanges of rows. Not finite where it is singular.
+// Inverts a general matrix in place: Gauss-Jordan with row pivoting. Non-finite if singular.
 void invert(Matrix6& matrix) {
     Matrix6 inverse = Matrix6::Identity();
     for (int column = 0; column < 6; ++column) {
@@ -69,7 +68,7 @@ void BodyMatrix::begin(const Elimination& order) {
     }
 }
 
-// A block belongs to the earlier node's column and the later node's row.
+// A block is stored in the column of the earlier node and the row of the later one.
 const BodyMatrix::Between& BodyMatrix::between(int a, int b) {
     if (last_.a != a || last_.b != b) {
         const int node_a = node_of(a), node_b = node_of(b);
@@ -135,7 +134,7 @@ void BodyMatrix::factor_symmetric() {
     }
 }
 
-// Of column k stay L_ik as they are, and D_k^-1 U_kj.
+// Column k then holds L_ik unchanged and D_k^-1 U_kj.
 void BodyMatrix::factor_general() {
     const auto& nodes = order_->nodes();
     for (std::size_t i = nodes.size(); i < blocks_.size(); ++i) above_[i] += blocks_[i].transpose();

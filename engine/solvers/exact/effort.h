@@ -1,5 +1,4 @@
-// What an exact solve may still spend: over all columns and everything that is tried. An inner matter of the
-// solvers.
+// Remaining budget of an exact solve, over all columns and methods. Internal to the solvers.
 #pragma once
 
 #include <limits>
@@ -8,19 +7,19 @@ namespace pushfactor::engine::solvers {
 
 class Effort {
   public:
-    // At most so many multiply-adds in all, and so many factorisations per column.
+    // Limits on multiply-adds in total and on factorisations per column.
     explicit Effort(double work, double factorisations = std::numeric_limits<double>::infinity())
         : left_(work), of_a_column_(factorisations) {
         begin_column(1);
     }
 
-    // A column gets its share of what is left, where so many are still to come, itself included.
+    // Gives a column its share of the rest; `columns` is the number of columns still to come, including this one.
     void begin_column(int columns) {
         work_ = left_ / columns;
         factorisations_ = of_a_column_;
     }
 
-    // Whether there is enough left in the column for a factorisation that takes `work`.
+    // Whether the rest of the column covers a factorisation that takes `work`.
     bool affords(double work) const { return work <= work_ && factorisations_ >= 1.0; }
     void spend(double work) {
         work_ -= work;
@@ -34,7 +33,7 @@ class Effort {
     double spent() const { return spent_; }
 
   private:
-    double left_ = 0.0, work_ = 0.0, spent_ = 0.0;  // multiply-adds, of all columns and of the one at hand
+    double left_ = 0.0, work_ = 0.0, spent_ = 0.0;  // multiply-adds, of all columns and of the current one
     double of_a_column_ = 0.0, factorisations_ = 0.0;
 };
 

@@ -9,8 +9,8 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Of a symmetric matrix, for a node with so many below it and so many products: its diagonal block, each block
-// below it, and each product.
+// Work for a node of a symmetric matrix with that many blocks below and products: diagonal block, each block below
+// it, each product.
 double symmetric_work_of(double below, double products) {
     return 56.0 + 126.0 * below + 216.0 * products;
 }
@@ -33,8 +33,8 @@ void Elimination::find(int bodies, std::span<const std::pair<int, int>> pairs, d
     symmetric_work_ = general_work_ = std::numeric_limits<double>::infinity();
 }
 
-// Returns whether that stays within the work. Least degree first; the neighbours of an eliminated body become
-// neighbours of each other. Among equals the one with the lowest number, so that the order depends on nothing else.
+// Minimum degree; the neighbours of an eliminated body become neighbours of each other. Ties go to the lowest
+// number, so that the order depends on nothing else. Returns false if the work limit is exceeded.
 bool Elimination::order(std::vector<std::vector<int>> neighbours, double most_work) {
     std::set<std::pair<std::size_t, int>> left;  // degree and body
     for (std::size_t body = 0; body < neighbours.size(); ++body) {
@@ -45,7 +45,7 @@ bool Elimination::order(std::vector<std::vector<int>> neighbours, double most_wo
     }
     node_of_.assign(neighbours.size(), -1);
     nodes_.clear();
-    std::vector<std::vector<int>> below;  // as bodies
+    std::vector<std::vector<int>> below;  // body numbers
     double work = 0.0;
     while (!left.empty()) {
         const int body = left.begin()->second;
@@ -74,7 +74,7 @@ bool Elimination::order(std::vector<std::vector<int>> neighbours, double most_wo
     return true;
 }
 
-// Where each block of the factor lies, and which products go where.
+// Numbers the blocks of the factor and lists the products.
 void Elimination::number_blocks() {
     int count = static_cast<int>(nodes_.size());
     for (Node& node : nodes_) {
@@ -92,7 +92,7 @@ void Elimination::number_blocks() {
         const auto below = static_cast<double>(node.below.size());
         const auto products = static_cast<double>(node.updates.size());
         symmetric_work_ += symmetric_work_of(below, products);
-        // A matrix that is not symmetric has the products above the diagonal too.
+        // An unsymmetric matrix has the products above the diagonal too.
         general_work_ += 216.0 + 216.0 * below + 216.0 * (2.0 * products - below);
     }
 }

@@ -15,29 +15,29 @@ double asked_speed(const UnitProblem& problem) {
 
 namespace {
 
-// Changes of the active set at first, and after the interior point method. From near the answer a few are enough;
-// more of them find no end more often than one.
+// Active set steps at first, and after the interior point method. Near the solution a few are enough; more of them
+// rarely succeed if these do not.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
-// And of careful ones, where discs slide.
+// Careful steps at first, for sliding discs.
 constexpr int first_careful_changes = 3;
-// They come first where the guess is as near as this share of the largest speed that a row asks for, and as long as
-// what the interior point method may take is left besides.
+// Careful steps come first if the residual is below this share of asked_speed() and the effort also covers the
+// interior point method.
 constexpr double careful_share = 1e-2;
 constexpr double interior_factorisations = 14.0;
 constexpr int careful_changes = 40;
 constexpr auto bold = ActiveSet::Pace::bold;
-// Steps of the interior point method.
+// Limit on interior point steps.
 constexpr int most_steps = 60;
-// It stays a little inside the bounds and takes long to get to rounding. But at this share of the largest speed
-// that a row asks for it knows which rows are clamped, and from there the active set gets to the end; if not, a
-// longer way shows more.
+// Residual at which the interior point method hands over, as a share of asked_speed(). It stays slightly inside the
+// bounds and converges slowly to rounding, but at this point it has identified the clamped rows, and the active set
+// method finishes; if not, it continues to the tolerance.
 constexpr double near_share = 1e-8;
-// Rows whose residual no force can lower: their axes, weighted with it, sum up to this share of it or less.
+// Rows contradict if the sum of their axes weighted with their residuals is at most this share of the residuals.
 constexpr double cancelled = 1e-6;
 
-// What the residual of a row can be told to with forces of this size [m/s]; forces that are larger than what is
-// asked for explains are no excuse.
+// Rounding error of residuals for forces of this size [m/s], capped: forces beyond what asked_speed() explains are
+// no excuse.
 double rounding_of(const UnitProblem& problem, const std::vector<double>& y) {
     double largest = 0.0;
     for (std::size_t j = 0; j < y.size(); ++j) largest = std::max(largest, problem.rows[j].scale * std::abs(y[j]));
@@ -46,8 +46,8 @@ double rounding_of(const UnitProblem& problem, const std::vector<double>& y) {
 
 }  // namespace
 
-// Farkas: where p, the change of force that each row still asks for, moves no body, no forces between the bounds
-// lower the residual. Writes p. Bounds that follow another row might give way, so p has to do without theirs.
+// Farkas: if p, the change of force that each row still asks for, moves no body, no forces within the bounds lower
+// the residual. Writes p. Bounds that follow another row might give way, so p must vanish on those rows.
 bool ExactAnswer::contradicts() {
     follow(problem_, y_, x_, r_);
     p_.resize(y_.size());
@@ -70,8 +70,9 @@ bool ExactAnswer::contradicts() {
     return moved <= cancelled * cancelled * asked;
 }
 
-// What the forces have of p they have for nothing, and the methods let it grow. It is taken off, and p is taken
-// from the right side: what is left of the problem has an answer. Once more, because p is known better then.
+// The component of the forces along p has no effect, and the methods let it grow: it is removed, and p is
+// subtracted from the right-hand side, which leaves a solvable problem. Done twice, because p is more accurate the
+// second time.
 void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, SolveCount& count) {
     const std::vector<double> before = y_;
     const auto energy = [&] {

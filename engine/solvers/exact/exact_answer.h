@@ -1,5 +1,5 @@
-// The exact answer to a system in unit rows, column by column: changes of the active set, and where those do not
-// settle, the interior point method. An inner matter of the solvers.
+// Exact solution of a system in unit rows, column by column: active set method, and interior point method if that
+// fails. Internal to the solvers.
 #pragma once
 
 #include "engine/solvers/exact/active_set.h"
@@ -12,7 +12,7 @@
 
 namespace pushfactor::engine::solvers {
 
-// The largest speed that a row of the problem asks for while there are no forces [m/s].
+// Largest speed that a row of the problem asks for without any forces [m/s].
 double asked_speed(const UnitProblem& problem);
 
 class ExactAnswer {
@@ -21,45 +21,44 @@ class ExactAnswer {
     ExactAnswer(const ExactAnswer&) = delete;  // structure_ points into structures_
     ExactAnswer& operator=(const ExactAnswer&) = delete;
 
-    // Finds out which bodies the rows connect. Comes first.
+    // Looks up the connectivity of the island. To be called first.
     void take(const Island& island) { structure_ = &structures_.of(island); }
-    int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // static partners included
-    // Whether several movable bodies are connected without a cycle, so that the factor has no fill-in.
+    int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // including static bodies
+    // Whether the movable bodies are connected without a cycle, so that the factor has no fill-in.
     bool is_tree() const {
         const auto pairs = static_cast<int>(structure_->movable_pairs.size());
         return pairs > 0 && pairs < structure_->movable;
     }
 
-    // Plans the factorisation, if it takes at most this many multiply-adds. Comes second.
+    // Plans the factorisation unless it takes more than `most_work` multiply-adds. To be called second.
     void plan(double most_work = std::numeric_limits<double>::infinity()) {
         structures_.plan(*structure_, most_work);
     }
 
-    // Multiply-adds of one factorisation, rows included; may be infinite where that is more than was asked for.
-    // Needs the plan.
+    // Multiply-adds of one factorisation including assembly; may be infinite if that exceeds the plan's limit.
     template <int columns>
     double factorisation(const UnitRows<columns>& rows) const {
         const Elimination& order = structure_->order;
         return (rows.bounds_follow() ? order.general_work() : order.symmetric_work()) + rows.factor_rows_work();
     }
 
-    // Improves the forces until the natural residual is at most `tolerance` [m/s], falls no further, or the effort
-    // is used up; what slides on discs, and takes long to get there, until it is at most `will_do` [m/s]. Never
-    // leaves a column worse than it was. Returns whether all columns got to the tolerance, or to rounding; where
-    // not, count.contradicts may say why.
+    // Improves the forces until the natural residual is at most `tolerance` [m/s], stops falling, or the effort is
+    // used up; problems with discs, which converge slowly, until it is at most `will_do` [m/s]. Never makes a
+    // column worse. Returns whether all columns reached the tolerance, or rounding; if not, count.contradicts may
+    // tell why.
     template <int columns>
     bool solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort, SolveCount& count);
 
   private:
     template <int columns>
     void take_column(const UnitRows<columns>& rows, int column);
-    // The column that was taken.
+    // Solves the current column.
     bool settle(double tolerance, double will_do, Effort& effort, SolveCount& count);
     bool contradicts();
     void solve_without_contradiction(double tolerance, Effort& effort, SolveCount& count);
 
     Structures structures_;
-    Structure* structure_ = nullptr;  // of the island at hand
+    Structure* structure_ = nullptr;  // of the current island
     ActiveSet active_set_;
     InteriorPoint interior_;
     UnitProblem problem_;

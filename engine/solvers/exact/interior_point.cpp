@@ -8,41 +8,41 @@ namespace {
 
 using Row = UnitProblem::Row;
 
-// Smaller is better, until the roundings of the factors show: earlier where they are not symmetric, and for rows
-// that no bound keeps small. Under a heavy load contacts need a small one: what it leaves of a force is what the
-// residual is, divided by it.
+// Smaller is better, until rounding errors of the factors show: earlier for unsymmetric ones and for rows without
+// bounds. Contacts under heavy load need a small value: the residual is the force error that delta leaves, divided
+// by delta.
 constexpr double delta_symmetric = 1e-8;
 constexpr double delta_general = 1e-7;
 constexpr double delta_discs = 1e-11;
-// An error of a distance below this share of the force is none: near the end distances are smaller than it.
+// Error of a distance below this share of the force counts as zero: near the end distances are smaller than it.
 constexpr double rounding = 1e-15;
-// Bounds that are nearer to each other than this share of a typical force of the problem leave nothing to solve
-// for. On the way between two such bounds every step would end after as small a share of it.
+// Bounds closer to each other than this share of a typical force leave nothing to solve for; between them every
+// step would be cut to an equally small share.
 constexpr double thin = 1e-9;
-// Least distance from a bound at the start, as a share of a typical force.
+// Least initial distance from a bound, as a share of a typical force.
 constexpr double least_distance = 1e-6;
-// Share of its radius up to which forces fill a disc at the start.
+// Share of its radius up to which forces initially fill a disc.
 constexpr double most_of_a_disc = 0.5;
-// The least target while discs are in error: this share of that, but not more than this one of the gap.
+// Least target while discs are in error: this share of the error, but at most least_sigma_in_error of the gap.
 constexpr double target_per_error = 0.01;
 constexpr double least_sigma_in_error = 0.1;
-// A predictor that can go no further than this foresees nothing.
+// A predictor step shorter than this is useless.
 constexpr double short_predictor = 0.1;
 constexpr double sigma_without_predictor = 0.3;
-// What is gone of the way to the nearest bound, and when that is nearly the whole step.
+// Share of the distance to the nearest bound per step; larger for steps of nearly full length.
 constexpr double most_of_the_way = 0.99;
 constexpr double long_step = 0.9;
 constexpr double most_of_a_long_way = 0.9995;
-// Steps below this share, one after the other, after which a problem that is not convex is jammed.
+// A non-convex problem is jammed after most_short_steps consecutive steps below this share.
 constexpr double short_step = 0.05;
 constexpr int most_short_steps = 6;
-// Steps after which nothing comes any more, where a gap that falls to this share of itself is a gain.
+// Stall: this many steps in which the gap does not fall to `gain` of its minimum.
 constexpr double gain = 0.9;
 constexpr int most_without_gain = 10;
 
 }  // namespace
 
-// The largest change of a force that a row asks for by itself, now or without any force.
+// Largest change of a force that a row asks for by itself, at y or at zero forces.
 double InteriorPoint::typical_force(const UnitProblem& problem, const std::vector<double>& y) const {
     double typical = std::numeric_limits<double>::min();
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -54,7 +54,7 @@ double InteriorPoint::typical_force(const UnitProblem& problem, const std::vecto
     return typical;
 }
 
-// Inside the bounds, at a distance that suits the problem, with multipliers of that size.
+// Starting point: inside the bounds, at a distance that suits the problem, with multipliers of that size.
 void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>& y) {
     const double typical = typical_force(problem, y);
     points_.assign(y.size(), {});
@@ -70,7 +70,7 @@ void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>&
         const double scale = leader ? leader->y : 1.0;
         const double low = row.low * scale, high = row.high * scale;
         point.y = std::max(std::min(y[j], high), low);
-        const double width = row.high - row.low;  // for one that follows: at a typical force of its leader
+        const double width = row.high - row.low;  // of a row that follows: per unit of its leader's force
         if (!(row.scale > 0.0) || !(leader ? width > thin : width > thin * typical)) continue;
         if (leader && !(leader->w > 0.0) && !(high - low > thin * typical)) continue;
         point.w = 1.0;
@@ -88,7 +88,7 @@ void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>&
     }
 }
 
-// Of both rows of the disc whose second row is `j`.
+// Both rows of the disc whose second row is `j`.
 void InteriorPoint::start_disc(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                double typical) {
     const Row& row = problem.rows[j];
@@ -120,7 +120,7 @@ void InteriorPoint::look_at(const UnitProblem& problem, DiscPoint& disc) const {
     disc.across = between(first, -disc.d_2, second, disc.d_1);
 }
 
-// Judges the forces as they are, put within their bounds; then writes what Newton's step needs.
+// Evaluates the current forces, clamped to their bounds; then computes the terms of the Newton step.
 void InteriorPoint::look(const UnitProblem& problem) {
     y_.resize(points_.size());
     for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
@@ -144,7 +144,7 @@ void InteriorPoint::look(const UnitProblem& problem) {
     for (DiscPoint& disc : discs_) look_at(problem, disc);
 }
 
-// The mean complementarity after `share` of the step.
+// Mean complementarity after `share` of the step.
 double InteriorPoint::mean_gap(double share) const {
     const auto gap = [share](const Bound& bound) {
         return bound.is ? (bound.s + share * bound.ds) * (bound.z + share * bound.dz) : 0.0;
@@ -157,7 +157,7 @@ double InteriorPoint::mean_gap(double share) const {
     }
     for (const DiscPoint& disc : discs_) {
         const double radius = disc.radius + share * disc.d_radius;
-        // Where it grows t goes straight: de is for a radius that stays.
+        // If R grows t moves linearly; de is for constant R.
         const double own = disc.d_radius > 0.0 ? disc.radius / radius * share : share;
         const double e_1 = disc.e_1 + own * disc.de_1, e_2 = disc.e_2 + own * disc.de_2;
         sum += radius * (1.0 - (e_1 * e_1 + e_2 * e_2)) * (disc.z + share * disc.dz);
@@ -166,8 +166,8 @@ double InteriorPoint::mean_gap(double share) const {
     return bounds > 0 ? sum / bounds : 0.0;
 }
 
-// By how much z e is not what the rows of discs miss, in units of the gap: the mean of |r - z e| R. It is not
-// linear, so that a full step leaves some of it; and where the gap runs ahead of it, z e moves no more.
+// Mean error of r = z e in the discs, in units of the gap: mean of |r - z e| R. It is nonlinear, so that a full
+// step leaves some of it; and if the gap shrinks ahead of it, z e gets stuck.
 double InteriorPoint::error_of_discs() const {
     double sum = 0.0;
     for (const DiscPoint& disc : discs_) {
@@ -177,7 +177,7 @@ double InteriorPoint::error_of_discs() const {
     return discs_.empty() ? 0.0 : sum / static_cast<double>(discs_.size());
 }
 
-// The share of the step after which the first distance or multiplier is zero, at most 1.
+// Share of the step at which the first distance or multiplier becomes zero, at most 1.
 double InteriorPoint::longest_step() const {
     double share = 1.0;
     const auto limit = [&share](double value, double change) {
@@ -193,7 +193,7 @@ double InteriorPoint::longest_step() const {
     for (const DiscPoint& disc : discs_) {
         limit(disc.radius, disc.d_radius);
         limit(disc.z, disc.dz);
-        // To where |e| is 1; in units of R, |e + s de + ...| = 1 + s dR / R where the disc grows.
+        // Up to |e| = 1; in units of R, |e + s de + ...| = 1 + s dR / R if the disc grows.
         const double grows = std::max(0.0, disc.d_radius / disc.radius);
         const double along_1 = disc.de_1 + disc.e_1 * grows, along_2 = disc.de_2 + disc.e_2 * grows;
         const double a = along_1 * along_1 + along_2 * along_2 - grows * grows;
@@ -215,7 +215,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         if (point.w == 0.0) continue;
         const bool in_discs = problem.has_discs && (point.low.is || point.high.is);
         const double delta = in_discs ? delta_discs : problem.bounds_follow ? delta_general : delta_symmetric;
-        // Added up so that the mirrored problem, whose bounds have changed sides, gives the same number.
+        // This order of summation gives the mirrored problem, with exchanged bounds, the same bits.
         point.w = 1.0 / (delta + (point.low.ratio() + point.high.ratio()));
         point.c = 0.0;
         if (point.leader < 0) continue;
@@ -254,8 +254,8 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
     matrix_.factor();
 }
 
-// The step towards a complementarity of `target`, with `second_order` times the products of the last step's
-// changes.
+// Newton step towards a complementarity of `target`, with `second_order` times the products of the last step's
+// changes (Mehrotra corrector).
 void InteriorPoint::aim(const UnitProblem& problem, double target, double second_order) {
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) {
@@ -263,7 +263,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         Point& point = points_[j];
         const auto aim_at = [&](Bound& bound) {
             if (!bound.is) return;
-            // Here the multiplier while its row stays; its change once the step is known.
+            // dz holds the multiplier for a fixed row here, and its change once the step is known.
             bound.dz = (target - second_order * bound.ds * bound.dz - bound.z * bound.error) / bound.s;
         };
         aim_at(point.low);
@@ -273,7 +273,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         push(row, point.own, d_);
     }
     for (DiscPoint& disc : discs_) {
-        // Here the multiplier while the forces stay, as above.
+        // dz holds the multiplier for fixed forces here, as above.
         const double dh =
             disc.free() * disc.d_radius - 2.0 * disc.radius * (disc.e_1 * disc.de_1 + disc.e_2 * disc.de_2);
         disc.dz = (target - second_order * dh * disc.dz) / (disc.radius * disc.free());
@@ -289,8 +289,8 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
     }
     matrix_.solve(d_);
     find_steps(problem);
-    // What the steps make of the velocities is not quite d, by the roundings of weights that differ by many
-    // decades.
+    // One step of iterative refinement: the velocities due to the steps differ from d by rounding errors, because
+    // the weights differ by many decades.
     missed_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) push(problem.rows[j], points_[j].dy, missed_);
     for (std::size_t i = 0; i < missed_.size(); ++i) missed_[i] -= d_[i];
@@ -321,7 +321,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
     }
 }
 
-// The steps of the forces that follow from d.
+// Steps of the forces that follow from d.
 void InteriorPoint::find_steps(const UnitProblem& problem) {
     for (std::size_t j = 0; j < points_.size(); ++j) {
         Point& point = points_[j];
@@ -364,7 +364,7 @@ void InteriorPoint::go(double share) {
     }
 }
 
-// Predictor, then corrector with the same factor. Returns the share of the step that was gone.
+// Predictor, then corrector with the same factor. Returns the share of the step that was taken.
 double InteriorPoint::step(const Elimination& order, const UnitProblem& problem) {
     factor(order, problem);
     aim(problem, 0.0, 0.0);
@@ -393,7 +393,7 @@ double InteriorPoint::solve(const Elimination& order, const UnitProblem& problem
     for (int k = 0; k <= steps; ++k) {
         const double before = best_.residual();
         look(problem);
-        // What natural residual a point far inside of its bounds has says little: the gap shows the way.
+        // The natural residual of a point far inside its bounds says little; progress is judged by the gap.
         const double gap = mean_gap(0.0);
         without_gain = best_.residual() < before || gap < gain * least_gap ? 0 : without_gain + 1;
         least_gap = std::min(least_gap, gap);

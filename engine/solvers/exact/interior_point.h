@@ -1,38 +1,36 @@
 // The box-constrained problem of 6.2.9 by a primal-dual interior point method (Mehrotra 1992), in the space of the
-// bodies' velocities like active_set.h, which is faster where it settles; this one goes its way through any number
-// of clamped rows in some twenty factorisations.
+// bodies' velocities like active_set.h. That one is faster where it converges; this one handles any number of
+// clamped rows in some twenty factorisations.
 //
-// The distances s of a force from its bounds are unknowns of their own, which meet the bounds only at the end, and
-// a bound that follows another row (Coulomb friction, 5.4) moves with it in every Newton step. With the bounds
-// l = low y_i, h = high y_i of a row j that follows row i (y_i is 1 for any other row):
+// The distances s of a force from its bounds are separate unknowns that meet the bounds only at convergence, and a
+// bound that follows another row (Coulomb friction, 5.4) moves with it in every Newton step. With the bounds l =
+// low y_i, h = high y_i of a row j that follows row i (y_i is 1 for any other row):
 //
-//   y - s_l = l,  y + s_h = h          both up to an error p that each step takes off
+//   y - s_l = l,  y + s_h = h          both up to an error p that each step reduces
 //   s_l z_l = s_h z_h = target         which goes to zero
 //   U x - t = z_l - z_h
 //
-// and with Theta = delta + z_l/s_l + z_h/s_h, W = 1/Theta, c_j = low z_l/s_l + high z_h/s_h, q the right side that
-// is left when s and z are eliminated:
+// and with Theta = delta + z_l/s_l + z_h/s_h, W = 1/Theta, c_j = low z_l/s_l + high z_h/s_h, q the right-hand side
+// after elimination of s and z:
 //
 //   dy_j = W_j (q_j - u_j . d + c_j dy_i)
 //   (I + sum_j W_j u_j u_j^T + sum_i sum_j W_i W_j c_j u_j u_i^T) d = sum_j dy_j(d = 0) u_j
 //
 // A disc (friction on the cone) bounds two rows t together. They stay inside, as t = R e with |e| < 1, have one
-// multiplier z, and meet the circle at the end:
+// multiplier z, and meet the circle at convergence:
 //
 //   r = z e,  z R (1 - |e|^2) = target
 //
-// A step goes straight in t where R grows, and in e where it shrinks, because t and R go to zero together where a
-// contact opens. Of the two directions of a disc the one across e
-// has W = 1 / (delta + z/R), the one along e W = 1 / (delta + z/R (1 + |e|^2) / (1 - |e|^2)), and where R is h
-// times the force of row i, c = 2 h |e| z/R / (1 - |e|^2). What a full step leaves of r = z e is of second order;
-// the target goes to zero no faster than that.
+// A step is linear in t if R grows and in e if it shrinks, because t and R go to zero together where a contact
+// opens. Of the two directions of a disc the one across e has W = 1 / (delta + z/R), the one along e W = 1 / (delta
+// + z/R (1 + |e|^2) / (1 - |e|^2)), and if R is h times the force of row i, c = 2 h |e| z/R / (1 - |e|^2). The
+// error of r = z e after a full step is of second order; the target goes to zero no faster than that.
 //
-// Without rows that follow, the problem is convex and its matrix symmetric, and the method gets to the answer of
-// everything that has one. With them it is neither, and the method may be jammed between rows that wedge each
-// other.
+// Without rows that follow others the problem is convex, its matrix symmetric, and the method converges for every
+// solvable problem. With them it is neither, and the method may jam between rows that wedge each other.
 //
 // Symbols as in unit_problem.h; s distances, z >= 0 multipliers of the bounds [sqrt(kg) m/s], delta a proximal
-// parameter [1] around y as it is in a step, which makes redundant rows harmless; U x - t is -r.
+// parameter [1] around the y of each step, which regularises redundant rows; U x - t is -r.
 #pragma once
 
 #include "engine/solvers/exact/body_matrix.h"
@@ -46,38 +44,37 @@ namespace pushfactor::engine::solvers {
 
 class InteriorPoint {
   public:
-    // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], falls no further, or
-    // `steps` factorisations or the effort are used up. Returns the residual that was reached [m/s]; y is the best
-    // that was seen among those that give the bodies no more energy than the guess or no force at all, and never
-    // worse than it was.
-    // `order` must connect the bodies of every row.
+    // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], stops falling, or
+    // `steps` factorisations or the effort are used up. Returns the final residual [m/s]; y is the best iterate
+    // among those that give the bodies no more energy than the warm start or zero force, and never worse than
+    // before. `order` must connect the bodies of every row.
     double solve(const Elimination& order, const UnitProblem& problem, double tolerance, int steps,
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
   private:
-    // One bound of a row on its way: its distance, multiplier, and the steps of both.
+    // One bound of a row: distance, multiplier, and the steps of both.
     struct Bound {
-        bool is = false;  // whether there is one
+        bool is = false;  // the bound exists
         double s = 1.0, z = 0.0;
-        double error = 0.0;  // p, by which the distance is not s
+        double error = 0.0;  // p, distance minus s
         double ds = 0.0, dz = 0.0;
 
         double ratio() const { return is ? z / s : 0.0; }
     };
     struct Point {
         double y = 0.0, dy = 0.0;
-        double w = 0.0;    // W; 0 for a row that stays where it is
+        double w = 0.0;    // W; 0 for a fixed row
         double c = 0.0;    // c_j
-        int leader = -1;   // whose step its bounds follow
-        double own = 0.0;  // W q, its step while d and its leader's step are zero
+        int leader = -1;   // row whose step its bounds follow
+        double own = 0.0;  // W q, its step for d = 0 and a leader that does not move
         Bound low, high;
     };
 
-    // A disc on its way. Steps as in Point; d is the direction of e.
+    // State of a disc. Steps as in Point; d is the direction of e.
     struct DiscPoint {
-        std::size_t second = 0;   // its second row
-        double per_leader = 0.0;  // h: what R grows by with its leader's force, if it has one
-        bool follows = false;     // whether the leader is a row between the same bodies, whose step is unknown
+        std::size_t second = 0;   // second row of the disc
+        double per_leader = 0.0;  // h: growth of R per unit of its leader's force, if it has one
+        bool follows = false;     // the leader acts on the same bodies, so that its step is unknown
         double radius = 0.0, e_1 = 0.0, e_2 = 0.0, z = 0.0;
         double d_1 = 1.0, d_2 = 0.0;
         double d_radius = 0.0, de_1 = 0.0, de_2 = 0.0, dz = 0.0;

@@ -10,7 +10,7 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Pairs and blocks that are kept at most, beside those of the island at hand: some 20 MB.
+// Limit on stored pairs and blocks besides those of the current island: some 20 MB.
 constexpr std::size_t most_kept = 1 << 16;
 
 std::uint64_t hash_of(const Island& island, const Structure::Pairs& pairs) {
@@ -29,8 +29,8 @@ std::size_t size_of(const Structure& structure) {
 
 }  // namespace
 
-// In an order of their own: that of the rows changes with heights, the structure does not. Sorted by their first
-// body by counting, and then those of each body.
+// Pairs in an order of their own, because that of the rows changes with heights while the structure does not.
+// Bucket sort by the first body, then by the second.
 void Structures::find_pairs(const Island& island) {
     begin_.assign(static_cast<std::size_t>(island.body_count) + 1, 0);
     for (const RowRun& run : island.runs) ++begin_[static_cast<std::size_t>(std::min(run.a, run.b)) + 1];
@@ -71,7 +71,7 @@ Structure& Structures::make(const Island& island, std::uint64_t hash) {
     made.movable = island.movable();
     made.body_count = island.body_count;
     made.all_pairs = pairs_;
-    // The static bodies have the highest numbers.
+    // Static bodies have the highest numbers.
     std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(made.movable_pairs),
                  [&](const auto& pair) { return pair.second < made.movable; });
     size_ += size_of(made);
@@ -81,7 +81,7 @@ Structure& Structures::make(const Island& island, std::uint64_t hash) {
 
 void Structures::plan(Structure& structure, double most_work) {
     if (structure.planned >= most_work) return;
-    // Further than asked for, because the next step may ask for a little more.
+    // Plan for more than requested, because the next step may need slightly more.
     const double limit = 2.0 * most_work;
     structure.order.find(structure.movable, structure.movable_pairs, limit);
     const bool found = std::isfinite(structure.order.symmetric_work());

@@ -1,6 +1,6 @@
-// What an exact solve knows of an island before it sees a number: which bodies rows connect, and from that the
-// order of elimination and where the factor fills in. Both stay from step to step while the same bodies touch, and
-// islands that are connected alike have them in common, so they are kept. An inner matter of the solvers.
+// Cache of the connectivity of islands: which bodies rows connect, and the elimination order and fill-in that
+// follow. These stay the same from step to step while the same bodies touch, and equally connected islands share
+// them. Internal to the solvers.
 #pragma once
 
 #include "engine/solvers/exact/elimination.h"
@@ -19,10 +19,10 @@ struct Structure {
     std::uint64_t hash = 0;           // of the next three
     int movable = 0, body_count = 0;  // of the island
     using Pairs = std::vector<std::pair<int, int>>;
-    Pairs all_pairs;       // of bodies that rows connect, static ones included; ascending, each once
-    Pairs movable_pairs;   // of those the ones of two movable bodies
-    Elimination order;     // found once plan() has been called
-    double planned = 0.0;  // multiply-adds up to which that was of interest; infinite once it is found
+    Pairs all_pairs;       // connected bodies, including static ones; ascending, unique
+    Pairs movable_pairs;   // those of two movable bodies
+    Elimination order;     // computed by Structures::plan()
+    double planned = 0.0;  // limit in multiply-adds of the last plan; infinite once found
 };
 
 class Structures {
@@ -31,10 +31,10 @@ class Structures {
     Structures(const Structures&) = delete;  // by_hash_ points into kept_
     Structures& operator=(const Structures&) = delete;
 
-    // That of `island`; good until the next call.
+    // The structure of `island`; valid until the next call.
     Structure& of(const Island& island);
 
-    // Plans the factorisation for what of() has returned, unless it takes more than `most_work` multiply-adds.
+    // Plans the factorisation of a structure from of(), unless it takes more than `most_work` multiply-adds.
     void plan(Structure& structure, double most_work = std::numeric_limits<double>::infinity());
 
   private:
@@ -45,11 +45,11 @@ class Structures {
     Structure& make(const Island& island, std::uint64_t hash);
     void forget_some();
 
-    Kept kept_;  // the one that was asked for last comes first
+    Kept kept_;  // most recently used first
     std::unordered_multimap<std::uint64_t, Kept::iterator> by_hash_;
-    std::size_t size_ = 0;           // pairs and planned blocks of all that are kept
-    Structure::Pairs pairs_;         // of the island at hand
-    std::vector<int> begin_, next_;  // by body, places in pairs_ while these are sorted
+    std::size_t size_ = 0;           // pairs and planned blocks of all kept structures
+    Structure::Pairs pairs_;         // of the current island
+    std::vector<int> begin_, next_;  // by body, positions in pairs_ during sorting
 };
 
 }  // namespace pushfactor::engine::solvers

@@ -1,8 +1,7 @@
-// One column of the system in unit rows (unit_rows.h), as the exact methods take it. An inner matter of the
-// solvers.
+// One column of the system in unit rows (unit_rows.h), in the form for the exact methods. Internal to the solvers.
 //
 // Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
-// what the rows still miss.
+// the residual of the rows.
 #pragma once
 
 #include "engine/system/system_equation.h"
@@ -20,17 +19,17 @@ struct UnitProblem {
         const Jacobian* unit = nullptr;  // u_j
         double t = 0.0;
         double low = 0.0, high = 0.0;  // bounds of y, or factors of the leader's y
-        int leader = -1;               // a row before this one that its bounds follow
+        int leader = -1;               // earlier row that its bounds follow, or -1
         Disc disc = Disc::none;
-        double scale = 0.0;  // m/s of a row for one unit of y; 0 for a row that cannot move anything
+        double scale = 0.0;  // m/s of a row per unit of y; 0 for a row that cannot move anything
     };
     std::vector<Row> rows;
     std::size_t bodies = 0;
-    bool bounds_follow = false;  // whether some row has a leader
+    bool bounds_follow = false;  // some row has a leader
     bool has_discs = false;
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
-    // matrix that is to be factorised.
+    // matrix to be factorised.
     double look_work() const { return 12.0 * static_cast<double>(rows.size()); }
     double pass_work() const { return 2.0 * look_work(); }
     double assembly_work() const { return (bounds_follow ? 180.0 : 108.0) * static_cast<double>(rows.size()); }
@@ -38,18 +37,18 @@ struct UnitProblem {
 
 using BodyVelocities = std::vector<Vector6>;
 
-// What a row's bounds are to be multiplied with while the forces are `y`.
+// Factor of a row's bounds for the forces `y`.
 inline double bound_scale(const UnitProblem::Row& row, const std::vector<double>& y) {
     return row.leader < 0 ? 1.0 : y[static_cast<std::size_t>(row.leader)];
 }
 
-// `value` between the bounds of a row without a disc, multiplied with `scale`.
+// `value` clamped to the bounds of a row without a disc, multiplied by `scale`.
 inline double clamped(const UnitProblem::Row& row, double value, double scale) {
     return std::max(std::min(value, row.high * scale), row.low * scale);
 }
 
-// Puts the force `value[j]` within the bounds that it has while the others are `y`; both forces of a disc when `j`
-// is its second row, nothing when it is the first.
+// Clamps the force `value[j]` to its bounds for the forces `y`; for the second row of a disc both its forces, for
+// the first none.
 inline void clamp(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                   std::vector<double>& value) {
     const UnitProblem::Row& row = problem.rows[j];
@@ -61,7 +60,7 @@ inline void clamp(const UnitProblem& problem, const std::vector<double>& y, std:
     value[j] *= share;
 }
 
-// Puts all forces within their bounds, those of leaders first.
+// Clamps all forces to their bounds; leaders come before their followers.
 inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
     for (std::size_t j = 0; j < y.size(); ++j) clamp(problem, y, j, y);
 }
@@ -70,13 +69,13 @@ inline bool act_on_the_same(const UnitProblem::Row& a, const UnitProblem::Row& b
     return a.a == b.a && a.b == b.b;
 }
 
-// An axis between the two tangents of a disc.
+// Linear combination of the two tangents of a disc.
 inline Jacobian between(const UnitProblem::Row& first, double share_1, const UnitProblem::Row& second,
                         double share_2) {
     return {share_1 * first.unit->a + share_2 * second.unit->a, share_1 * first.unit->b + share_2 * second.unit->b};
 }
 
-// u . v of an axis u between the bodies of the row, and of its own.
+// u . v for an axis u between the bodies of the row; and for the row's own axis.
 inline double along(const UnitProblem::Row& row, const Jacobian& u, const BodyVelocities& v) {
     return u.a.dot(v[static_cast<std::size_t>(row.a)]) + u.b.dot(v[static_cast<std::size_t>(row.b)]);
 }
@@ -93,7 +92,7 @@ inline void push(const UnitProblem::Row& row, double y, BodyVelocities& v) {
     push(row, *row.unit, y, v);
 }
 
-// Writes x and r.
+// Computes x and r.
 inline void follow(const UnitProblem& problem, const std::vector<double>& y, BodyVelocities& x,
                    std::vector<double>& r) {
     x.assign(problem.bodies, Vector6::Zero());
@@ -102,7 +101,7 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
 }
 
-// What the natural map changes of a force: of row `j`, or of both rows of a disc when `j` is its second.
+// Change of a force by the natural map: of row `j`, or of both rows of a disc if `j` is its second.
 struct Change {
     double of_first = 0.0, of_row = 0.0;
 
@@ -119,7 +118,7 @@ inline Change natural_change(const UnitProblem& problem, const std::vector<doubl
     return {share * first - y[j - 1], share * second - y[j]};
 }
 
-// Natural residual [m/s] of a y with this r; not finite where one of them is not.
+// Natural residual [m/s] of y with this r; NaN if any term is.
 inline double residual(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r) {
     double largest = 0.0;
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -130,9 +129,9 @@ inline double residual(const UnitProblem& problem, const std::vector<double>& y,
     return largest;
 }
 
-// q = 1/2 |x|^2 - t . y [J], which the answer minimises: the energy that the forces give the bodies beyond what
-// they are asked for, less what roundings make of it. On the way to an answer the residual may be small while the
-// forces do more work than none would.
+// q = 1/2 |x|^2 - t . y [J], which the solution minimises: the energy that the forces give the bodies beyond what
+// is asked for, less a rounding allowance. During the iteration the residual may be small while the forces do more
+// work than zero forces would.
 inline double objective(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x) {
     double q = 0.0;
     for (const Vector6& velocity : x) q += 0.5 * velocity.squaredNorm();
@@ -143,11 +142,11 @@ inline double objective(const UnitProblem& problem, const std::vector<double>& y
     return q;
 }
 
-// The best y that was seen on the way: of those that give the bodies no more energy than the first one or no force
-// at all, the one with the smallest residual.
+// The best iterate so far: the one with the smallest residual among those that give the bodies no more energy than
+// the first one or zero force.
 class BestForces {
   public:
-    // Begins with `y`, whose x and r follow() has written.
+    // Starts with `y`, and its x and r from follow().
     void start(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
                const std::vector<double>& r) {
         y_ = y;
@@ -156,11 +155,11 @@ class BestForces {
         allowed_ = std::max(0.0, objective(problem, y, x));
     }
 
-    // Whether `y` is the best so far.
+    // Stores `y` if it is the best so far; returns whether it is.
     bool look(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
               const std::vector<double>& r) {
         const double now = solvers::residual(problem, y, r);
-        // Written so that a y that is not finite, whose residual may look small, is none.
+        // The order of comparisons rejects a non-finite y, whose residual may look small.
         const bool better = now < residual_ && objective(problem, y, x) <= allowed_;
         if (!better) return false;
         y_ = y;
