@@ -1,5 +1,5 @@
-// Who solves which island of a step: one thread all of them, or several threads the small ones side by side and the
-// large ones together.
+// Distribution of the islands of a step: one thread solves all of them, or several threads solve small ones
+// concurrently and large ones together.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -16,11 +16,11 @@
 
 namespace pushfactor::engine {
 
-// What solves took: the sweeps of the island with the most of them, and the sum over islands of the rest.
+// Work of solves: the sweeps of the island with the most of them, and sums over islands.
 struct SolveWork {
     int sweeps = 0;
     double row_updates = 0.0, multiply_adds = 0.0;
-    double alone = 0.0;  // multiply-adds of the island that one thread takes longest for
+    double alone = 0.0;  // multiply-adds of the most expensive island that is solved by one thread
 
     SolveWork() = default;
     SolveWork(const Island& island, const solvers::SolveCount& count)
@@ -32,18 +32,18 @@ struct SolveWork {
     // Whether all threads solve it together.
     static bool is_large(const Island& island) { return island.rows >= Dissection::least_rows; }
 
-    // That of other islands in the same round.
+    // Adds other islands of the same round.
     void add(const SolveWork& other);
-    // That of another round.
+    // Adds another round.
     void operator+=(const SolveWork& other);
 };
 
 class Benches {
   public:
-    // What the first thread works with; the others work with copies. Without `threads` there is one.
+    // Sets the tools of the first thread; the others get copies. Without `threads` there is one thread.
     void set_up(solvers::Solver* solver, SmallSteps* small_steps, Threads* threads);
 
-    // Calls `solve(island, bench)`, which returns a SolveWork, with the islands of these numbers, in any order.
+    // Calls `solve(island, bench)`, which returns a SolveWork, for the islands of these numbers, in any order.
     template <typename Solve>
     SolveWork solve(std::span<const Island> islands, std::span<const int> numbers, const Solve& solve);
 
@@ -55,8 +55,8 @@ class Benches {
     std::vector<IslandSolver::Bench> benches_;  // one per thread
     std::vector<std::unique_ptr<solvers::Solver>> other_solvers_;
     std::vector<std::unique_ptr<SmallSteps>> other_small_steps_;
-    std::vector<int> numbers_;      // of the islands at hand, the small ones first
-    std::vector<SolveWork> works_;  // of these
+    std::vector<int> numbers_;      // of the current islands, small ones first
+    std::vector<SolveWork> works_;  // in the order of numbers_
 };
 
 template <typename Solve>
@@ -73,7 +73,7 @@ SolveWork Benches::solve(std::span<const Island> islands, std::span<const int> n
     return work;
 }
 
-// The large ones one after the other, so that all threads help with each.
+// Large islands one after the other, so that all threads work on each.
 template <typename Solve>
 void Benches::solve_side_by_side(std::span<const Island> islands, const Solve& solve) {
     const auto island_of = [&](int number) -> const Island& { return islands[static_cast<std::size_t>(number)]; };

@@ -7,19 +7,18 @@ namespace pushfactor::engine {
 
 namespace {
 
-// What the account of an island holds and what a solve pays in, in sweeps over its rows. Where exact answers belong
-// one takes some 20 to 50; in a moving heap hundreds.
+// Limit of an island's account and income per step, in sweeps over its rows. Exact solves that are appropriate take
+// some 20 to 50; in a moving heap they take hundreds.
 constexpr double most_in_sweeps = 120.0, most_where_it_stands = 2000.0, most_where_it_begins = 3000.0;
 constexpr double income_in_sweeps = 60.0;
-// Small islands have more, in multiply-adds: a stack of 15 that lands may take two million once. By bodies, up to a
-// number of them.
+// Small islands have more, in multiply-adds per body, up to `small_island` bodies: a stack of 15 that lands may
+// take two million once.
 constexpr double most_per_body = 3e5;
 constexpr double income_per_body = 3e4;
 constexpr double small_island = 200.0;
-// A failure takes this part of the account for itself and as much again for every failure just before it, up to
-// this many.
+// A failure costs the account's limit, doubled for every failure just before it, up to this many.
 constexpr double most_failures = 5.0;
-// A failure says more where the island moves: a heap that falls will have no answer in the next steps either.
+// Factor for failures of moving islands: a falling heap will have no exact solution in the next steps either.
 constexpr double longer_where_it_moves = 4.0;
 
 // Multiply-adds of a sweep.
@@ -69,7 +68,7 @@ Budget::Debt Budget::debt_of(const Island& island) const {
     return sum;
 }
 
-// Within a step islands only grow together: the one that has spent most counts.
+// Within a step islands only merge: the body that has spent most counts.
 const Budget::Spent& Budget::most_spent(const Island& island) const {
     const Spent* most = &spent_[static_cast<std::size_t>(island.bodies.front())];
     for (const int body : island.bodies) {
@@ -89,7 +88,7 @@ solvers::Termination Budget::limits(const Island& island, const solvers::Termina
     const Debt debt = debt_of(island);
     const double in_account = most_of(island, outlook) - debt.work;
     own.lasts = outlook != Outlook::moving;
-    // After a failure only a full account will do.
+    // After a failure only a full account is enough.
     own.credit = debt.failures > 0.0 && debt.work > 0.0 ? 0.0 : std::max(0.0, 0.5 * in_account);
     return own;
 }
@@ -110,7 +109,7 @@ void Budget::spent(const Island& island, const solvers::SolveCount& count, Outlo
         pay_in(island, debt);  // it has paid off
         debt.failures = 0.0;
     }
-    so_far.iterations += count.iterations - count.exact_iterations;  // whose work has an account of its own
+    so_far.iterations += count.iterations - count.exact_iterations;  // exact iterations are limited by work
     so_far.exact_work += count.exact_work;
     so_far.paid_in = true;
     for (const int body : island.bodies) {

@@ -1,15 +1,14 @@
-// What solving an island may cost. Two bounds:
+// Budget for solving an island. Two bounds:
 //
-//   - `iterations` of the world's termination are for all solves of a step together. A solve that looks may follow
-//     takes half of what is left of them, the last one takes the rest.
-//   - Exact answers have to pay off where a solver asks for that (`auto`): an account in multiply-adds, kept body
-//   by
-//     body because islands part and meet. Every solve of a step pays in what some sweeps cost, an exact method pays
-//     for what it does, and it may take half of what is there. After a failure nothing is there for a while, twice
-//     as long each time. Where an island stands the account is larger: a tower that begins without forces takes
-//     hundreds of sweeps' worth once, and nothing from then on.
+//   - `iterations` of the world's termination limits all solves of a step together. A solve that may be followed by
+//     a re-solve takes half of the rest, the last one takes all of it.
+//   - Exact solves have to pay off if a solver asks for that (`auto`): an account in multiply-adds, kept per body
+//     because islands split and merge. Every step pays in the cost of some sweeps, an exact method pays for its
+//     work and may take half of the account. After a failure the account is empty for a while, twice as long each
+//     time. For an island at rest it is larger: a tower that starts without forces takes hundreds of sweeps' worth
+//     once, and nothing from then on.
 //
-// In multiply-adds, which are the same on every machine. Not from the paper.
+// Measured in multiply-adds, which are machine-independent. Not from the paper.
 #pragma once
 
 #include "engine/solvers/solver.h"
@@ -24,48 +23,48 @@ namespace pushfactor::engine {
 
 class Budget {
   public:
-    // What the last step leaves to the next, of one body: its share of what its island has taken from the account
-    // and not yet paid back.
+    // State per body that is carried to the next step: its share of what its island has taken from the account and
+    // not yet paid back.
     struct Debt {
         double work = 0.0;      // multiply-adds
-        double failures = 0.0;  // of exact methods, one after the other; shared among bodies, so not whole
+        double failures = 0.0;  // consecutive ones of exact methods; shared among bodies, so fractional
         friend auto operator<=>(const Debt&, const Debt&) = default;
     };
 
-    // Before the first solve of a step in which those `awake` of all bodies take part.
+    // To be called before the first solve of a step; `awake` are the bodies that take part, out of `bodies`.
     void begin(std::size_t bodies, std::span<const int> awake);
 
-    // Takes back what these bodies have spent since begin().
+    // Reverts what these bodies have spent since begin().
     void take_back(std::span<const int> awake);
 
-    // Between solves in a step that do not count together.
+    // To be called between solves of a step that are budgeted separately.
     void begin_another() { std::fill(spent_.begin(), spent_.end(), Spent{}); }
 
     enum class Take { half, rest, exact_only };
 
-    // What an exact answer is good for: an island that moves needs another one in the next step, one that stands
-    // may keep it for good, and one that begins to stand, without any forces or from an exact answer of the step
-    // before (it lands, a layer after the other), needs the most to get there.
+    // How long an exact solution is useful: a moving island needs a new one in the next step, a standing one may
+    // keep it for good, and one that begins to stand, without forces or after an exact solve in the previous step
+    // (it lands layer by layer), needs the largest budget.
     enum class Outlook { moving, standing, beginning };
 
-    // What a solve of `island` may take, where `usual` is the world's own rule. At least one iteration, or none for
-    // exact answers only.
+    // Limits for a solve of `island`; `usual` is the world's termination. At least one iteration, or none for exact
+    // solves only.
     solvers::Termination limits(const Island& island, const solvers::Termination& usual, Take take,
                                 Outlook outlook = Outlook::moving) const;
 
-    // Iterations of the step that are left.
+    // Remaining iterations of the step.
     int iterations_left(const Island& island, const solvers::Termination& usual) const {
         return usual.iterations - most_spent(island).iterations;
     }
 
-    // Takes note of what it took.
+    // Books the cost of a solve.
     void spent(const Island& island, const solvers::SolveCount& count, Outlook outlook = Outlook::moving);
 
     std::span<const Debt> debts() const { return debts_; }  // by body; empty before the first step
     void set_debts(std::span<const Debt> debts) { debts_.assign(debts.begin(), debts.end()); }
 
   private:
-    // Of a body's islands in this step.
+    // Of the body's islands in this step.
     struct Spent {
         int iterations = 0;
         double exact_work = 0.0;  // multiply-adds
@@ -76,7 +75,7 @@ class Budget {
     const Spent& most_spent(const Island& island) const;
 
     std::vector<Debt> debts_;
-    std::vector<Debt> before_;  // by body awake, in their order
+    std::vector<Debt> before_;  // of awake bodies, in order
     std::vector<Spent> spent_;
 };
 

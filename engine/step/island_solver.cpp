@@ -9,9 +9,9 @@ namespace pushfactor::engine {
 
 namespace {
 
-constexpr std::size_t runs_of_a_part = 400;  // that a thread takes
+constexpr std::size_t runs_of_a_part = 400;  // per thread task
 
-// Calls `visit` with each row of some runs and each of their columns.
+// Calls `visit` for each row of the runs and each of their columns.
 template <typename Visit>
 void each_force(std::span<const RowRun> runs, int columns, const Visit& visit) {
     for (const RowRun& run : runs) {
@@ -21,7 +21,6 @@ void each_force(std::span<const RowRun> runs, int columns, const Visit& visit) {
     }
 }
 
-// Of all runs of the island.
 template <typename Visit>
 void each_force(const Island& island, const Visit& visit) {
     each_force(island.runs, island.columns, visit);
@@ -40,7 +39,7 @@ void copy_to_last(const Island& island, Columns& lambda) {
                [&](Eigen::Index j, Eigen::Index column) { lambda(j, lambda.cols() - 1) = lambda(j, column); });
 }
 
-// Puts the forces within their bounds, those of rows that others follow first. Returns whether one was not.
+// Clamps the forces to their bounds; leaders come before their followers. Returns whether any changed.
 bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, Threads* threads) {
     if (!island.has(RowDigest::limited)) return false;
     const auto clamp_some = [&](std::span<const RowRun> runs) {
@@ -64,7 +63,7 @@ bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, 
     return any;
 }
 
-// Of a solver that was asked for an exact one alone; lambda is as it was then.
+// For a solver that was asked for an exact solution only; it has left lambda unchanged.
 bool has_no_answer(const solvers::SolveCount& count) {
     return !count.exact && !count.contradicts && (count.gave_up || count.iterations == 0);
 }
@@ -113,8 +112,8 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     return count;
 }
 
-// What has been solved to the end so far may be hit harder than what stands usually is, and is worth another
-// answer.
+// Bodies that were solved exactly so far may be hit harder than standing ones usually are, and are worth another
+// exact solve.
 Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, const Allowed& allowed,
                                          const Columns& lambda) const {
     const bool was_exact = allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island);
@@ -124,7 +123,7 @@ Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, 
     return begins ? Budget::Outlook::beginning : Budget::Outlook::standing;
 }
 
-// What they leave has no tolerance of its own: the next small step sees it.
+// The residual left by small steps is not compared with a tolerance: the next small step reduces it.
 solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEquation& system,
                                                    std::span<const Body> bodies, const Island& island,
                                                    Columns& lambda, ConstraintForces& forces,
@@ -155,7 +154,8 @@ solvers::SolveCount IslandSolver::go_on(Bench& bench, const solvers::Termination
     return count;
 }
 
-// From forces that have outcome.residuals. What lies outside of its bounds could not be an answer.
+// Starts from forces with outcome.residuals. Forces outside their bounds cannot be a solution, so they are clamped
+// first.
 solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termination& termination,
                                               const SystemEquation& system, const Island& island,
                                               Columns* first_guess, Columns& lambda, ConstraintForces& forces,
@@ -210,8 +210,8 @@ IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, cons
     return residuals;
 }
 
-// Whether forces that bodies have kept are wrong because of a new force, as measure() has just left them. A body
-// that arrives does not outdate the forces between those that it meets.
+// Whether forces kept from earlier steps are wrong because of a new force; uses the state left by measure(). An
+// arriving body does not outdate the forces among the bodies that it meets.
 bool IslandSolver::is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
                                const solvers::Termination& usual, const Bench& bench) const {
     if (!warm_start_.begins_with_kept(island)) return false;
@@ -234,7 +234,7 @@ bool IslandSolver::is_outdated(const SystemEquation& system, const Island& islan
     return false;
 }
 
-// Then every row misses what it asks for, w = -b; bounds contain zero or are as near to it as they can be.
+// Residuals at zero forces: w = -b, and bounds contain zero or their nearest value to it is used.
 IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system, const Island& island) const {
     Residuals residuals{};
     each_force(island, [&](Eigen::Index j, Eigen::Index column) {
@@ -265,8 +265,8 @@ void IslandSolver::save(const Island& island, const Columns& lambda, Bench& benc
     });
 }
 
-// Of each column the best of what was found, what was there before, what the step began with, and nothing. Returns
-// whether that was another one than what was found for some column.
+// Takes for each column the best of the found forces, those before the solve, the first warm start of the step, and
+// zero forces. Returns whether any column was replaced.
 bool IslandSolver::guard(const SystemEquation& system, const Island& island, const Residuals& guessed,
                          Columns* first_guess, Columns& lambda, ConstraintForces& forces, Bench& bench,
                          Residuals& found) {

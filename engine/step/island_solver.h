@@ -1,9 +1,8 @@
-// The solve of one island in a step: whether its last forces will do (warm_start.h), what finding better ones may
-// cost (budget.h), and the guard around the solver. Whatever a solver does, what comes out is at most as bad as the
-// best of what the rows had before and of no forces at all, column by column, by the natural-map residual; a
-// residual that is not a number is worse than any.
+// Solves one island in a step: whether its last forces are good enough (warm_start.h), the budget for better ones
+// (budget.h), and a guard around the solver. For any solver the result is at most as bad as the best of the
+// previous forces and of zero forces, per column, by the natural-map residual; NaN counts as worse than anything.
 //
-// With tolerances of zero (the paper's fixed number of iterations) the answer is taken as it is.
+// With tolerances of zero (the paper's fixed number of iterations) the result is taken as it is.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -22,76 +21,76 @@ namespace pushfactor::engine {
 
 class IslandSolver {
   public:
-    // What a step leaves to the next, of one body.
+    // State per body that is carried to the next step.
     struct Memory {
         WarmStart::Memory forces;
         Budget::Debt debt;
     };
 
-    // What became of an island in its last solve of the step.
-    using Residuals = std::array<double, 2>;  // m/s, of both columns; 0 of a second one that there is not
+    // Result of the last solve of an island in the step.
+    using Residuals = std::array<double, 2>;  // m/s, of both columns; 0 for a missing second one
     struct Outcome {
-        bool solved = true;           // whether that is within the tolerance; true where there is none
-        bool refused = false;         // whether the guard took other forces than those of the solver
-        bool contradicts = false;     // whether the solver found rows that no forces can satisfy together
-        bool outdated = false;        // whether a new force made kept forces wrong
-        bool unfinished = false;      // whether exact answers alone were asked for, and there is none
-        bool in_small_steps = false;  // whether it has gone through the step in small ones
-        bool exhausted = false;       // whether more iterations would be of no use
-        Residuals residuals{};        // of the forces as they are
+        bool solved = true;           // residual within the tolerance; true if there is none
+        bool refused = false;         // the guard has replaced the solver's forces
+        bool contradicts = false;     // the solver found rows that no forces can satisfy together
+        bool outdated = false;        // a new force made kept forces wrong
+        bool unfinished = false;      // only exact solves were allowed, and they failed
+        bool in_small_steps = false;  // the step was divided into small ones
+        bool exhausted = false;       // more iterations would not help
+        Residuals residuals{};        // of the current forces
         Budget::Outlook outlook = Budget::Outlook::moving;
     };
 
-    // What a solve may do: which iterations of those that are left. Of a guess with a residual of more than
-    // `iterates_up_to` [m/s], it looks for an exact answer only, and may leave the island unfinished.
+    // Limits of a solve: its share of the remaining iterations. If the residual of the warm start exceeds
+    // `iterates_up_to` [m/s], only an exact solve is tried, and the island may be left unfinished.
     struct Allowed {
         Budget::Take take = Budget::Take::half;
         double iterates_up_to = std::numeric_limits<double>::infinity();
-        double stands_up_to = 0.0;  // m/s; residual of a guess that an exact answer may serve for good, if any
+        double stands_up_to = 0.0;  // m/s; warm start's residual up to which an exact solution may last; 0: never
     };
 
-    // What one thread solves with, one island after the other.
+    // Tools and scratch memory of one thread.
     struct Bench {
         solvers::Solver* solver = nullptr;
         SmallSteps* small_steps = nullptr;  // null: none are taken
-        Threads* threads = nullptr;         // that share the work on the island; null: one thread
-        RunsOfBodies runs_of{};             // with threads: of the island
-        std::vector<double> saved{};        // lambda of the island before it was solved
-        std::vector<Vector6> velocities{};  // of its bodies, while it is measured
+        Threads* threads = nullptr;         // share the work on the island; null: one thread
+        RunsOfBodies runs_of{};             // of the island, if there are threads
+        std::vector<double> saved{};        // lambda of the island before the solve
+        std::vector<Vector6> velocities{};  // scratch for residuals, by body of the island
     };
 
-    // Before the first solve of a step in which those `awake` of all bodies take part.
+    // To be called before the first solve of a step; `awake` are the bodies that take part, out of `bodies`.
     void begin(std::size_t bodies, std::span<const int> awake);
 
-    // Forgets a step that was begun with the same, in which one at rest was met.
+    // Reverts a step that is started again because it met a resting body.
     void take_back(std::span<const int> awake) { budget_.take_back(awake); }
 
-    // Before a step in which others take part than in the last one.
+    // To be called before a step with other awake bodies than the last one.
     void forget_islands() { warm_start_.forget_islands(); }
 
-    // Between solves that are problems of their own, whose work does not count together.
+    // To be called between solves that are separate problems and are budgeted separately.
     void begin_another() { budget_.begin_another(); }
 
-    // The solves of different islands, with a bench each, may go on at the same time.
+    // Different islands may be solved concurrently, with one bench per thread.
     //
-    // Solves `island` from the forces in `lambda`, which receives the answer; writes f_c of its bodies. A solve
-    // beyond the first one of a step, because of more rows, passes as `first_guess` what that one began with, and
-    // may find it put within its bounds.
+    // Solves `island`, with the forces in `lambda` as warm start, which receives the solution; writes f_c of its
+    // bodies. A re-solve within a step, because of additional rows, passes the warm start of the first solve as
+    // `first_guess`, which may be clamped to its bounds.
     solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
                               const Island& island, const Allowed& allowed, Columns* first_guess, Columns& lambda,
                               ConstraintForces& forces);
 
-    // Takes an island that is unfinished through the step in small ones. Writes into `ending` (by row of the step)
-    // what the next step begins with [N].
+    // Divides the step of an unfinished island into small steps. Writes the warm start of the next step into
+    // `ending` (by row of the step) [N].
     solvers::SolveCount take_small_steps(Bench& bench, const SystemEquation& system, std::span<const Body> bodies,
                                          const Island& island, Columns& lambda, ConstraintForces& forces,
                                          std::span<Lambda> ending);
 
-    // The same for an island that was solved in this step and has the same rows still.
+    // Continues a solve in this step; the island's rows must be unchanged.
     solvers::SolveCount go_on(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
                               const Island& island, Columns& lambda, ConstraintForces& forces);
 
-    // Whether the last solve of `island` in this step has left it unsolved, and iterations that may help.
+    // Whether the last solve of `island` in this step left it unsolved and more iterations may help.
     bool can_go_on(const Island& island, const solvers::Termination& usual) const {
         const Outcome& outcome = outcome_of(island);
         return !outcome.solved && !outcome.exhausted && budget_.iterations_left(island, usual) > 0;
@@ -102,7 +101,7 @@ class IslandSolver {
     }
     const WarmStart& warm_start() const { return warm_start_; }
 
-    // After the last solve of a step and what warm_start() has to say about its forces.
+    // To be called after the last solve of a step and after the last use of warm_start().
     void end(std::span<const int> awake) { warm_start_.end(awake); }
 
     void take_memory(std::vector<Memory>& memory) const;  // by body; empty before the first step

@@ -12,7 +12,8 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-// Edges of the cubes that have the smallest and the largest moment of inertia of the body [m]; m edge^2 / 6.
+// Edge lengths of the cubes whose moments of inertia are the smallest and the largest of the body [m]; m edge^2 /
+// 6.
 struct Sizes {
     explicit Sizes(const Body& body)
         : small(std::sqrt(6.0 * body.inverse_mass / body.inverse_inertia.maxCoeff())),
@@ -20,13 +21,13 @@ struct Sizes {
     double small, large;
 };
 
-// Whether the body is no farther from the place than `bound` of its size.
+// Whether the body is within `bound` of its size of the place.
 bool is_near(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
     const double limit = bound * sizes.small;
     return (body.position - place.position).squaredNorm() <= limit * limit;
 }
 
-// Whether it is turned by no more than that.
+// Whether it has turned by no more than that.
 bool is_turned_alike(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
     const double limit = bound * sizes.small;
     // |q - q'| of unit quaternions is half of a small angle between them.
@@ -35,13 +36,13 @@ bool is_turned_alike(const Body& body, const Sizes& sizes, double bound, const R
     return 4.0 * sizes.large * sizes.large * apart <= limit * limit;
 }
 
-// Whether its spin has changed so little that over the span it turns by no more than that otherwise.
+// Whether its spin has changed so little that over the span the additional turn stays within the bound.
 bool spins_alike(const Body& body, const Rest::Span& span, const Rest::Stay& place) {
     const double change = (body.angular_momentum - place.spin).norm() * body.inverse_inertia.maxCoeff();
     return change * span.time <= span.bound;
 }
 
-// Whether it has turned by no more than an angle [rad].
+// Whether it has turned by at most this angle [rad].
 bool is_turned_within(const Body& body, double angle, const Rest::Stay& place) {
     return std::abs(body.orientation.dot(place.orientation)) >= std::cos(0.5 * angle);
 }
@@ -137,7 +138,7 @@ void Rest::end_step(std::span<Body> bodies, std::span<const char> turns_unseen, 
     if (count_ != before) list_turning(bodies);
 }
 
-// A body that cannot turn has no size to compare with.
+// Skips bodies that cannot turn, because they have no size to compare with.
 void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns_unseen, std::span<const int> awake,
                        double dt) {
     for (const int index : awake) {
@@ -161,7 +162,7 @@ void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns
     }
 }
 
-// Whether it has been still in its place only, with a spin of its own. What rocks to and fro has none.
+// Whether it was still in position only, with a constant spin of its own. A rocking body has none.
 bool Rest::turns_on(const Body& body, const Memory& memory) const {
     for (std::size_t k = 0; k < spans.size(); ++k) {
         if (memory.stays[k].still < spans[k].time) continue;
@@ -192,7 +193,7 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
         if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
     }
     for (const RowRun& run : island.runs) {
-        // A belt brings what stays on it nothing, but may take it along later.
+        // A running belt does not move what is held on it now, but may take it along later.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
         const bool runs_along =
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
@@ -212,7 +213,7 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
     }
 }
 
-// Those of the island's groups that may.
+// Only groups that are still and held.
 void Rest::bring_to_rest(std::span<Body> bodies, const Island& island) {
     for (int k = 0; k < island.movable(); ++k) {
         const int root = root_of(k);

@@ -7,30 +7,31 @@ namespace pushfactor::engine::small_step_rules {
 
 namespace {
 
-// What is to carry load, which with two sweeps a step trembles for ever; what moves with little to carry, or is hit
-// somewhere; and what moves and is hit everywhere.
+// Divisions of a step: for islands that have to carry load, which jitter persistently with two sweeps per small
+// step; for islands that move with little load, or are hit in some places; and for islands that move and are hit
+// everywhere.
 constexpr SmallStepDivision carrying{.steps = 16, .sweeps = 4};
 constexpr SmallStepDivision moving_on{.steps = 16, .sweeps = 2};
 constexpr SmallStepDivision stirred{.steps = 8, .sweeps = 2};
-// Shares of its bodies that move, beyond which an island no longer stands, and is stirred.
+// Shares of moving bodies above which an island is not standing, and is stirred.
 constexpr double a_few_move = 0.05, a_part_moves = 0.25;
 
-// Residual with which an island has settled, as a share of the speed that external forces give in a step.
+// Residual at which an island has settled, as a share of the speed that external forces add per step.
 constexpr double settled = 1e-3;
 
-// And with which forces are missing at most, with room for roundings.
+// The same: largest residual due to missing forces, with room for rounding.
 constexpr double unbalanced = 1.1;
 
-// And with which bodies hit each other: more than load that is not held can build up in some steps.
+// The same: residual above which bodies hit each other; more than unsupported load can build up in some steps.
 constexpr double hit = 3.0;
 
-// And up to which hardly any load is not held.
+// The same: residual up to which hardly any load is unsupported.
 constexpr double unheld = 0.1;
 
-// Sweeps of a whole step spread load over as many layers as the root of their number.
+// Sweeps of a whole step spread load over a number of layers that is the square root of their number.
 constexpr int few = 6;
 
-// How many bodies are faster than one step of their external force makes them.
+// Number of bodies faster than the speed that one step of their external force gives them.
 int moving(double dt, std::span<const Body> bodies, const Island& island) {
     return static_cast<int>(std::count_if(island.bodies.begin(), island.bodies.end(), [&](int body) {
         const Body& own = bodies[static_cast<std::size_t>(body)];
@@ -42,7 +43,7 @@ bool is_more_than(double share, int bodies, const Island& island) {
     return bodies > share * island.movable();
 }
 
-// The largest speed that the external forces of a step give to a body [m/s].
+// Largest speed that the external forces of a step give a body [m/s].
 double fastest_by_forces(double dt, std::span<const Body> bodies, const Island& island) {
     double fastest = 0.0;
     for (const int body : island.bodies) {

@@ -1,4 +1,4 @@
-// When an island goes through a step in small ones (small_steps.h), and in how many.
+// Rules for dividing an island's step into small steps (small_steps.h).
 #pragma once
 
 #include "engine/bodies/body.h"
@@ -10,27 +10,27 @@ namespace pushfactor::engine {
 
 struct SmallStepDivision {
     int steps = 1;
-    int sweeps = 1;  // of each
+    int sweeps = 1;  // per small step
 };
 
 namespace small_step_rules {
 
-// Residual of a guess [m/s] up to which sweeps of a whole step finish what is left: so little that it need not
-// travel, and when they are done the forces can be kept.
+// Residual of the warm start [m/s] up to which sweeps of a whole step are enough: so small that it need not travel,
+// and afterwards the forces can be kept.
 //
-// Infinite where small steps are not for the island: a few bodies, whose sweeps get somewhere in a whole step; bars
-// that act both ways, because sweeps leave them a little wrong in every small step, and what they are wrong by has
-// no side on which it does no harm; and what bounces or keeps its push in the momenta, because a collision that a
-// small step takes over from the one before happens twice.
+// Infinite for islands not suited for small steps: few bodies, for which sweeps of a whole step converge; bars that
+// act both ways, because sweeps leave an error in every small step, and for these either sign does harm; and rows
+// that bounce or keep their push in the momenta, because a collision that one small step passes on to the next
+// happens twice.
 double largest_to_sweep(double dt, std::span<const Body> bodies, const Island& island);
 
-// Residual of a guess [m/s] up to which an exact answer may serve for good: no more than the external forces of the
-// step, where nearly all bodies are slower than these make them. Zero where they are not.
+// Residual of the warm start [m/s] up to which an exact solution may last: no more than the external forces of the
+// step cause, if nearly all bodies are slower than these make them; otherwise zero.
 double standing_speed(double dt, std::span<const Body> bodies, const Island& island);
 
-// What suits the island, whose guess has this residual [m/s]: many small steps of many sweeps where it is to carry
-// load, fewer sweeps where most of it moves with little to carry or some is hit, and fewer steps too where most of
-// it moves and is hit.
+// Division for an island with this residual of the warm start [m/s]: many small steps with many sweeps if it has to
+// carry load, fewer sweeps if most of it moves with little load or some of it is hit, and also fewer steps if most
+// of it moves and is hit.
 SmallStepDivision division_of(double dt, std::span<const Body> bodies, const Island& island, double residual);
 
 }  // namespace small_step_rules

@@ -9,15 +9,15 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Share of an impulse that the small step before must have had for it to carry something.
+// Share of an impulse that the previous small step must have had for it to count as carrying.
 constexpr double again = 0.5;
 
-// The last small step, whose velocities and forces the next step begins with, has so many times the sweeps: what
-// rings in a tower dies away.
+// Factor for the sweeps of the last small step, whose velocities and forces start the next step: damps oscillations
+// of towers.
 constexpr int more_at_the_end = 4;
 
 constexpr int push_sweeps = 4;
-// Rows that hold bodies apart, or points at a distance; the others are friction and bars that yield.
+// Rows that keep bodies apart or points at a distance; the others are friction and yielding bars.
 bool holds_place(const Bounds& bounds) {
     return bounds.of_row < 0 && (std::isinf(bounds.c_min) || std::isinf(bounds.c_max));
 }
@@ -26,7 +26,7 @@ const ConstraintRow& row_of(const SystemEquation& system, int row) {
     return system.rows[static_cast<std::size_t>(row)];
 }
 
-// Momenta from x, which is M^(-1/2)^T of them.
+// Momenta from x = M^(-1/2)^T p.
 Vector6 momenta_of(const InverseMass& inverse_mass, const Vector3& inverse_inertia, const Vector6& x) {
     const Vector3 turning = x.tail<3>().cwiseQuotient(inverse_inertia);
     return stacked(x.head<3>() / inverse_mass.linear_root, inverse_mass.angular_root * turning);
@@ -38,7 +38,7 @@ Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const V
 
 }  // namespace
 
-// Calls `visit` with the number in the island and the number in the step of each row.
+// Calls `visit(number in the island, row of the step)` for each row.
 template <typename Visit>
 void SmallSteps::each_row(const Part& part, const Visit& visit) const {
     auto number = static_cast<std::size_t>(part.begin_row);
@@ -84,7 +84,7 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
             .in_small_steps = true};
 }
 
-// The memory of all threads.
+// Sizes the memory shared by all threads.
 void SmallSteps::size(const Island& island) {
     rows_.begin(island);
     std::fill(rows_.velocity.begin() + island.movable(), rows_.velocity.end(), Vector6::Zero());
@@ -96,7 +96,7 @@ void SmallSteps::size(const Island& island) {
     for (std::vector<double>* of_rows : {&before_, &kept_, &sum_}) of_rows->resize(rows);
 }
 
-// Each member of the team does this with its parts.
+// Runs on each member of the team, for its parts.
 void SmallSteps::work(const Step& step, Team& team) {
     load(step, team);
     begin(step, team);
@@ -135,7 +135,7 @@ void SmallSteps::load(const Step& step, Team& team) {
     });
 }
 
-// Free motion at the start of the step, and what the first small step begins with.
+// Velocities and displacements at the start of the step, and the warm start of the first small step.
 void SmallSteps::begin(const Step& step, Team& team) {
     each_body(team, [&](std::size_t i) {
         const auto body = static_cast<std::size_t>(dissection_.island().bodies[i]);
@@ -190,8 +190,8 @@ double SmallSteps::impulse_gain(std::size_t body) const {
     return impulse_[body].dot(base_[body] + 0.5 * impulse_[body]);
 }
 
-// The energy that the impulses of the small step before would give the bodies [J]. Contacts and friction never give
-// any: where it is above zero, they have stopped what was moving.
+// Energy that reusing the impulses of the previous small step would give the bodies [J]. Contacts and friction
+// never add energy: if it is positive, these impulses have stopped something that was moving.
 double SmallSteps::gain(Team& team) {
     dissection_.by_leaves(team, [this](const Dissection::Leaf& leaf, std::size_t number) {
         double& own = sums_[number].gain;
@@ -204,8 +204,9 @@ double SmallSteps::gain(Team& team) {
     return all;
 }
 
-// Takes the impulses back to those that the small step before the last one had too: what pushes once was a
-// collision, what pushes twice carries. If that is no better, as much of them as takes most energy away.
+// Limits the impulses to those that the small step before the previous one had too: an impulse that occurs once was
+// a collision, one that repeats carries load. If that still adds energy, scales them so that most energy is
+// removed.
 void SmallSteps::forget_hits(Team& team) {
     dissection_.by_rounds(team, [this](const Part& part) { keep_hits_of(part); });
     if (!(gain(team) > 0.0)) return;
@@ -283,9 +284,9 @@ void SmallSteps::small_step(const Step& step, int sweeps, Team& team) {
     });
 }
 
-// A collision is in the whole step alone, what begins with the last small step in that alone: of two that point the
-// same way the shorter one, else neither. No more than the external forces do to the body: what is stopped harder
-// than that would be lifted into what still falls.
+// A collision shows only in the whole step, a load that starts in the last small step only there: if both point the
+// same way the shorter one is used, otherwise neither. Limited to the effect of the external forces on the body:
+// one that is stopped harder would be lifted into bodies that are still falling.
 void SmallSteps::kick_at_once(const Step& step, Team& team) {
     const int steps = step.division.steps;
     const double share = 0.5 * step.system.dt * (1.0 - 1.0 / steps);
@@ -298,7 +299,7 @@ void SmallSteps::kick_at_once(const Step& step, Team& team) {
     });
 }
 
-// The forces of the rows, and what those that last do to the bodies.
+// Writes the forces of the rows, and the lasting forces on the bodies.
 void SmallSteps::store(const Step& step, Team& team) {
     const Island& island = dissection_.island();
     const Eigen::Index last = step.lambda.cols() - 1;
@@ -328,7 +329,7 @@ void SmallSteps::store(const Step& step, Team& team) {
     });
 }
 
-// What a row of the part is to be taken by after the last small step, as a displacement, if it is by anything.
+// Computes the displacement target of each row of the part after the last small step.
 void SmallSteps::plan_push(const Step& step, const Part& part) {
     PartState& state = state_of(part);
     state.pushed.clear();
@@ -385,7 +386,7 @@ void SmallSteps::push_apart(const Step& step, Team& team) {
     });
 }
 
-// The forces of a whole step that take the bodies as far as the small ones did.
+// Constant forces that move the bodies in a whole step as far as the small steps did.
 void SmallSteps::write_moving_forces(const Step& step, Team& team) const {
     each_body(team, [&](std::size_t i) {
         const auto body = static_cast<std::size_t>(dissection_.island().bodies[i]);

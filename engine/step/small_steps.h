@@ -1,29 +1,29 @@
-// A step of one island in small ones: the rows and their axes of the whole step, in n small steps of k sweeps each.
+// Divides the step of one island into n small steps of k sweeps each, with the rows and axes of the whole step.
 //
-//   x <- x + h M^(-1/2)^T f_ext + (what the rows did in the small step before)      3.2.1, 6.2.3
-//   k times, and 4 k in the last: y_j <- clamp(y_j + t_j - u_j . x), x along        7.1.1
+//   x <- x + h M^(-1/2)^T f_ext + (impulses of the rows in the previous small step)      3.2.1, 6.2.3
+//   k times, and 4 k in the last: y_j <- clamp(y_j + t_j - u_j . x), x along             7.1.1
 //   d <- d + h x
 //
-// with h = dt / n. A force has to hold a velocity error of g h only, and what is left over is seen again in the
-// next small step, so that load travels through a tower as a wave, a layer a sweep, where the sweeps of a whole
-// step spread it like heat.
+// with h = dt / n. A force then only has to hold a velocity error of g h, and the next small step sees what is
+// left, so load travels through a tower like a wave, one layer per sweep, while sweeps of a whole step spread it
+// like heat.
 //
-// Symbols: x velocity and d displacement of a body with the root of its mass, M^(1/2) v [sqrt(kg) m/s] and
-// [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. A row that is still open has t_j = -gap / h, with the gap
-// that is left after d; one that has closed aims at rest, and friction at the speed of its belt.
+// Symbols: x velocity and d displacement of a body scaled by the square root of its mass, M^(1/2) v [sqrt(kg) m/s]
+// and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. An open row has t_j = -gap / h, with the gap that
+// remains after d; a closed one aims at rest, and friction at the speed of its belt.
 //
-// The means over the small steps would take a body as far as a constant force does, d = dt v + dt^2 a / 2, where a
-// whole step has dt v + dt^2 a (3.2): with axes that are those of the start, the former is an explicit step, and
-// what swings or rolls in a hollow would get faster with every swing. So what the step and its end have in common
-// of an acceleration is added to d as if it had acted from the beginning.
+// The means over the small steps would move a body like a constant force, d = dt v + dt^2 a / 2, while a whole step
+// gives dt v + dt^2 a (3.2). With the axes of the start of the step the former is an explicit step, and bodies that
+// swing or roll in a hollow would gain speed with every swing. So the acceleration common to the whole step and its
+// end is added to d as if it had acted from the beginning.
 //
-// The single-frame push (8.1) is apart: after the last small step the contact and distance rows, but no friction,
-// find a displacement that takes off the share `beta` of what overlaps. It is no velocity of any small step. As
-// a column of the system it lifts bodies by more than they overlap while it is not solved, and gravity makes
-// energy of the height.
+// The single-frame push (8.1) is separate: after the last small step the contact and distance rows, without
+// friction, solve for a displacement that removes the share `beta` of the overlap. It is not part of any small
+// step's velocity. As a column of the system it lifts bodies by more than they overlap while it is unsolved, and
+// gravity turns the height into energy.
 //
-// Not from the paper. The bodies are moved by World as ever: what comes out are the forces of a whole step that
-// would move them so.
+// Not from the paper. World moves the bodies as usual: the result are the forces of a whole step that would give
+// this motion.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -40,8 +40,8 @@
 
 namespace pushfactor::engine {
 
-// f_c = J^T lambda of both columns [N and N m, one per body]: what moves the bodies, and what sets their momenta.
-// The second one only for bodies whose island has two columns or has taken small steps.
+// f_c = J^T lambda of both columns [N and N m, one per body]: `moving` moves the bodies, `lasting` sets their
+// momenta. `lasting` is set only for bodies whose island has two columns or has taken small steps.
 struct ConstraintForces {
     std::vector<Vector6> moving, lasting;
 };
@@ -50,34 +50,34 @@ class SmallSteps {
   public:
     using Division = SmallStepDivision;
 
-    // With a division, every island takes that one.
+    // If given, `division` is used for every island.
     explicit SmallSteps(const std::optional<Division>& division = {}) : division_(division) {}
 
-    // One that does the same, for another thread.
+    // A copy for another thread.
     std::unique_ptr<SmallSteps> another() const { return std::make_unique<SmallSteps>(division_); }
 
-    // That division, or without one what suits the island, whose guess has this residual [m/s].
+    // The fixed division, or one suited to the island, whose warm start has this residual [m/s].
     Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const {
         return division_ ? *division_ : small_step_rules::division_of(dt, bodies, island, residual);
     }
 
-    // Takes the island through the step of `system`, from the forces in the last column of `lambda` [N], which
-    // receives their means over the step: in the first column with those of the push, in the last one without.
-    // Writes what its bodies are moved by, and into `ending` (by row of the step) what the next step begins with
-    // [N]. `threads` share the work; null: one thread.
+    // Advances the island through the step of `system`, with the last column of `lambda` as warm start [N].
+    // `lambda` receives the means over the step: with the push in the first column, without it in the last. Writes
+    // the forces on the bodies, and the warm start of the next step into `ending` (by row of the step) [N].
+    // `threads` share the work; null: one thread.
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
                               const Division& division, Threads* threads, Columns& lambda, ConstraintForces& forces,
                               std::span<Lambda> ending);
 
-    // What the rows still get wrong at the end of the last one [m/s], each with what it aims at there.
+    // Residual of the rows at the end of the last small step [m/s], with respect to its targets.
     double residual() const { return residual_; }
 
   private:
-    // A row that acts one way, and not while it is open.
+    // A one-sided row, inactive while it is open.
     struct OneSided {
         std::size_t row;   // number in the island
         double error;      // m, at the start of the step
-        double open_side;  // 1 where it is open above an error of zero, -1 below
+        double open_side;  // 1 if it is open for errors above zero, -1 if below
     };
     // A row that takes part in the push.
     struct Pushed {
@@ -85,21 +85,21 @@ class SmallSteps {
         int of_step;      // number in the step
         double want;      // sqrt(kg) m
     };
-    // What one thread knows of a part of the island. Not in the cache lines of another one.
+    // State of a part of the island, on cache lines of its own.
     struct alignas(64) PartState {
         std::vector<solvers::UnitRows<1>::Block> blocks{};
         std::vector<OneSided> one_sided{};
         std::vector<Pushed> pushed{};
-        bool drives = false;     // whether some row brings energy by itself
-        bool is_pushed = false;  // whether the push moves some row
+        bool drives = false;     // some row adds energy by itself
+        bool is_pushed = false;  // the push moves some row
         double residual = 0.0;   // m/s
     };
-    // Sums over the bodies of a leaf: their order does not depend on the threads.
+    // Sums over the bodies of a leaf, in an order independent of the threads.
     struct alignas(64) LeafSums {
         double gain = 0.0;                  // J
-        double along = 0.0, squared = 0.0;  // impulse with base_, and with itself [J]
+        double along = 0.0, squared = 0.0;  // impulse times base_, and squared [J]
     };
-    // The step at hand.
+    // Arguments of the current step.
     struct Step {
         const SystemEquation& system;
         std::span<const Body> bodies;
@@ -135,19 +135,19 @@ class SmallSteps {
 
     std::optional<Division> division_;
     double residual_ = 0.0;
-    Dissection dissection_;  // of the island at hand
+    Dissection dissection_;  // of the current island
     solvers::UnitRows<1> rows_;
     std::vector<PartState> states_;
     std::vector<LeafSums> sums_;
     // By movable body of the island:
     std::vector<Vector6> start_;    // x at the start of the step
-    std::vector<Vector6> pull_;     // x that the external forces add in a small step
+    std::vector<Vector6> pull_;     // x added by the external forces per small step
     std::vector<Vector6> base_;     // x before the rows act
-    std::vector<Vector6> impulse_;  // x that the rows have added in the last small step
+    std::vector<Vector6> impulse_;  // x added by the rows in the last small step
     std::vector<Vector6> moved_;    // d
     // By row of the island:
     std::vector<double> before_;  // y of the small step before the last one
-    std::vector<double> kept_;    // share of y, while hits are forgotten
+    std::vector<double> kept_;    // share of y that is kept in forget_hits()
     std::vector<double> sum_;     // of y over the small steps
 };
 
