@@ -1,4 +1,4 @@
-// What pushes the bodies of a world: external forces, as parts that a scene has or has not.
+// Interface of external forces on the bodies of a world.
 #pragma once
 
 #include "engine/bodies/awake.h"
@@ -8,7 +8,7 @@
 
 namespace pushfactor::engine {
 
-// The bodies of a world as a force source sees them: a loop goes through those that are not at rest (rest.h).
+// The bodies of a world as seen by a force source: iterates over those that are not at rest (rest.h).
 class ForcedBodies {
   public:
     ForcedBodies(std::span<Body> bodies, const Awake& awake) : bodies_(bodies), awake_(awake) {}
@@ -30,7 +30,7 @@ class ForcedBodies {
     Iterator begin() const { return {bodies_, awake_.members().begin()}; }
     Iterator end() const { return {bodies_, awake_.members().end()}; }
 
-    // By number; of one at rest a copy, good until the next call, because what is added to it does not count.
+    // By index. For a resting body returns a copy, valid until the next call, because forces on it do not count.
     Body& operator[](std::size_t body) const {
         if (awake_.has(static_cast<int>(body))) return bodies_[body];
         return at_rest_ = bodies_[body];
@@ -49,8 +49,8 @@ class ForceSource {
     virtual ~ForceSource() = default;
     virtual void add_forces(const ForcedBodies& bodies, double time) = 0;  // s since the start of the world
 
-    // Which bodies may get another force at `until` than at `from` [s] although they have not moved. These cannot
-    // rest; all of them, unless a source says better.
+    // Bodies that may get a different force at `until` than at `from` [s] without having moved; they cannot rest.
+    // All of them by default.
     virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
 };
 

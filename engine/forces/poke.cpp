@@ -2,7 +2,7 @@
 
 namespace pushfactor::engine {
 
-// The world's time is a sum of steps, so "from 2 s" must not miss the step that begins a rounding before it.
+// The world's time is a sum of steps, so "from 2 s" must include a step that begins a rounding error before it.
 bool PokeForce::acts_at(double time) const {
     const double rounding = 1e-9 * time;
     return time >= poke_.from - rounding && time < poke_.until - rounding;

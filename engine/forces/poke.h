@@ -1,4 +1,4 @@
-// A force on one body that begins and ends at given times.
+// A force on one body between two given times.
 #pragma once
 
 #include "engine/forces/force_source.h"
@@ -10,7 +10,7 @@ namespace pushfactor::engine {
 struct Poke {
     int body = 0;
     Vector3 force = Vector3::Zero();  // N, world frame, at the centre of mass
-    double from = 0.0;                // s of the world's time
+    double from = 0.0;                // s, world time
     double until = std::numeric_limits<double>::infinity();
 };
 

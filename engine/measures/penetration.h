@@ -1,4 +1,4 @@
-// How deep the bodies of a state are inside each other.
+// Penetration depth of the bodies of a state.
 #pragma once
 
 #include "engine/bodies/body.h"
@@ -9,16 +9,16 @@
 
 namespace pushfactor::engine {
 
-// Penetration d = -gap over all contact points of the state as it is.
+// Penetration d = -gap over all contact points of the current state.
 struct Penetration {
     double max = 0.0;  // m, 0 without contact
-    double rms = 0.0;  // m, over the contact points (measures M4, before the division by a length)
+    double rms = 0.0;  // m, over the contact points (measure M4, before the division by a length)
     int points = 0;
 };
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
 
-// The same with a detector that is kept from state to state: it finds what is near faster, where little has moved.
-// `threads` share the work; null: one thread.
+// The same with a detector that is reused from state to state, which is faster if little has moved. `threads` share
+// the work; null: one thread.
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
                         collision::Detector& detector, Threads* threads = nullptr);
 

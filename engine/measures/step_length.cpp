@@ -7,7 +7,7 @@ namespace pushfactor::engine {
 
 namespace {
 
-// The constants of the header's rules, as what dt times a frequency or an angular velocity may be.
+// Constants of the rules in the header: largest dt times a frequency or angular velocity.
 constexpr double swing_a_step = 0.5;
 constexpr double turn_a_step = 0.1;       // rad
 constexpr double fall_a_step = 0.02;      // of the size
@@ -17,7 +17,7 @@ const Body& at(std::span<const Body> bodies, int index) {
     return bodies[static_cast<std::size_t>(index)];
 }
 
-// What one end of a bar or a ball joint adds to omega^2 / T, 1/(kg m).
+// Contribution of one end of a bar or a ball joint to omega^2 / T, 1/(kg m).
 double end_softness(const Body& body, const Vector3& point, double length) {
     const double r = point.norm();
     const double inverse_moment = body.inverse_inertia.maxCoeff();
@@ -25,13 +25,13 @@ double end_softness(const Body& body, const Vector3& point, double length) {
     return of_bar + r * inverse_moment;
 }
 
-// What pulls the ends of a bar together, or acts in a ball joint [N]; 0 where a bar is pressed.
+// Tension of a bar, or force in a ball joint [N]; 0 for a bar under compression.
 double tension(const Distance& distance, const DistanceForce& force) {
     if (!is_ball_joint(distance)) return std::max(0.0, -force[0].last);
     return Vector3(force[0].last, force[1].last, force[2].last).norm();
 }
 
-// How fast the direction of a bar turns, or the bodies about a ball joint beside their centres [rad/s].
+// Angular velocity of a bar's direction, or of the bodies about an off-centre ball joint [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
     if (is_ball_joint(distance)) {
         double largest = 0.0;
