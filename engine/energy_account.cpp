@@ -9,7 +9,7 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Calls `visit(bodies, depth, force)` with each contact row: m, N.
+// Calls `visit(bodies, depth, force)` for each contact row: m, N.
 template <typename Visit>
 void each_contact(const World& world, const Visit& visit) {
     const std::span<const ConstraintRow> rows = world.rows();
@@ -21,12 +21,12 @@ void each_contact(const World& world, const Visit& visit) {
     }
 }
 
-// Whether the pair is left out of the step because it rests, and lies as deep as before.
+// Whether the pair is left out of the step because it rests, and so is as deep as before.
 bool rests(const World& world, const std::pair<int, int>& bodies) {
     return world.rest && (world.rest->is_at_rest(bodies.first) || world.rest->is_at_rest(bodies.second));
 }
 
-// What running surfaces give to the bodies that rub on them [J].
+// Work of running belts on the bodies in contact with them [J].
 double work_of_belts(const World& world) {
     const Columns& lambda = world.lambda();
     double work = 0.0;
@@ -77,7 +77,7 @@ void EnergyAccount::note_overlaps(const World& world) {
     });
 }
 
-// Up to the beginning of the last step, with the forces of the step before it.
+// Until the beginning of the last step, with the forces of the step before it.
 double EnergyAccount::work_of_removing(const World& world) {
     if (overlaps_.empty()) return 0.0;
     std::map<Bodies, Overlap> now;
@@ -97,7 +97,7 @@ double EnergyAccount::work_of_removing(const World& world) {
     return work;
 }
 
-// At the velocity in the middle of the step, as momenta have it.
+// With the mean velocity of the step, which matches the momenta.
 double EnergyAccount::external_work_of(const World& world, double dt) const {
     double work = world.rows().empty() ? 0.0 : work_of_belts(world);
     for (std::size_t i = 0; i < before_.size(); ++i) {

@@ -1,13 +1,13 @@
-// Where the energy of a run comes from. What is neither there at the start nor brought in from outside has been
-// made out of nothing, and no solver's error excuses that.
+// Energy balance of a run. Energy that was neither there at the start nor added from outside is an error of the
+// simulation, and no solver error excuses it.
 //
-// From outside come the work of external forces other than gravity, that of surfaces that run (belts), and the work
-// of the push on overlaps that were there at the start: it moves bodies without giving them momenta (8.1), against
-// gravity, and may do what removing the overlap needs, which is the contact's lasting force times the way. Overlaps
-// that come later are places from which bodies have fallen; lifting those back brings nothing that was not there.
+// Added from outside: work of external forces other than gravity, work of running belts, and work of the push on
+// overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and is credited
+// with the work that removing the overlap needs, the contact's lasting force times the distance. Later overlaps are
+// positions from which bodies have fallen; lifting those back adds nothing.
 //
-// Semi-implicit Euler (3.2) has its momenta half a step before its positions: what rises has the potential energy
-// of a moment when its kinetic energy will have been less. A rise is therefore measured half a step back.
+// Semi-implicit Euler (3.2) has its momenta half a step before its positions: a rising body has the potential
+// energy of a time at which its kinetic energy is already lower. A rise is therefore measured half a step back.
 #pragma once
 
 #include "engine/world.h"
@@ -21,24 +21,24 @@ class EnergyAccount {
   public:
     explicit EnergyAccount(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
 
-    // The state that counts as the start.
+    // Sets the state that counts as the start.
     void open(std::span<const Body> bodies, double dt);
 
-    // Before and after a step of `dt` [s].
+    // To be called before and after a step of `dt` [s].
     void begin(std::span<const Body> bodies);
     void end(const World& world, double dt);
 
-    // J, above the start and what came from outside; below zero where energy went. Of the state before the last
-    // step: only the rows of a step say how deep its bodies lay at its beginning.
+    // J, in excess of the start and the external work; negative for losses. For the state before the last step,
+    // because only the rows of a step tell how deep its bodies were at its beginning.
     double gain() const { return gain_; }
     double external_work() const { return external_; }  // J, of all steps: forces other than gravity, and belts
-    double push_work() const { return push_; }          // J, of all steps, what overlaps of the start needed
+    double push_work() const { return push_; }          // J, of all steps, for removing overlaps of the start
 
   private:
-    // What a pair that overlapped at the start has left of that.
+    // Remaining overlap of a pair that overlapped at the start.
     struct Overlap {
-        double depth = 0.0;  // m, the least so far
-        double force = 0.0;  // N, of its rows together in the last step
+        double depth = 0.0;  // m, smallest so far
+        double force = 0.0;  // N, sum over its rows in the last step
     };
     using Bodies = std::pair<int, int>;
 
@@ -50,7 +50,7 @@ class EnergyAccount {
     Vector3 gravity_;
     std::vector<Body> before_;
     std::map<Bodies, Overlap> overlaps_;
-    bool noted_ = false;   // whether the overlaps of the start are
+    bool noted_ = false;   // overlaps of the start are recorded
     double latest_ = 0.0;  // J, energy() after the last step
     double start_ = 0.0, external_ = 0.0, push_ = 0.0, gain_ = 0.0;
 };

@@ -10,9 +10,9 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Positions that are off by less are not tried again; the lengths of a scene round to about that.
+// Position errors below this are not iterated further; the lengths of a scene are rounded to about that.
 constexpr double exact = 1e-13;  // m
-// Four are enough when the solver is exact; the others are for iterative solvers and coupled rows.
+// Four are enough for exact solvers; the rest is for iterative solvers and coupled rows.
 constexpr int most_repetitions = 50;
 
 void require_bars(std::span<const ConstraintRow> rows) {
@@ -29,15 +29,16 @@ double whole(const PushFactor& push) {
 
 }  // namespace
 
-// One step in the making. Between two moves of a composition the velocity stage is left out, and the second half of
-// one kick and the first of the next are one: the next move takes out of the momenta what the stage would have.
+// State of one step. Between two moves of a composition the velocity stage is omitted, and the second half kick of
+// one and the first of the next are merged: the next move removes from the momenta what the stage would have
+// removed.
 class RattleStep {
   public:
     explicit RattleStep(World& world) : world_(world), ahead_(world.bodies) {}
 
-    // Takes the rows and their guesses where the step begins.
+    // Takes the rows and their warm start at the beginning of the step.
     void begin(double dt) {
-        // Each step solves for its positions, so that no error grows while forces are kept.
+        // Each step solves for its positions anew, so that no error accumulates in kept forces.
         world_.find_awake();
         world_.island_solver_.set_memory({});
         world_.island_solver_.begin(world_.bodies.size(), world_.awake_.members());
@@ -49,13 +50,13 @@ class RattleStep {
         }
     }
 
-    // A kick for the time `kick` that brings the bodies, moved for the time `drift`, to where the bars are whole:
-    // for each island as often as it takes.
+    // Kick over the time `kick` such that the bodies, after a drift over the time `drift`, satisfy the bars;
+    // iterates per island.
     void move(double kick, double drift) {
         prepare(kick);
         find_islands();
         look_ahead(kick, drift);
-        // Where every row is right within the tolerance the solver would keep the guess, which is zero.
+        // If every row were within the tolerance, the solver would keep the warm start, which is zero.
         const double enough = std::max(exact, world_.termination.tolerance_high * std::abs(drift));
         for (int i = 0; i < most_repetitions && !end_moves(enough, i == 0); ++i) {
             correct(kick);
@@ -66,7 +67,7 @@ class RattleStep {
         world_.time_ += drift;
     }
 
-    // The last kick, after which the bars have no velocity along themselves.
+    // Last kick: projects the momenta so that bars have no velocity along themselves.
     StepCount finish(double kick) {
         for (ConstraintRow& row : world_.rows_) row.push = {};
         prepare(kick);
@@ -86,10 +87,10 @@ class RattleStep {
     void prepare(double kick) {
         world_.add_forces();
         build_system(world_.bodies, world_.rows_, kick, world_.system_);
-        world_.system_.dt = std::abs(kick);  // the solvers' measure of residuals; b has the sign
+        world_.system_.dt = std::abs(kick);  // scale of the solvers' residuals; b has the sign
     }
 
-    // The bars connect the same bodies throughout the step, and all rows count in one column.
+    // The bars connect the same bodies throughout the step, and all rows have one column.
     void find_islands() {
         if (found_islands_) return;
         found_islands_ = true;
@@ -98,7 +99,7 @@ class RattleStep {
         moves_.resize(world_.islands_.all().size());
     }
 
-    // The momenta after a kick by the external forces and by lambda.
+    // Momenta after a kick by external forces and lambda.
     void kick_ahead(double kick) {
         constraint_forces(world_.system_, world_.lambda_, 0, forces_.moving);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
@@ -110,7 +111,7 @@ class RattleStep {
         }
     }
 
-    // Where lambda takes the bodies, and the rows there.
+    // Positions after kick and drift, and the rows there.
     void look_ahead(double kick, double drift) {
         kick_ahead(kick);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
@@ -131,7 +132,7 @@ class RattleStep {
         }
     }
 
-    // The largest push of the island's rows where they have been taken [m/s].
+    // Largest push of the island's rows at the predicted positions [m/s].
     double error_ahead(const Island& island) const {
         double largest = 0.0;
         for (const RowRun& run : island.runs) {
@@ -142,8 +143,8 @@ class RattleStep {
         return largest;
     }
 
-    // Ends the moves of the islands whose bars are as long as they should be to `enough` [m], or which came no
-    // nearer to that since the last time. Returns whether that is all of them.
+    // Ends the moves of islands whose bars are accurate to `enough` [m], or whose error has stopped falling.
+    // Returns whether all have ended.
     bool end_moves(double enough, bool first) {
         bool all = true;
         for (Move& move : moves_) {
@@ -154,8 +155,8 @@ class RattleStep {
         return all;
     }
 
-    // Adds to lambda what the rows ahead miss: A change = v / kick, with the axes of the rows where the move
-    // begins.
+    // Adds to lambda the missing force: A change = v / kick, with v at the predicted positions and the axes at the
+    // start of the move.
     void correct(double kick) {
         const auto rows = static_cast<Eigen::Index>(rows_ahead_.size());
         world_.system_.b.resize(rows, 1);
@@ -167,7 +168,7 @@ class RattleStep {
         world_.lambda_ += change_;
     }
 
-    // Those whose moves have not ended.
+    // Solves the islands whose moves have not ended.
     void solve_open_islands(Columns& lambda) {
         world_.island_solver_.begin_another();
         world_.benches_.set_up(world_.solver.get(), world_.small_steps.get(), nullptr);
@@ -182,9 +183,9 @@ class RattleStep {
         });
     }
 
-    // How the move of an island goes.
+    // State of the move of an island.
     struct Move {
-        double error = 0.0, before = 0.0;  // m, of the longest or shortest bar
+        double error = 0.0, before = 0.0;  // m, largest length error
         bool ended = false;
     };
 
@@ -201,7 +202,7 @@ class RattleStep {
 
 namespace {
 
-// One step of moves for the shares of dt in `shares`, which sum up to 1 and are the same read backwards.
+// One step composed of moves over the shares of dt in `shares`, which sum to 1 and are palindromic.
 template <std::size_t moves>
 StepCount composed(World& world, double dt, const std::array<double, moves>& shares) {
     RattleStep step(world);
@@ -220,8 +221,8 @@ StepCount rattle(World& world, double dt) {
     return composed(world, dt, std::array{1.0});
 }
 
-// M. Suzuki, Fractal decomposition of exponential operators, Physics Letters A 146 (1990): s, s, 1 - 4 s, s, s
-// with s = 1 / (4 - 4^(1/3)). The middle one goes back in time, by less than that of three steps would.
+// M. Suzuki, Fractal decomposition of exponential operators, Physics Letters A 146 (1990): s, s, 1 - 4 s, s, s with
+// s = 1 / (4 - 4^(1/3)). The middle one goes back in time, by less than that of the three-stage composition.
 StepCount rattle4(World& world, double dt) {
     constexpr double s = 0.41449077179437573714;
     return composed(world, dt, std::array{s, s, 1.0 - 4.0 * s, s, s});

@@ -1,7 +1,7 @@
 // The step, paper sections 3.2, 5, 6 and 8.1.
 //
-// The paper solves twice when the single-frame push is used: f_cv with the whole push moves the bodies, f_c0 with
-// the lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
+// The paper solves twice if the single-frame push is used: f_cv with the whole push moves the bodies, f_c0 with the
+// lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
 #include "engine/world.h"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Limit on re-solves per step: each adds contacts for bodies that the last solve has thrown into something, one
-// more body of a chain of collisions each time; one of them finishes what was left unsolved.
+// Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
+// body of a chain of collisions each time; one of them finishes what was left unsolved.
 constexpr int most_looks = 9;
 
-// Multiply-adds of the last step that threads could have shared, from which on they share this one: some tenths of
-// a millisecond, and to wake them takes some hundredths. A row and a body cost as much as so many beside the
+// Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
+// of a millisecond, while waking them takes some hundredths. Rows and bodies count as that many in addition to the
 // solver.
 constexpr double worth_threads = 6e5;
 constexpr double work_of_a_row = 200.0, work_of_a_body = 100.0;
 
-// What a thread takes at a time.
+// Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, rows_of_a_part = 1000;
 
 bool has_row_from(const Island& island, std::size_t first_row) {
@@ -78,13 +78,13 @@ void World::find_awake() {
         return;
     }
     if (!rest->take_change() && !first) return;
-    if (first) add_forces(Awake(bodies.size()));  // those at rest keep theirs from here on
+    if (first) add_forces(Awake(bodies.size()));  // resting ones keep theirs from here on
     awake_ = rest->awake(bodies.size());
     island_solver_.forget_islands();
     for (const auto& source : constraints) source->leave_out_others(bodies, awake_);
     forces_.moving.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        // So that who looks where they move sees that they are held.
+        // For code that predicts their motion: resting bodies are held.
         if (!awake_.has(static_cast<int>(i))) forces_.moving[i] = -stacked(bodies[i].force, bodies[i].torque);
     }
 }
@@ -177,7 +177,7 @@ SolveWork World::solve_islands_again(std::size_t first_new_row) {
     return solve_chosen([this](const Island& island, auto& bench) { return solve(island, &first_guess_, bench); });
 }
 
-// Those that are to be solved anew, so that their bodies get other forces.
+// Chooses islands to be solved again, whose bodies get new forces.
 template <typename Predicate>
 void World::choose(const Predicate& predicate) {
     changed_.assign(bodies.size(), NewForce::none);
@@ -210,7 +210,7 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
         for (std::size_t j = first_row + begin; j < first_row + end; ++j) {
             const auto row = static_cast<Eigen::Index>(j);
             lambda(row, 0) = rows_[j].guess.first;
-            lambda(row, last) = rows_[j].guess.last;  // with one column the forces are those that set the momenta
+            lambda(row, last) = rows_[j].guess.last;  // with one column these forces set the momenta
         }
     });
     for (const Island& island : islands_.all()) {
@@ -221,7 +221,7 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
             }
         }
     }
-    // A row that belongs to no island moves nothing.
+    // Rows without movable bodies belong to no island.
     for (std::size_t j = first_row; j < rows_.size() && !islands_.hold_all_rows(); ++j) {
         const auto row = static_cast<Eigen::Index>(j);
         if (!(system_.diagonal[row] > 0.0)) lambda.row(row).setZero();
@@ -230,7 +230,7 @@ void World::guess(std::size_t first_row, Columns& lambda) const {
 
 SolveWork World::solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench) {
     IslandSolver::Allowed allowed;
-    // The answer of one row is exact and costs nothing.
+    // A single row is solved exactly at no cost.
     if (small_steps && island.rows > 1) {
         allowed.iterates_up_to = small_step_rules::largest_to_sweep(system_.dt, bodies, island);
         allowed.stands_up_to = small_step_rules::standing_speed(system_.dt, bodies, island);
@@ -269,7 +269,7 @@ void World::find_next_guesses(const Island& island, const RowRun& run) {
     }
 }
 
-// Each source gets its own, in the order in which it has appended their rows.
+// Each source gets its own rows, in the order in which it has appended them.
 void World::hand_out_answers() {
     const std::span answers(answers_);
     for (std::size_t s = 0; s < constraints.size(); ++s) {
@@ -311,7 +311,7 @@ bool World::has_lasting_force(std::size_t body) const {
 }
 
 double World::residual() const {
-    // With a fixed number of iterations the solve has not measured the residual.
+    // With a fixed number of iterations the solve has not computed the residual.
     if (!(termination.tolerance_high > 0.0)) {
         const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
         const std::span<const Island> islands = islands_.all();
@@ -354,7 +354,7 @@ void World::integrate(Body& body, std::size_t i, double dt) {
     if (body.is_static()) return;
     const Vector6& f_cv = forces_.moving[i];
 
-    // Momenta that live for this move only, where there is a single-frame push (8.1).
+    // With a single-frame push (8.1) these momenta are used for this move only.
     const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
     const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
     body.position = advance_position(body, p, dt);
@@ -379,7 +379,7 @@ void World::find_what_turns_unseen() {
     }
 }
 
-// What is to change with the next step wakes now, so that a state that is saved here knows it.
+// Bodies affected by a change in the next step are woken now, so that a saved state includes it.
 void World::settle(double dt) {
     for (const int body : rest->turning()) {
         Body& own = bodies[static_cast<std::size_t>(body)];
