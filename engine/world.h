@@ -57,10 +57,9 @@ class World {
     std::vector<std::unique_ptr<ConstraintSource>> constraints;
     std::unique_ptr<solvers::Solver> solver;
     solvers::Termination termination;
-    // for islands without an exact solution; null: iterations of the solver
-    std::unique_ptr<SmallSteps> small_steps;
-    std::unique_ptr<Rest> rest;        // omits resting bodies from steps; null: off. Not for RATTLE.
-    std::unique_ptr<Threads> threads;  // share a step; null: one thread. Results are bit-identical
+    std::unique_ptr<SmallSteps> small_steps;  // for islands without an exact solution; null: solver iterations
+    std::unique_ptr<Rest> rest;               // omits resting bodies from steps; null: off. Not for RATTLE.
+    std::unique_ptr<Threads> threads;         // share a step; null: one thread. Results are bit-identical
     OrientationStep rotate = rotate_splitting;
 
     // Advances by `dt` > 0 [s].
