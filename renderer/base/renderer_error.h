@@ -4,8 +4,8 @@
 
 namespace pushfactor::renderer {
 
-// What everything in this folder throws. The message is one line that says what to do or where to look; only
-// a shader compiler's message may span several.
+// Exception of the renderer. The message is one line that says what to do or where to look; only a shader
+// compiler's message may have several.
 class RendererError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -5,12 +5,12 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-// What a first byte announces. The second byte's range is narrower than that of the others where more would be
-// an overlong form, a surrogate or beyond U+10FFFF.
+// Sequence announced by a first byte. The second byte has a narrower range than the others where that excludes
+// overlong forms, surrogates and values beyond U+10FFFF.
 struct Sequence {
-    int more;             // bytes that follow
-    char32_t bits;        // of the first byte
-    unsigned low = 0x80;  // of the second byte
+    int more;             // number of continuation bytes
+    char32_t bits;        // payload of the first byte
+    unsigned low = 0x80;  // range of the second byte
     unsigned high = 0xBF;
 };
 

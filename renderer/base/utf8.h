@@ -4,8 +4,8 @@
 
 namespace pushfactor::renderer {
 
-// Takes the next character from the front of UTF-8 text that is not empty. Bytes that are no character give
-// U+FFFD once for each longest beginning of one, as Unicode recommends; at least one byte is always taken.
+// Takes the next character from the front of non-empty UTF-8 text. Each longest invalid prefix gives one U+FFFD, as
+// Unicode recommends; at least one byte is always consumed.
 char32_t take_character(std::string_view& utf8);
 
 }  // namespace pushfactor::renderer
