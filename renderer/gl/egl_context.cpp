@@ -15,7 +15,7 @@ namespace {
 
 const char* const packages = "install the packages libegl1, libegl-mesa0 and libgl1-mesa-dri";
 
-// The part of EGL that is used, found at run time.
+// EGL functions, loaded at run time.
 struct EglLibrary {
     decltype(&eglGetProcAddress) function = nullptr;
     decltype(&eglGetPlatformDisplay) platform_display = nullptr;
@@ -43,7 +43,7 @@ EglLibrary load_egl(const std::vector<std::string>& names) {
     return egl;
 }
 
-// There is one for the whole process; it stays open, because other contexts may use it.
+// One per process; stays open, because other contexts may use it.
 EGLDisplay open_display(const EglLibrary& egl) {
     constexpr int keep_what_is_set = 0;
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", keep_what_is_set);
@@ -61,7 +61,7 @@ EGLDisplay open_display(const EglLibrary& egl) {
     return display;
 }
 
-// The kind of OpenGL is chosen for each thread.
+// The API is bound per thread.
 void bind_opengl(const EglLibrary& egl) {
     if (egl.bind_api(EGL_OPENGL_API) != EGL_TRUE) throw RendererError("this EGL has no OpenGL");
 }

@@ -15,7 +15,7 @@ void load(OffscreenContext& context, const char* name, Function& function) {
     if (function == nullptr) throw RendererError(context.description() + " has no function " + name);
 }
 
-// The version says what may be called: a loader gives addresses for names that it has never heard of, too.
+// Checked by version, because a loader may return addresses for unknown names, too.
 void check_version(const Gl& gl, const OffscreenContext& context) {
     const auto* version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
     const std::string text = version != nullptr ? version : "an unknown version";

@@ -1,6 +1,6 @@
 #pragma once
 
-// Only for the types of the functions: none of them is linked.
+// Only for the function types; nothing is linked.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>
 
@@ -76,15 +76,15 @@ class OffscreenContext;
     X(VertexAttribPointer)         \
     X(Viewport)
 
-// The GL functions that are used, without their prefix: `gl.Clear(GL_COLOR_BUFFER_BIT)`.
+// The GL functions in use, without their prefix: `gl.Clear(GL_COLOR_BUFFER_BIT)`.
 struct Gl {
 #define PUSHFACTOR_GL_MEMBER(name) decltype(&gl##name) name = nullptr;  // NOLINT(bugprone-macro-parentheses)
     PUSHFACTOR_GL_FUNCTIONS(PUSHFACTOR_GL_MEMBER)
 #undef PUSHFACTOR_GL_MEMBER
 };
 
-// Makes the context current and loads its functions. Throws RendererError when the context is older than
-// GL 3.3 or lacks a function.
+// Makes the context current and loads its functions. Throws RendererError if the context is older than GL 3.3 or
+// lacks a function.
 Gl load_gl(OffscreenContext& context);
 
 }  // namespace pushfactor::renderer

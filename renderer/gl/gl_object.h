@@ -4,11 +4,11 @@
 
 namespace pushfactor::renderer {
 
-// A buffer, texture, renderbuffer, framebuffer or vertex array that is deleted with its owner:
-// `GlObject texture(gl.GenTextures, gl.DeleteTextures)`. Its context must be current at both ends.
+// RAII owner of a buffer, texture, renderbuffer, framebuffer or vertex array: `GlObject texture(gl.GenTextures,
+// gl.DeleteTextures)`. Its context must be current in constructor and destructor.
 class GlObject {
   public:
-    // All of these kinds share the signatures of the buffers.
+    // All of these kinds have the signatures of buffers.
     GlObject(decltype(&glGenBuffers) generate, decltype(&glDeleteBuffers) remove) : remove_(remove) {
         generate(1, &name_);
     }

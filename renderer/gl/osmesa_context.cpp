@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The part of OSMesa that is used, found at run time.
+// OSMesa functions, loaded at run time.
 struct OsmesaLibrary {
     decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
     decltype(&OSMesaDestroyContext) destroy_context = nullptr;
@@ -69,7 +69,7 @@ class OsmesaContext final : public OffscreenContext {
     static constexpr int side = 16;  // pixels
 
     OsmesaLibrary osmesa_;
-    // The default framebuffer that OSMesa insists on; it lives as long as the context.
+    // Default framebuffer, required by OSMesa; lives as long as the context.
     std::array<std::uint8_t, std::size_t{4} * side * side> buffer_{};
     OSMesaContext context_;
 };

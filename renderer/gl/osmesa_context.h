@@ -8,8 +8,8 @@
 
 namespace pushfactor::renderer {
 
-// Opens a context of Mesa's software rasteriser and makes it current. `libraries` are file names of OSMesa,
-// tried in turn. Throws RendererError when none can be loaded or the one loaded has no GL 3.3 core.
+// Opens a context of Mesa's software rasteriser and makes it current. `libraries` are file names of OSMesa, tried
+// in turn. Throws RendererError if none can be loaded or the loaded one has no GL 3.3 core profile.
 std::unique_ptr<OffscreenContext> open_osmesa_context(const std::vector<std::string>& libraries = {
                                                           "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
 

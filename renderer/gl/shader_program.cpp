@@ -46,14 +46,14 @@ void attach(const Gl& gl, GLuint program, const std::filesystem::path& file) {
         gl.GetShaderInfoLog(shader.name(), static_cast<GLsizei>(message.size()), nullptr, message.data());
         throw RendererError(file.string() + " does not compile: " + message.data());
     }
-    gl.AttachShader(program, shader.name());  // the program keeps it alive from here on
+    gl.AttachShader(program, shader.name());  // the program keeps it alive
 }
 
 }  // namespace
 
 ShaderProgram::ShaderProgram(const Gl& gl) : gl_(gl), program_(gl.CreateProgram()) {}
 
-// Delegates, so that the destructor deletes the program also when a file throws.
+// Delegates, so that the destructor deletes the program if a file throws.
 ShaderProgram::ShaderProgram(const Gl& gl, const std::filesystem::path& directory,
                              std::initializer_list<const char*> files)
     : ShaderProgram(gl) {

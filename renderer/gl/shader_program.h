@@ -10,12 +10,11 @@
 
 namespace pushfactor::renderer {
 
-// A program linked from files. The stage of a file is its extension, .vert or .frag; several files of one
-// stage see each other's functions once they declare them.
+// A program linked from files. The extension of a file is its stage, .vert or .frag; several files of a stage can
+// call each other's functions after declaring them.
 class ShaderProgram {
   public:
-    // Throws RendererError with the name of a file that cannot be read or compiled, and the compiler's
-    // message.
+    // Throws RendererError with the name of a file that cannot be read or compiled, and the compiler's message.
     ShaderProgram(const Gl& gl, const std::filesystem::path& directory, std::initializer_list<const char*> files);
     ~ShaderProgram();
     ShaderProgram(const ShaderProgram&) = delete;
@@ -23,8 +22,8 @@ class ShaderProgram {
 
     void use() const;
 
-    // Sets a uniform of the program in use. A uniform that the program does not have is ignored, so that one
-    // function can set what all programs of a frame share.
+    // Sets a uniform of the program in use. Ignores uniforms that the program does not have, so that one function
+    // can set those shared by all programs of a frame.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const glm::vec3& value) const;
