@@ -26,14 +26,14 @@ bool finite(const Rectangle& rectangle) {
     return finite(rectangle.x, rectangle.y, rectangle.width, rectangle.height);
 }
 
-// How much of the pixel around `centre` lies between two positions.
+// Share of the pixel around `centre` that is between two positions.
 double overlap(double low, double high, double centre) {
     return std::clamp(std::min(high, centre + 0.5) - std::max(low, centre - 0.5), 0.0, 1.0);
 }
 
 class SharpBox {
   public:
-    // Empty when the upper corner is not above the lower one.
+    // Empty if the upper corner is not above the lower one.
     SharpBox(const glm::dvec2& low, const glm::dvec2& high) : bounds_{low, high} {}
 
     Bounds bounds() const { return bounds_; }
@@ -82,7 +82,7 @@ class Frame {
     double coverage(const glm::dvec2& point) const {
         const glm::dvec2 to_edges = glm::min(point - inside_.bounds().low, inside_.bounds().high - point);
         const double depth = std::min(to_edges.x, to_edges.y);
-        if (depth >= 0.5) return 0.5 - depth;  // nothing but hole around here
+        if (depth >= 0.5) return 0.5 - depth;  // inside the hole
         return outside_.coverage(point) - inside_.coverage(point);
     }
 
@@ -136,7 +136,7 @@ void draw_dot(Image& image, glm::vec2 centre, float radius, const Paint& paint) 
 }
 
 void paste(Image& onto, const Image& what, int x, int y) {
-    // In 64 bits, as the far edge may lie beyond the range of int.
+    // 64 bits, because the far edge may exceed the range of int.
     const auto left = static_cast<std::int64_t>(x);
     const auto top = static_cast<std::int64_t>(y);
     const std::int64_t first_column = std::max<std::int64_t>(-left, 0);

@@ -8,37 +8,37 @@
 
 namespace pushfactor::renderer {
 
-// Flat drawing onto images, with smooth edges. Coordinates and lengths are pixels, x to the right and y down from
-// the image's upper left corner: pixel (i, j) is the square from (i, j) to (i + 1, j + 1). What lies outside of the
-// image is cut off. What has no size, or a number that is not finite, draws nothing.
+// Anti-aliased 2D drawing onto images. Coordinates and lengths in pixels, x to the right and y down from the
+// image's upper left corner: pixel (i, j) is the square from (i, j) to (i + 1, j + 1). Clipped to the image. Shapes
+// without size or with non-finite numbers draw nothing.
 
 struct Rectangle {
-    float x = 0.0f;       // of the left edge
-    float y = 0.0f;       // of the upper edge
+    float x = 0.0f;       // left edge
+    float y = 0.0f;       // upper edge
     float width = 0.0f;   // > 0
     float height = 0.0f;  // > 0
 };
 
-// An image of one colour (sRGB, each 0..1). Throws RendererError when a side is not at least 1 pixel.
+// An image of one colour (sRGB, each 0..1). Throws RendererError if a side is below 1 pixel.
 Image blank_image(int width, int height, const glm::vec3& colour);
 
-// Corners are rounded by `corner_radius`, as far as the rectangle has room for that.
+// Corners are rounded with `corner_radius`, limited by the size of the rectangle.
 void fill(Image& image, const Rectangle& rectangle, const Paint& paint, float corner_radius = 0.0f);
 
-// The outline of a rectangle: `width` pixels along its edges, on the inside.
+// Outline of a rectangle: `width` pixels along its edges, inside.
 void draw_frame(Image& image, const Rectangle& rectangle, float width, const Paint& paint);
 
-// A line with round ends, which reach half its width beyond the two points.
+// A line with round ends that extend half its width beyond the two points.
 void draw_line(Image& image, glm::vec2 from, glm::vec2 to, float width, const Paint& paint);
 
-// A line of that width with a filled head, whose tip is at `to`: 3.2 widths broad and 3.6 long. Where that is more
-// than half of the arrow, all of it is drawn smaller.
+// A line of that width with a filled head whose tip is at `to`, 3.2 widths broad and 3.6 long. If that is more than
+// half of the arrow, the whole arrow is drawn smaller.
 void draw_arrow(Image& image, glm::vec2 from, glm::vec2 to, float width, const Paint& paint);
 
 // A filled disc.
 void draw_dot(Image& image, glm::vec2 centre, float radius, const Paint& paint);
 
-// Copies another image so that its upper left pixel comes to lie at (x, y), which may be outside.
+// Copies another image with its upper left pixel at (x, y), which may be outside.
 void paste(Image& onto, const Image& what, int x, int y);
 
 }  // namespace pushfactor::renderer

@@ -6,7 +6,7 @@
 
 namespace pushfactor::renderer {
 
-// A picture as bytes: sRGB, three bytes a pixel, rows from top to bottom without padding.
+// An 8-bit sRGB image: three bytes per pixel, rows from top to bottom without padding.
 struct Image {
     int width = 0;   // pixels
     int height = 0;  // pixels

@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Linear light of `level` 255ths of full brightness in sRGB.
+// Linear light for an sRGB level 0..255.
 float linear(float level) {
     return glm::convertSRGBToLinear(glm::vec3(level / 255.0f)).x;
 }

@@ -4,10 +4,10 @@
 
 namespace pushfactor::renderer {
 
-// Linear light, 0..1, of a byte in sRGB.
+// Linear light, 0..1, for an sRGB byte.
 float light_of_byte(std::uint8_t byte);
 
-// The byte whose light is nearest, as bytes are rounded in sRGB.
+// The sRGB byte for a linear light, rounded in sRGB.
 std::uint8_t byte_of_light(float light);
 
 }  // namespace pushfactor::renderer

@@ -7,21 +7,21 @@
 
 namespace pushfactor::renderer {
 
-// What flat things are drawn with.
+// Colour and opacity of 2D drawing.
 struct Paint {
-    glm::vec3 colour{0.0f};  // sRGB, each 0..1; what lies outside counts as the nearer end
-    float opacity = 1.0f;    // 0..1, likewise
+    glm::vec3 colour{0.0f};  // sRGB, each 0..1; clamped
+    float opacity = 1.0f;    // 0..1; clamped
 };
 
-// A paint made ready for bytes. One that is not finite is invisible.
+// A paint prepared for bytes. Invisible if not finite.
 class Ink {
   public:
     explicit Ink(const Paint& paint);
 
     bool visible() const { return opacity_ > 0.0f; }
 
-    // Blends with a pixel's three bytes, of which `coverage` (0..1) is covered. The blending is done in sRGB: it
-    // is not what light does, but text keeps the weight that people know from screens.
+    // Blends with a pixel's three bytes, of which `coverage` (0..1) is covered. Blends in sRGB: not physical, but
+    // text keeps the weight that it usually has on screens.
     void put(std::uint8_t* pixel, float coverage) const {
         const float share = opacity_ * coverage;
         for (int channel = 0; channel < 3; ++channel) {

@@ -14,11 +14,11 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
 
-// What stb calls instead of its own compression, which takes several times as long for larger results: the zlib
-// stream of `size` bytes, in memory that stb frees. Null, as stb expects it, when there is no memory.
+// Replaces stb's own compression, which takes several times as long for larger results. Returns the zlib stream of
+// `size` bytes in memory that stb frees, or null if there is no memory.
 unsigned char* compress(unsigned char* bytes, int size, int* compressed_size, int /*quality*/) {
-    constexpr int level = 1;  // the fastest; a frame is written once and hardly ever kept
-    // A compressor serves one call at a time.
+    constexpr int level = 1;  // the fastest; a frame is written once and rarely kept
+    // A compressor supports one call at a time.
     thread_local const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(level));
     if (compressor == nullptr) return nullptr;
@@ -41,8 +41,8 @@ unsigned char* compress(unsigned char* bytes, int size, int* compressed_size, in
 namespace pushfactor::renderer {
 namespace {
 
-// One filter for all rows saves the time that stb takes to try all five; differences from the left neighbour
-// suit flat colours and slow gradients. It is a global of stb, so it is set once, before the first image.
+// A fixed filter saves the time in which stb tries all five; differences from the left neighbour suit flat colours
+// and slow gradients. It is a global of stb, so it is set once, before the first image.
 bool set_filter() {
     constexpr int difference_from_the_left = 1;
     stbi_write_force_png_filter = difference_from_the_left;

@@ -28,7 +28,7 @@ SampleOffset sample_offset(int index, int count, const glm::vec3& towards_sun) {
     constexpr double g = 1.32471795724474602596;
     const glm::vec2 pixel(fraction(0.5 + i / g) - 0.5f, fraction(0.5 + i / (g * g)) - 0.5f);
 
-    // A sunflower's seeds fill the disc evenly.
+    // Sunflower pattern: fills the disc evenly.
     const float disc = std::tan(glm::radians(1.5f));  // radius at a distance of 1
     const float radius = disc * static_cast<float>(std::sqrt((i + 0.5) / count));
     const float angle = 2.0f * std::numbers::pi_v<float> * fraction(i / std::numbers::phi);

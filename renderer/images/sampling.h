@@ -11,33 +11,33 @@
 
 namespace pushfactor::renderer {
 
-// By how much one of several draws of a frame is moved.
+// Offset of one of several renderings of a frame.
 struct SampleOffset {
-    glm::vec2 pixel;        // of the picture, pixels, each -0.5..0.5
+    glm::vec2 pixel;        // shift of the picture, pixels, each -0.5..0.5
     glm::vec3 towards_sun;  // unit length
 };
 
-// The offset of draw `index` of `count`, 0 <= index < count. The draws cover the pixel, and the disc of a sun a
-// few times as wide as the real one, evenly and always in the same way; a single one is not moved.
+// Offset of rendering `index` of `count`, 0 <= index < count. The renderings cover the pixel, and the disc of a sun
+// a few times as wide as the real one, evenly and deterministically; a single one has no offset.
 SampleOffset sample_offset(int index, int count, const glm::vec3& towards_sun);
 
-// The mean of images in linear light. It needs the memory of one, however many they are.
+// Mean of images in linear light, in the memory of one image for any number of them.
 class SampleMean {
   public:
-    // All images have this size, pixels.
+    // Size of all images, pixels.
     SampleMean(int width, int height);
 
-    // Forgets what was added in these areas.
+    // Resets these areas.
     void clear(std::span<const PixelArea> areas);
 
-    // Adds these areas of an image; every image must be added with the same areas.
+    // Adds these areas of an image; all images must be added with the same areas.
     void add(const Image& image, std::span<const PixelArea> areas);
 
-    // Puts the mean of `count` images that were added into these areas of `mean`.
+    // Writes the mean of the `count` added images into these areas of `mean`.
     void put(int count, std::span<const PixelArea> areas, Image& mean) const;
 
   private:
-    // Calls `visit(first, end)` with indices of the bytes of each row of each area.
+    // Calls `visit(first, end)` with the byte indices of each row of each area.
     template <typename Visit>
     void each_row(std::span<const PixelArea> areas, const Visit& visit) const;
 

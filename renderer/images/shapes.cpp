@@ -17,11 +17,12 @@ double distance_to_segment(const glm::dvec2& point, const glm::dvec2& from, cons
     const double projection = glm::dot(reached, along);
     if (projection <= 0.0) return glm::length(reached);
     if (projection >= glm::dot(along, along)) return glm::distance(point, to);
-    // Not through the foot of the perpendicular: when the ends are far away that is known poorly.
+    // Not by the foot of the perpendicular, which is inaccurate for distant end points.
     return std::abs(reached.x * along.y - reached.y * along.x) / glm::length(along);
 }
 
-// To a triangle with its tip in (0, 0) and the ends of its base in (length, +-half_breadth); negative inside.
+// Signed distance to a triangle with its tip at (0, 0) and the ends of its base at (length, +-half_breadth);
+// negative inside.
 double distance_to_head(glm::dvec2 point, double length, double half_breadth) {
     point.y = std::abs(point.y);
     const glm::dvec2 corner(length, half_breadth);
@@ -41,7 +42,7 @@ Bounds Capsule::bounds() const {
 }
 
 double Capsule::coverage(const glm::dvec2& point) const {
-    // A line narrower than a pixel covers no pixel whole.
+    // A line narrower than a pixel never covers a pixel fully.
     return std::min(0.5 + 0.5 * width_ - distance_to_segment(point, from_, to_), width_);
 }
 
@@ -49,7 +50,7 @@ ArrowShape::ArrowShape(const glm::dvec2& from, const glm::dvec2& to, double widt
     : ArrowShape(from, to, std::min(width, glm::distance(from, to) / (2.0 * head_length)), grown,
                  glm::distance(from, to)) {}
 
-// Here `width` is that of the shaft as it is drawn. The shaft ends inside of the head, round end and all.
+// `width` is that of the shaft as drawn. The shaft, including its round end, ends inside the head.
 ArrowShape::ArrowShape(const glm::dvec2& from, const glm::dvec2& to, double width, double grown, double length)
     : shaft_(from, to + (from - to) * (0.5 * head_length * width / length), width + 2.0 * grown),
       tip_(to),
@@ -68,7 +69,7 @@ double ArrowShape::coverage(const glm::dvec2& point) const {
     const glm::dvec2 from_tip = point - tip_;
     const glm::dvec2 in_head(glm::dot(from_tip, backwards_), from_tip.x * backwards_.y - from_tip.y * backwards_.x);
     const double of_head = 0.5 + grown_ - distance_to_head(in_head, head_length_, head_half_breadth_);
-    // As with a line: a head narrower than a pixel covers none whole.
+    // As for a line: a head narrower than a pixel never covers one fully.
     const double most = 2.0 * (head_half_breadth_ + grown_);
     return std::max(std::min(of_head, most), shaft_.coverage(point));
 }

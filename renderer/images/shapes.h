@@ -10,21 +10,21 @@
 
 namespace pushfactor::renderer {
 
-// The shapes that are drawn flat, and how they become pixels. All coordinates are pixels from the image's upper
-// left corner, x right, y down. All numbers are finite.
+// 2D shapes and their rasterisation. All coordinates in pixels from the image's upper left corner, x right, y down;
+// all finite.
 //
-// A shape has `bounds()`, which hold all of it, and `coverage(point)`: how much of the pixel whose centre is
-// `point` it covers. Above 1 means all of it. At -d no pixel within d of that one is covered either.
+// A shape has `bounds()`, which contain it, and `coverage(point)`: the covered share of the pixel with centre
+// `point`. Values above 1 mean full coverage; -d means that no pixel within d of that one is covered either.
 
 struct Bounds {
     glm::dvec2 low;
     glm::dvec2 high;
 };
 
-// A line with round ends; a disc where its two ends are the same point.
+// A line with round ends; a disc if both end points are equal.
 class Capsule {
   public:
-    // Width in pixels; at 0 or below nothing is covered.
+    // Width in pixels; covers nothing if <= 0.
     Capsule(const glm::dvec2& from, const glm::dvec2& to, double width);
 
     Bounds bounds() const;
@@ -36,11 +36,11 @@ class Capsule {
     double width_;
 };
 
-// A shaft that is round at its start, and a triangular head whose tip is the end.
+// An arrow: a shaft with a round start, and a triangular head whose tip is the end.
 class ArrowShape {
   public:
-    // From one point to another one. `width` is that of the shaft and `grown` how far the outline is moved
-    // outwards, px. An arrow shorter than two heads is a smaller one of the same proportions.
+    // `width` is that of the shaft, `grown` an outward offset of the outline, px. An arrow shorter than two heads
+    // is scaled down with the same proportions.
     ArrowShape(const glm::dvec2& from, const glm::dvec2& to, double width, double grown = 0.0);
 
     Bounds bounds() const;
@@ -57,7 +57,7 @@ class ArrowShape {
     double grown_;
 };
 
-// The pixels of an image that something touches: columns [first_x, end_x) and rows [first_y, end_y).
+// Pixels of an image that may be touched: columns [first_x, end_x) and rows [first_y, end_y).
 struct PixelRange {
     int first_x = 0;
     int end_x = 0;
@@ -66,7 +66,7 @@ struct PixelRange {
 };
 PixelRange pixels_within(const Bounds& bounds, const Image& image);
 
-// Draws a shape; what lies outside of the image is cut off.
+// Draws a shape, clipped to the image.
 template <typename Shape>
 void draw_shape(Image& image, const Shape& shape, const Paint& paint) {
     const Ink ink(paint);
@@ -79,7 +79,7 @@ void draw_shape(Image& image, const Shape& shape, const Paint& paint) {
             if (coverage > 0.0) {
                 ink.put(row + 3 * static_cast<std::ptrdiff_t>(x), static_cast<float>(std::min(coverage, 1.0)));
             } else {
-                // The bounds of a slanting line hold little else than empty pixels.
+                // Skip ahead: the bounds of a diagonal line contain mostly empty pixels.
                 x += static_cast<int>(std::min(-coverage, static_cast<double>(range.end_x - x)));
             }
         }

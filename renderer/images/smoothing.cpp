@@ -14,24 +14,24 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Differences of brightness below these are not seen as edges: levels, and a share of the brighter side.
+// Smallest brightness difference of an edge: in levels, and as a share of the brighter side.
 constexpr int least_contrast = 6;
-constexpr int least_share = 16;  // one part in so many
+constexpr int least_share = 16;  // 1 / 16
 
-// Pixels so near to the edge of the image lack neighbours, and stay as they are.
+// Pixels this close to the edge of the image lack neighbours and stay unchanged.
 constexpr int border = 2;
 
-// How far a step is followed, and then how far the edge must run on beyond it, pixels.
+// How far a step is followed, and how far the edge has to continue beyond it, pixels.
 constexpr int longest_walk = 12;
 constexpr int most_run_on = 3;
 static_assert(longest_walk + most_run_on < smoothing_reach);
 
-// Of a pixel, 0..255.
+// Luminance of a pixel, 0..255.
 constexpr std::uint8_t brightness(const std::uint8_t* rgba) {
     return static_cast<std::uint8_t>((77 * rgba[0] + 150 * rgba[1] + 29 * rgba[2]) >> 8);
 }
 
-// One pixel and what is around it. Places are steps in memory, of one pixel: `row` leads to the one above.
+// A pixel and its surroundings. Places are offsets in pixels: `row` leads to the pixel above.
 class Edge {
   public:
     Edge(const std::uint8_t* pixel, std::ptrdiff_t row) : pixel_(pixel), row_(row) {}
@@ -49,7 +49,7 @@ class Edge {
 
     bool is_marked(std::ptrdiff_t place) const { return pixel_[4 * place + 3] != 0; }
 
-    // The pixel's bytes and those of another one.
+    // Bytes of the pixel at an offset.
     const std::uint8_t* bytes(std::ptrdiff_t place) const { return pixel_ + 4 * place; }
 
   private:
@@ -58,13 +58,14 @@ class Edge {
 };
 
 struct Walk {
-    int length;  // pixels, to the first one beyond the end of the step
-    int turn;    // which side goes on there: 1 the neighbour's, -1 the pixel's own, 0 neither: a corner, or too far
+    int length;  // pixels, up to the first one beyond the end of the step
+    // Side that continues there: 1 the neighbour's, -1 the pixel's own, 0 neither (a corner, or too far).
+    int turn;
 
     float to_end() const { return static_cast<float>(length) - 0.5f; }
 };
 
-// The step between a pixel and its neighbour `across`.
+// The brightness step between a pixel and its neighbour `across`.
 class Step {
   public:
     Step(const Edge& edge, std::ptrdiff_t across)
@@ -76,14 +77,14 @@ class Step {
             const std::ptrdiff_t place = length * along;
             const int beyond = edge_.at(place) + edge_.at(place + across_) - (2 * own_ + rise_);
             if (2 * std::abs(beyond) < std::abs(rise_)) continue;
-            // An edge that runs on has moved by one pixel, and on the other side of that nothing has changed.
+            // A continuing edge has shifted by one pixel, and nothing has changed on the other side of it.
             if ((beyond > 0) == (rise_ > 0)) return {length, is_own(place - across_) ? 1 : 0};
             return {length, is_own(place + 2 * across_) ? 0 : -1};
         }
         return {most + 1, 0};
     }
 
-    // Whether the edge, moved to the pixel's own side at `place`, stays there for so many pixels more.
+    // Whether the edge, shifted to the pixel's own side at `place`, stays there for `pixels` more pixels.
     bool runs_on(std::ptrdiff_t place, std::ptrdiff_t along, int pixels) const {
         for (int i = 1; i <= pixels; ++i) {
             place += along;
@@ -98,11 +99,11 @@ class Step {
     const Edge& edge_;
     std::ptrdiff_t across_;
     int own_;   // brightness
-    int rise_;  // of the neighbour above it
+    int rise_;  // brightness of the neighbour minus own
 };
 
-// How much of the pixel belongs to its neighbour `across`, 0 to 0.5, for an edge along `along`. There are `before`
-// and `after` pixels of the image to its two sides.
+// Share of the pixel that belongs to its neighbour `across`, 0 to 0.5, for an edge along `along`. The image has
+// `before` and `after` more pixels on its two sides.
 float share_of_neighbour(const Edge& edge, std::ptrdiff_t along, std::ptrdiff_t across, int before, int after) {
     const Step step(edge, across);
     const Walk back = step.follow(-along, std::min(before - most_run_on, longest_walk));
@@ -110,7 +111,7 @@ float share_of_neighbour(const Edge& edge, std::ptrdiff_t along, std::ptrdiff_t 
     const bool is_back = back.length < forth.length;
     const Walk& nearer = is_back ? back : forth;
     if (nearer.turn <= 0) return 0.0f;
-    // Where a long straight edge ends in a short bevel it does not lean that way.
+    // A long straight edge that ends in a short bevel is not tilted that way.
     const std::ptrdiff_t onward = is_back ? -along : along;
     const int run_on = std::min((back.length + forth.length) / 4, most_run_on);
     if (!step.runs_on(nearer.length * onward, onward, run_on)) return 0.0f;
@@ -124,14 +125,14 @@ void mix(const std::uint8_t* pixel, const std::uint8_t* neighbour, float share, 
     }
 }
 
-// Four bytes at a time, of which the next pixel replaces the last.
+// Copies four bytes at a time; the next pixel overwrites the fourth.
 void copy_colours(const std::uint8_t* rgba, std::ptrdiff_t count, std::uint8_t* rgb) {
     for (std::ptrdiff_t i = 0; i < count - 1; ++i) std::memcpy(rgb + 3 * i, rgba + 4 * i, 4);
     if (count > 0) std::memcpy(rgb + 3 * (count - 1), rgba + 4 * (count - 1), 3);
 }
 
-// Finds the pixels of an area at which an edge is seen and marked, or next to a marked one. All pixels around the
-// area have to be of the image. It does the same for all pixels of a row, as fast as they can be read.
+// Finds the pixels of an area with a visible edge at which they or a neighbour are marked. All pixels around the
+// area have to be inside the image. Written to vectorise: the same operations for all pixels of a row.
 class EdgeFinder {
   public:
     EdgeFinder(const std::uint8_t* rgba, std::ptrdiff_t row, const PixelArea& area)
@@ -146,7 +147,7 @@ class EdgeFinder {
         }
     }
 
-    // One for each pixel of the area's row: not 0 where there is one.
+    // One flag per pixel of the area's row.
     std::span<const std::uint8_t> in_row(int y) {
         find(&levels_[start_of(y) + 1], &marks_[start_of(y) + 1], stride_, width_, found_.data());
         return found_;
@@ -178,13 +179,13 @@ class EdgeFinder {
     }
 
     int width_;
-    int stride_;  // of levels and marks, which have one pixel more to each side
+    int stride_;  // of levels and marks, which have one extra pixel on each side
     std::vector<std::uint8_t> levels_;
     std::vector<std::uint8_t> marks_;
     std::vector<std::uint8_t> found_;
 };
 
-// Puts the smoothed pixel to `to`, if there is anything to smooth.
+// Writes the smoothed pixel to `to` if there is an edge to smooth.
 void smooth_pixel(const Edge& edge, std::ptrdiff_t row, const glm::ivec2& place, const glm::ivec2& size,
                   std::uint8_t* to) {
     const bool level = edge.is_level();
@@ -198,7 +199,7 @@ void smooth_pixel(const Edge& edge, std::ptrdiff_t row, const glm::ivec2& place,
     if (share > 0.0f) mix(edge.bytes(0), edge.bytes(across), share, to);
 }
 
-// The part of an area that is not too near to the edge of the image.
+// The part of an area that is not within `border` of the edge of the image.
 PixelArea inner_part(const PixelArea& area, const glm::ivec2& size) {
     const int x = std::max(area.x, border);
     const int y = std::max(area.y, border);

@@ -9,7 +9,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The smallest rectangle of clip space, divided by w, that holds something; none when it is empty.
+// Bounding rectangle in clip space divided by w; empty by default.
 struct Seen {
     glm::vec2 low{1e30f};
     glm::vec2 high{-1e30f};
@@ -24,7 +24,7 @@ const Seen everywhere{glm::vec2(-1.0f), glm::vec2(1.0f)};
 
 Seen seen_of_ball(const glm::mat4& world_to_clip, const glm::vec3& centre, float radius) {
     const glm::vec4 middle = world_to_clip * glm::vec4(centre, 1.0f);
-    // How far each clip coordinate changes within the ball: the length of its row of the matrix.
+    // Range of each clip coordinate within the ball: the length of its row of the matrix.
     glm::vec4 reach;
     for (int i = 0; i < 4; ++i) {
         reach[i] = radius * glm::length(glm::vec3(world_to_clip[0][i], world_to_clip[1][i], world_to_clip[2][i]));
@@ -42,7 +42,7 @@ Seen seen_of_polygon(const glm::mat4& world_to_clip, std::span<const glm::vec3> 
     Seen seen;
     for (const glm::vec3& corner : corners) {
         const glm::vec4 clip = world_to_clip * glm::vec4(corner, 1.0f);
-        // Beside or behind the eye a corner is nowhere in the picture, and the edges to it could be anywhere.
+        // A corner beside or behind the eye has no place in the picture, and its edges could be anywhere.
         if (!(clip.w > 1e-3f * glm::length(glm::vec3(clip)))) return everywhere;
         seen.add({glm::vec2(clip) / clip.w, glm::vec2(clip) / clip.w});
     }
@@ -95,7 +95,7 @@ void Tiles::add_swept_ball(const glm::mat4& world_to_clip, const glm::vec3& from
     for (int piece = 0; piece < pieces; ++piece) {
         Seen seen = seen_of_ball(world_to_clip, at(piece), radius);
         const Seen end = seen_of_ball(world_to_clip, at(piece + 1), radius);
-        // Where one end is behind the eye, what is between them passes it.
+        // If only one end is behind the eye, the sweep passes the eye.
         const bool passes = (seen.low.x > seen.high.x) != (end.low.x > end.high.x);
         seen.add(passes ? everywhere : end);
         add(range(seen.low, seen.high));

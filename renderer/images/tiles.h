@@ -10,7 +10,7 @@
 
 namespace pushfactor::renderer {
 
-// A rectangle of the frame in pixels, from its lower left corner, as GL counts.
+// A rectangle of the frame in pixels, from its lower left corner, as in GL.
 struct PixelArea {
     int x;
     int y;
@@ -20,13 +20,13 @@ struct PixelArea {
     bool operator==(const PixelArea&) const = default;
 };
 
-// Which square tiles of a frame something is in, or might be. World frame, m; what is drawn is up to two pixels
-// wider than the geometry that is added.
+// Set of square tiles of a frame that contain something, or might. World frame, m; allows for drawing up to two
+// pixels beyond the added geometry.
 class Tiles {
   public:
     static constexpr int side = 32;  // pixels
 
-    // The frame's size, pixels; nothing is in it yet.
+    // Size of the frame, pixels; initially empty.
     Tiles(int width, int height);
 
     int columns() const { return columns_; }
@@ -34,27 +34,26 @@ class Tiles {
     bool has(int column, int row) const { return marked_[index(column, row)]; }
     bool none() const;
 
-    // Adds all tiles in which the camera sees a part of a ball.
+    // Adds all tiles in which a part of the ball is visible.
     void add_ball(const glm::mat4& world_to_clip, const glm::vec3& centre, float radius);
 
-    // Adds all tiles in which it sees a part of what a ball sweeps that moves straight from one place to another,
-    // and some around them.
+    // Adds all tiles in which a part of a ball's straight sweep is visible, and some around them.
     void add_swept_ball(const glm::mat4& world_to_clip, const glm::vec3& from, const glm::vec3& to, float radius);
 
-    // Adds all tiles in which it sees a part of a convex polygon, and some around them.
+    // Adds all tiles in which a part of a convex polygon is visible, and some around them.
     void add_polygon(const glm::mat4& world_to_clip, std::span<const glm::vec3> corners);
 
     void add(const Tiles& other);
     void add_all();
     void keep_only(const Tiles& other);
 
-    // Whether the camera may see a part of the ball in one of these tiles.
+    // Whether a part of the ball may be visible in one of these tiles.
     bool show_ball(const glm::mat4& world_to_clip, const glm::vec3& centre, float radius) const;
 
-    // These tiles and all that touch them.
+    // These tiles and their neighbours.
     Tiles with_neighbours() const;
 
-    // The pixels of those tiles that `wanted(column, row)` accepts, each in one area, of few areas.
+    // The pixels of tiles accepted by `wanted(column, row)`, as few disjoint areas.
     template <typename Wanted>
     std::vector<PixelArea> areas(const Wanted& wanted) const {
         std::vector<PixelArea> found;
@@ -73,7 +72,7 @@ class Tiles {
     }
 
   private:
-    // Columns and rows, the last ones included; empty where a last one is smaller than the first.
+    // Columns and rows, inclusive; empty if last < first.
     struct Range {
         int first_column = 0, last_column = -1;
         int first_row = 0, last_row = -1;
@@ -83,11 +82,11 @@ class Tiles {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(column);
     }
-    // In clip space divided by w: what is drawn has both coordinates in -1..1.
+    // Arguments in clip space divided by w, where the frame is -1..1.
     Range range(const glm::vec2& low, const glm::vec2& high) const;
     void add(const Range& range);
     PixelArea pixels(int first_column, int end_column, int row) const;
-    // Adds an area, or lets the one below it grow.
+    // Adds an area, or extends the one below it.
     static void join(std::vector<PixelArea>& areas, const PixelArea& area);
 
     int width_;
