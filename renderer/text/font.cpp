@@ -22,21 +22,21 @@ namespace {
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
     std::error_code unknown;
-    // A folder can be opened as well, but throws another exception when it is read.
+    // A folder can be opened as well, but reading it throws another exception.
     const bool readable = std::filesystem::is_regular_file(file, unknown);
     std::ifstream stream(file, std::ios::binary);
     if (!readable || !stream) throw RendererError("cannot read the font " + file.string());
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// An unsigned number of `size` bytes, the highest first.
+// A big-endian unsigned number of `size` bytes.
 std::size_t number_at(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t size) {
     std::size_t number = 0;
     for (const std::uint8_t byte : bytes.subspan(offset, size)) number = number << 8 | byte;
     return number;
 }
 
-// Whether this is a TrueType or OpenType file all of whose tables lie inside of it: stb does not look.
+// Whether this is a TrueType or OpenType file whose tables are all inside the file, which stb does not check.
 bool has_whole_tables(std::span<const std::uint8_t> bytes) {
     constexpr std::size_t header = 12;  // bytes
     constexpr std::size_t entry = 16;   // bytes
@@ -73,8 +73,7 @@ class Font::Face {
 
     float scale(float size) const { return stbtt_ScaleForMappingEmToPixels(&font_, size); }
 
-    // Calls `visit` with each glyph and how far from the start of the text it stands, px. Returns where the text
-    // ends.
+    // Calls `visit` with each glyph and its distance from the start of the text, px. Returns the end of the text.
     template <typename Visit>
     double lay_out(std::string_view utf8, float size, const Visit& visit) const {
         const double pixels_per_unit = scale(size);
@@ -99,13 +98,13 @@ class Font::Face {
 
 namespace {
 
-// One glyph as stb rasterises it, put onto an image.
+// Rasterises glyphs with stb onto an image.
 class GlyphStamp {
   public:
     GlyphStamp(const stbtt_fontinfo& font, float scale, Image& image, const Ink& ink)
         : font_(font), scale_(scale), image_(image), ink_(ink) {}
 
-    // `x` and `baseline` are where the glyph's origin lies, px; the baseline is whole.
+    // `x` and `baseline`: position of the glyph's origin, px; the baseline is integral.
     void put(int glyph, double x, double baseline) {
         const double column = std::floor(x);
         const auto shift = static_cast<float>(x - column);
