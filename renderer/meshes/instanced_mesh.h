@@ -11,17 +11,17 @@
 
 namespace pushfactor::renderer {
 
-// One body as the vertex shaders see it. World frame, m.
+// Vertex shader data of one body. World frame, m.
 struct Instance {
     glm::vec3 position;
     float bevel;            // m, at most the smallest half extent; see Vertex
     glm::vec4 orientation;  // unit quaternion x, y, z, w, body to world
     glm::vec3 half_extents;
     glm::vec3 colour;  // linear light, 0..1
-    float number;      // in the picture's list of its kind, from 0
+    float number;      // index in the picture's list of its kind
 };
 
-// A mesh on the GPU and the instances of it that a frame shows.
+// A mesh on the GPU and its instances in a frame.
 class InstancedMesh {
   public:
     InstancedMesh(const Gl& gl, const Mesh& mesh);

@@ -8,7 +8,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// A corner of the box by its bits: bit a is set where the coordinate along axis a is positive.
+// Position of a box corner by its bits: bit a is set if the coordinate along axis a is positive.
 glm::vec3 corner_position(int corner) {
     return {(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f, (corner & 4) != 0 ? 1.0f : -1.0f};
 }
@@ -22,7 +22,7 @@ void add_triangle(Mesh& mesh, const std::array<int, 3>& triangle) {
     std::array<Vertex, 3> vertices;
     for (std::size_t i = 0; i < 3; ++i) vertices[i] = mesh.vertices[static_cast<std::size_t>(triangle[i])];
 
-    // With any bevel the points tell the winding; a bevel of 1/2 stands for all.
+    // The winding is the same for every bevel; uses 1/2.
     const auto point = [](const Vertex& vertex) { return 0.5f * (vertex.corner + vertex.normal); };
     const glm::vec3 normal =
         glm::cross(point(vertices[1]) - point(vertices[0]), point(vertices[2]) - point(vertices[0]));
@@ -34,7 +34,7 @@ void add_triangle(Mesh& mesh, const std::array<int, 3>& triangle) {
     }
 }
 
-// The points are given around the quad, in either direction.
+// Points in order around the quad, in either direction.
 void add_quad(Mesh& mesh, const std::array<int, 4>& quad) {
     add_triangle(mesh, {quad[0], quad[1], quad[2]});
     add_triangle(mesh, {quad[0], quad[2], quad[3]});

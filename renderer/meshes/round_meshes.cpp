@@ -8,7 +8,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The angle of a vertex on a ring, radians.
+// Angle of a vertex on a ring, radians.
 float angle(int side, int sides) {
     return 2.0f * std::numbers::pi_v<float> * static_cast<float>(side) / static_cast<float>(sides);
 }
