@@ -27,7 +27,7 @@ Bodies visible_bodies(const Picture& picture, float reach) {
                   .spheres = sphere_instances(picture.spheres),
                   .bars = bar_instances(picture.bars)};
     for (std::vector<Instance>* kind : {&bodies.boxes, &bodies.spheres, &bodies.bars}) {
-        // Written so that what is too far away for its distance to be a number goes too.
+        // Negated, to remove bodies whose distance is not finite as well.
         std::erase_if(*kind, [&](const Instance& body) {
             return !(glm::distance(eye, body.position) - bounding_radius(body) <= reach);
         });

@@ -7,7 +7,7 @@
 
 namespace pushfactor::renderer {
 
-// The bodies of one frame, by their kind; of each the nearest first, as they hide the others.
+// The bodies of one frame by kind, each front to back, because near ones hide others.
 struct Bodies {
     std::vector<Instance> boxes;
     std::vector<Instance> spheres;
@@ -16,11 +16,11 @@ struct Bodies {
     // All that cast a shadow.
     std::vector<Instance> all() const;
 
-    // All that are thick enough to darken the ground where they touch it.
+    // All that are thick enough to darken the ground on contact.
     std::vector<Instance> thick() const;
 };
 
-// The bodies that reach into `reach` m around the eye.
+// Bodies within `reach` m of the eye.
 Bodies visible_bodies(const Picture& picture, float reach);
 
 }  // namespace pushfactor::renderer

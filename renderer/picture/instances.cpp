@@ -12,8 +12,8 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The shortest turn from the y axis to a direction of unit length or, if that is nearer, to its opposite: a
-// bar looks the same from both ends, and the turn to the opposite of y would not be unique.
+// Shortest rotation from the y axis to a unit direction or to its opposite, whichever is nearer: a bar looks the
+// same from both ends, and the rotation to -y would not be unique.
 glm::vec4 turn_from_y(glm::vec3 direction) {
     if (direction.y < 0.0f) direction = -direction;
     return glm::normalize(glm::vec4(direction.z, 0.0f, -direction.x, 1.0f + direction.y));

@@ -14,26 +14,26 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Arrows that are shorter on the screen are left out, px: one could not see where they point.
+// Shorter arrows on the screen are omitted, px: their direction would not be visible.
 constexpr double least_length = 2.0;
 
-// A light edge around marks, so that they are seen on dark ground as well.
+// A light outline around marks, for dark backgrounds.
 const Paint casing{.colour = glm::vec3(1.0f), .opacity = 0.85f};
 
-// The visible part of a segment, in clip space.
+// Visible part of a segment, in clip space.
 struct Segment {
     glm::dvec4 from;
     glm::dvec4 to;
     bool to_is_its_end;
 };
 
-// Where on the line from `from` to `to` a value changes its sign.
+// Point on the line from `from` to `to` at which a value changes its sign.
 glm::dvec4 between(const glm::dvec4& from, const glm::dvec4& to, double value_from, double value_to) {
     return from + (value_from / (value_from - value_to)) * (to - from);
 }
 
-// Cuts off what is nearer than the near plane or behind the eye, and far outside of the image, where pixels become
-// too large to count.
+// Clips what is in front of the near plane or behind the eye, or so far outside of the image that pixel coordinates
+// become too large.
 std::optional<Segment> visible_part(Segment segment) {
     constexpr double reach = 16.0;  // half sides of the image
     for (const glm::dvec4& plane :
@@ -48,7 +48,7 @@ std::optional<Segment> visible_part(Segment segment) {
             segment.to_is_its_end = false;
         }
     }
-    // Between points that are too far away for the numbers' precision a cut may lie anywhere.
+    // For points too far away for the floating-point precision a cut may be anywhere.
     if (segment.from.w <= 0.0 || segment.to.w <= 0.0) return std::nullopt;
     return segment;
 }
@@ -87,7 +87,7 @@ class Marks {
     }
 
   private:
-    // How far away the view ends has no influence on where a point is seen.
+    // The far plane does not affect the position of a point in the image.
     static glm::dmat4 projection(const Camera& camera, const glm::dvec2& size) {
         return camera_view(camera, static_cast<float>(size.x / size.y), 100.0f * scale_of(camera));
     }
@@ -105,7 +105,7 @@ class Marks {
 
     Image& image_;
     glm::dvec2 size_;  // px
-    double unit_;      // px, by which widths are measured
+    double unit_;      // px, reference for widths
     glm::dmat4 world_to_clip_;
 };
 

@@ -5,8 +5,8 @@
 
 namespace pushfactor::renderer {
 
-// Draws the dots and arrows of a picture that passes check() over the image that has been made of the rest of it.
-// Their widths follow the image's height.
+// Draws the dots and arrows of a valid picture (see check()) over the image of the rest. Their widths are
+// proportional to the image's height.
 void draw_marks(Image& image, const Picture& picture);
 
 }  // namespace pushfactor::renderer

@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Along the normal of the front, as long as twice the area.
+// Along the normal of the front, with length twice the area.
 glm::vec3 area_vector(std::span<const glm::vec3> corners) {
     glm::vec3 sum(0.0f);
     for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -26,7 +26,7 @@ glm::vec3 middle(std::span<const glm::vec3> corners) {
     return sum;
 }
 
-// Compares numbers only, so that equal keys mean equal panels, whose order does not matter.
+// Compares numbers only: equal keys mean equal panels, whose order does not matter.
 bool drawn_before(const Panel& a, const Panel& b, const glm::vec3& eye) {
     const double a_distance = glm::distance(glm::dvec3(middle(a.corners)), glm::dvec3(eye));
     const double b_distance = glm::distance(glm::dvec3(middle(b.corners)), glm::dvec3(eye));
@@ -49,8 +49,8 @@ void add_triangles(std::vector<PanelVertex>& vertices, const Panel& panel) {
                 panel.opacity, from_edge, {glm::dot(position, along), glm::dot(position, across)}};
     };
 
-    // One triangle for each edge, with the middle as its third corner: the distance from the edge runs
-    // linearly over it.
+    // One triangle per edge, with the centre as its third corner, so that the distance from the edge is linear in
+    // it.
     const glm::vec3 centre = middle(panel.corners);
     for (std::size_t i = 0; i < panel.corners.size(); ++i) {
         const glm::vec3& first = panel.corners[i];
@@ -70,7 +70,7 @@ bool flat_and_convex(std::span<const glm::vec3> corners) {
     float size = 0.0f;
     for (const glm::vec3& corner : corners) size = std::max(size, glm::distance(corner, corners[0]));
     const glm::vec3 area = area_vector(corners);
-    // Written so that what overflows is refused.
+    // Negated, to reject overflow.
     if (!(glm::length(area) > tolerance * tolerance * size * size)) return false;
 
     const glm::vec3 normal = glm::normalize(area);

@@ -8,8 +8,8 @@
 
 namespace pushfactor::renderer {
 
-// Where the picture is taken from. World frame, y up, metres. The distance from eye to target is the scale
-// of the picture: haze and the spacing of the ground's lines follow it.
+// Camera. World frame, y up, metres. The distance from eye to target is the scale of the picture: haze and the
+// spacing of the ground's lines are proportional to it.
 struct Camera {
     glm::vec3 eye{0.0f, 5.0f, 20.0f};
     glm::vec3 target{0.0f};
@@ -26,7 +26,7 @@ struct Box {
     glm::vec3 colour{0.5f};                         // sRGB, each 0..1
 };
 
-// A smooth ball. Its eight octants in the body's frame are light and dark in turn, so that spin is seen.
+// A ball. Its eight octants in the body frame are alternately light and dark, so that spin is visible.
 struct Sphere {
     glm::vec3 position{0.0f};                       // of the centre, world frame, m
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
@@ -34,8 +34,7 @@ struct Sphere {
     glm::vec3 colour{0.5f};                         // sRGB, each 0..1
 };
 
-// A round rod with round ends, which reach its radius beyond the two points. It is drawn at least about 1.2
-// pixels wide, however thin or far away it is.
+// A round rod with round ends that extend its radius beyond the two points. Always at least about 1.2 pixels wide.
 struct Bar {
     glm::vec3 from{0.0f};                // world frame, m
     glm::vec3 to{0.0f, 1.0f, 0.0f};      // world frame, m
@@ -43,30 +42,30 @@ struct Bar {
     glm::vec3 colour{0.3f, 0.3f, 0.3f};  // sRGB, each 0..1
 };
 
-// A flat, convex, translucent polygon with a thin outline and, as on the ground, faint lines. Its front is the
-// side from which the corners run counter-clockwise; from the back it is drawn fainter, so that the walls of a
-// container whose fronts face inwards do not hide what is in it. It receives shadows and casts none.
+// A flat, convex, translucent polygon with a thin outline and faint lines like those of the ground. Its front is
+// the side from which the corners run counter-clockwise; the back is drawn fainter, so that the walls of a
+// container with fronts facing inwards do not hide its contents. Receives shadows and casts none.
 struct Panel {
     std::vector<glm::vec3> corners{};  // at least 3, world frame, m
     glm::vec3 colour{0.6f};            // sRGB, each 0..1
-    float opacity = 0.3f;              // of the front, 0 (only the lines are seen) to 1
+    float opacity = 0.3f;              // of the front, 0 (only the lines are visible) to 1
 
     bool operator==(const Panel&) const = default;
 };
 
-// An endless horizontal plane, seen from above only. Its lines are 1 m apart and every fifth is stronger;
-// from a distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
+// An infinite horizontal plane, visible from above only. Lines are 1 m apart, every fifth is stronger; from a
+// distance of 60 m on they are 10 m apart, then 100 m, and below 6 m they are 0.1 m apart.
 struct Ground {
     float height = 0.0f;  // y, m
 
     bool operator==(const Ground&) const = default;
 };
 
-// Arrows and dots are drawn flat, over everything else and as wide on the screen wherever they are, so that what is
-// inside of bodies is seen. What is behind the eye is not drawn.
+// Arrows and dots are drawn in 2D over everything else, with a width independent of distance, so that they are
+// visible inside bodies. Nothing is drawn for points behind the eye.
 struct Arrow {
     glm::vec3 from{0.0f};            // world frame, m
-    glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; nothing is seen of an arrow that points at the eye
+    glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; an arrow that points at the eye is invisible
     glm::vec3 colour{0.0f};          // sRGB, each 0..1
 };
 
@@ -75,23 +74,22 @@ struct Dot {
     glm::vec3 colour{0.0f};    // sRGB, each 0..1
 };
 
-// All that one frame shows.
+// Contents of one frame.
 struct Picture {
     Camera camera;
-    glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any length but 0; shadows fall the other way
+    glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any non-zero length; shadows fall the other way
     std::optional<Ground> ground{};
     std::vector<Box> boxes{};
     std::vector<Sphere> spheres{};
     std::vector<Bar> bars{};
-    std::vector<Panel> panels{};  // in any order; where panels cross each other, the one that is farther as a
-                                  // whole is drawn first
-    float mark_scale = 1.0f;      // widths of arrows and dots, as a multiple of what suits the image's height, > 0
-    std::vector<Arrow> arrows{};  // each over those before it
-    std::vector<Dot> dots{};      // likewise, and all of them under the arrows
+    std::vector<Panel> panels{};  // in any order; if panels cross, the one farther as a whole is drawn first
+    float mark_scale = 1.0f;      // widths of arrows and dots, relative to the default for the image's height, > 0
+    std::vector<Arrow> arrows{};  // drawn in order, later ones on top
+    std::vector<Dot> dots{};      // likewise, all of them under the arrows
 };
 
-// Throws RendererError that names the first field with which the picture cannot be drawn: a number that is
-// not finite or out of its range, a camera or a sun without a direction, a panel that is not flat and convex.
+// Throws RendererError with the name of the first invalid field: a number that is not finite or out of range, a
+// camera or sun without a direction, a panel that is not flat and convex.
 void check(const Picture& picture);
 
 }  // namespace pushfactor::renderer

@@ -11,7 +11,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// A direction that is up on the screen: y, except when looking straight along it.
+// Direction that is up on the screen: y, except when looking along it.
 glm::vec3 screen_up(const glm::vec3& view_direction) {
     const bool vertical = std::abs(glm::normalize(view_direction).y) > 0.999f;
     return vertical ? glm::vec3(0.0f, 0.0f, -1.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
@@ -53,15 +53,16 @@ SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<c
         low = glm::min(low, seen(body.position) - bounding_radius(body));
         high = glm::max(high, seen(body.position) + bounding_radius(body));
     }
-    // One body far away shall not make the shadows of all others coarse; along the light it does not.
+    // A single distant body must not make all other shadows coarse, so the extent is limited; not along the light,
+    // where it does not matter.
     const float scale = scale_of(camera);
     const glm::vec3 range(4.0f * scale, 4.0f * scale, std::numeric_limits<float>::max());
     low = glm::clamp(low, target - range, target + range);
     high = glm::clamp(high, target - range, target + range);
 
-    // About two pixels of a 720p frame, for soft edges; larger, in small steps, when the bodies need it.
+    // About two pixels of a 720p frame, for soft edges; larger, in small steps, if the bodies need it.
     constexpr float border = 3.0f;  // texels around the bodies, for the filter
-    constexpr float step = 32.0f;   // texels between the places where the view may end
+    constexpr float step = 32.0f;   // texels; the view's bounds are multiples of it
     const float room = static_cast<float>(max_side) - 2.0f * (step + border);
     const float extent = std::max(high.x - low.x, high.y - low.y);
     float texel = scale / 700.0f;

@@ -10,32 +10,32 @@
 
 namespace pushfactor::renderer {
 
-// Radius about its position of a sphere that holds the body, m.
+// Radius of a bounding sphere of the body around its position, m.
 float bounding_radius(const Instance& body);
 
-// The distance in m by which haze, ground and shadows are measured: how far away the camera's target is.
+// Reference distance of haze, ground and shadows, m: distance of the camera's target.
 float scale_of(const Camera& camera);
 
-// World to clip space of a camera. `aspect` is width over height. Shows everything from a hundredth of the
+// Transform from world to clip space. `aspect` is width over height. Shows everything from a hundredth of the
 // picture's scale up to `farthest` m from the eye.
 glm::mat4 camera_view(const Camera& camera, float aspect, float farthest);
 
-// Side of a pixel in the world at a distance of 1 m, m; it grows with the distance.
+// Side length of a pixel in the world at a distance of 1 m, m; proportional to the distance.
 float pixel_at_one_metre(const Camera& camera, int height);
 
-// How the sun sees the bodies: parallel light, an image just large enough for all of them.
+// Shadow view: parallel projection along the light, just large enough for all bodies.
 struct SunView {
     glm::mat4 world_to_clip;
     int width;    // texels
     int height;   // texels
-    float texel;  // side of one texel in the world, m
+    float texel;  // side length of a texel in the world, m
 
     bool operator==(const SunView&) const = default;
 };
 
-// A view of all bodies, or at least of those near the camera's target, in at most `max_side` texels a side. It
-// changes only now and then while bodies move, and by whole texels, so that the shadows of the resting ones keep
-// still.
+// A view of all bodies, or at least of those near the camera's target, with at most `max_side` texels per side. It
+// changes only occasionally while bodies move, and by whole texels, so that shadows of resting bodies do not
+// flicker.
 SunView sun_view(const Camera& camera, const glm::vec3& towards_sun, std::span<const Instance> bodies,
                  int max_side);
 
