@@ -13,7 +13,7 @@
 
 namespace pushfactor::renderer {
 
-// What is behind all bodies and their shadows: the background, and the ground in full light.
+// Parameters of the backdrop, which is behind all bodies and shadows: background colour, and ground in full light.
 struct BackdropView {
     glm::mat4 world_to_clip;
     glm::vec3 towards_sun;  // unit length
@@ -23,17 +23,17 @@ struct BackdropView {
     bool operator==(const BackdropView&) const = default;
 };
 
-// An image of it, kept as long as camera, ground and sun stay as they are.
+// Cached image of the backdrop, valid while camera, ground and sun are unchanged.
 class Backdrop {
   public:
-    // Pixels. Throws RendererError when GL refuses the size.
+    // Size in pixels. Throws RendererError if GL refuses it.
     Backdrop(const Gl& gl, int width, int height);
 
-    // Says which backdrop is wanted. True when it is the one of the last call: only what is wanted a second time is
-    // worth an image of its own.
+    // Announces the backdrop of this frame. True if it is that of the last call: only a backdrop used twice is
+    // worth caching.
     bool is_worth_keeping(const BackdropView& view);
 
-    // Whether it is in the image; bind() directs drawing there, and then it is.
+    // Whether the image holds it; bind() directs drawing to the image, which then counts as drawn.
     bool is_drawn() const { return drawn_; }
     void bind();
 

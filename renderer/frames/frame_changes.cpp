@@ -14,7 +14,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// An order of instances in which only equal ones are equal.
+// Strict order of instances in which only identical ones are equivalent.
 bool before_in_order(const Instance& a, const Instance& b) {
     static_assert(sizeof(Instance) == 15 * sizeof(float), "bytes between the members would be compared too");
     if (a.number != b.number) return a.number < b.number;
@@ -23,7 +23,7 @@ bool before_in_order(const Instance& a, const Instance& b) {
 
 using Instances = std::vector<Instance>;
 
-// Two lists compared: what is in only one of them, and what is in both.
+// Result of comparing two lists: elements of only one, and elements of both.
 struct Comparison {
     Instances differing;
     Instances equal;
@@ -53,7 +53,7 @@ BodiesComparison compare(const Bodies& a, const Bodies& b) {
     return found;
 }
 
-// How far it is along the light from the first to the last of all that casts or receives a shadow, m.
+// Distance along the light between the first and the last shadow caster or receiver, m.
 float depth_of(const Bodies& some, const Bodies& others, std::span<const Panel> panels,
                const glm::vec3& towards_sun) {
     float low = std::numeric_limits<float>::max();
@@ -71,7 +71,7 @@ float depth_of(const Bodies& some, const Bodies& others, std::span<const Panel> 
     return high - low;
 }
 
-// Where the shadow map is looked up, or may be.
+// Tiles in which the shadow map is or may be looked up.
 Tiles where_shadows_matter(const FrameView& view, const FrameContents& contents) {
     const Instances bodies = contents.bodies.all();
     Tiles tiles = occupied_tiles(view, bodies, contents.panels);
@@ -79,7 +79,7 @@ Tiles where_shadows_matter(const FrameView& view, const FrameContents& contents)
     return tiles;
 }
 
-// What bodies that differ change in one drawing.
+// Tiles in one rendering that change because of differing bodies.
 Tiles changed_tiles(const FrameView& view, const BodiesComparison& bodies, const FrameContents& now) {
     const Instances differing = bodies.differing.all();
     Tiles tiles = occupied_tiles(view, differing, {});
@@ -110,7 +110,7 @@ Tiles changed_tiles(const FrameContents& before, const FrameContents& now) {
     const bool none_differs = bodies.differing.all().empty();
     for (std::size_t i = 0; i < now.views.size(); ++i) {
         if (!none_differs) tiles.add(changed_tiles(now.views[i], bodies, now));
-        // Another map rounds otherwise, also where the shadows are the same.
+        // Another map is rounded differently, even for equal shadows.
         if (other_maps) {
             tiles.add(where_shadows_matter(before.views[i], before));
             tiles.add(where_shadows_matter(now.views[i], now));

@@ -10,19 +10,18 @@
 
 namespace pushfactor::renderer {
 
-// All that decides what a frame looks like before marks are drawn over it.
+// Everything that determines a frame, without the marks drawn over it.
 struct FrameContents {
     Camera camera;
     std::optional<Ground> ground;
     Bodies bodies;
     std::vector<Panel> panels;
-    std::vector<SunView> suns;     // one for each drawing of the frame
-    std::vector<FrameView> views;  // likewise, all of one size
+    std::vector<SunView> suns;     // one per rendering of the frame
+    std::vector<FrameView> views;  // likewise; all of one size
 };
 
-// The tiles in which a frame may look otherwise than the one before it. It is known from what the two show: a body
-// that moves changes the tiles where it was and is, those where it darkens the ground, and what its shadow falls
-// on.
+// Tiles in which a frame may differ from the previous one, from the contents of both: a moving body changes the
+// tiles of its old and new positions, those where it darkens the ground, and those that its shadow falls on.
 Tiles changed_tiles(const FrameContents& before, const FrameContents& now);
 
 }  // namespace pushfactor::renderer

@@ -61,7 +61,7 @@ std::string text_of(const glm::vec3& point) {
 }  // namespace
 
 void check_gl_errors(const Gl& gl) {
-    // A context that is gone may report its loss for ever.
+    // A lost context may report an error on every call.
     constexpr int most = 8;
     std::string names;
     for (int i = 0; i < most; ++i) {
@@ -82,11 +82,11 @@ void check_framebuffer(const Gl& gl, const char* purpose) {
 void check_in_view(const Image& image, const glm::vec3& background, const Camera& camera) {
     const glm::vec3 bytes = 255.0f * glm::convertLinearToSRGB(background);
     const std::size_t count = image.rgb.size();
-    // From the middle on, where there is most often something to be seen.
+    // Starts in the middle, which is most likely to show something.
     const std::size_t first = count / 6 * 3;
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = first + n < count ? first + n : first + n - count;
-        // GL may round the background either way.
+        // GL may round the background colour up or down.
         if (std::abs(static_cast<float>(image.rgb[i]) - bytes[static_cast<int>(i % 3)]) > 1.0f) return;
     }
     throw RendererError("nothing of the picture is in view of the camera at " + text_of(camera.eye) +

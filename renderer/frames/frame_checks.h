@@ -8,15 +8,13 @@
 
 namespace pushfactor::renderer {
 
-// Throws RendererError that names the errors that OpenGL has recorded since it was asked last, if any.
+// Throws RendererError with the names of the OpenGL errors recorded since the last call, if any.
 void check_gl_errors(const Gl& gl);
 
-// Throws RendererError when the framebuffer bound for drawing cannot be drawn into; it says why and names
-// `purpose`.
+// Throws RendererError with the reason and `purpose` if the framebuffer bound for drawing is incomplete.
 void check_framebuffer(const Gl& gl, const char* purpose);
 
-// Throws RendererError when nothing but the background, a colour in linear light, is in the image that this
-// camera took.
+// Throws RendererError if the image taken by this camera shows only the background, a colour in linear light.
 void check_in_view(const Image& image, const glm::vec3& background, const Camera& camera);
 
 }  // namespace pushfactor::renderer

@@ -13,7 +13,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Calls `visit(centre, radius)` for balls that hold the body together: a row of them for a long body.
+// Calls `visit(centre, radius)` for balls that together cover the body: a row of them for a long body.
 template <typename Visit>
 void cover_with_balls(const Instance& body, const Visit& visit) {
     constexpr float most = 24.0f;
@@ -34,7 +34,7 @@ void cover_with_balls(const Instance& body, const Visit& visit) {
     }
 }
 
-// By how much a shadow is wider than its body: the filter of the map and the step off the ground before the lookup.
+// Extra width of a shadow: filter of the map, and offset from the ground before the lookup.
 float blur(const FrameView& view) {
     return 6.0f * view.texel;
 }
@@ -54,7 +54,7 @@ Tiles occupied_tiles(const FrameView& view, std::span<const Instance> bodies, st
 
 Tiles shadowed_tiles(const FrameView& view, std::span<const Instance> bodies, const Ground& ground) {
     Tiles tiles(view.width, view.height);
-    // A sun that low does not light the ground.
+    // A sun this low does not light the ground.
     if (view.towards_sun.y <= 1e-4f) return tiles;
     for (const Instance& body : bodies) {
         cover_with_balls(body, [&](const glm::vec3& centre, float radius) {

@@ -12,33 +12,33 @@
 
 namespace pushfactor::renderer {
 
-// How one drawing of a frame sees the world.
+// Parameters of one rendering of a frame.
 struct FrameView {
     int width;   // pixels
     int height;  // pixels
     glm::mat4 world_to_clip;
     glm::vec3 towards_sun;  // unit length
-    float texel;            // side of a texel of the shadow map, m
-    float pixel;            // side of a pixel at a distance of 1 m from the eye, m
+    float texel;            // side length of a texel of the shadow map, m
+    float pixel;            // side length of a pixel at a distance of 1 m from the eye, m
 };
 
-// The tiles in which bodies and panels may be seen.
+// Tiles in which bodies and panels may be visible.
 Tiles occupied_tiles(const FrameView& view, std::span<const Instance> bodies, std::span<const Panel> panels);
 
-// The tiles in which shadows of the bodies may fall on the ground; none when the sun does not light it.
+// Tiles in which shadows of the bodies may fall on the ground; none if the sun does not light it.
 Tiles shadowed_tiles(const FrameView& view, std::span<const Instance> bodies, const Ground& ground);
 
-// The tiles in which bodies may darken the ground by their nearness.
+// Tiles in which bodies may darken the ground by contact.
 Tiles touched_tiles(const FrameView& view, std::span<const Instance> bodies, const Ground& ground);
 
-// The tiles in which shadows of the bodies may fall on anything down to `distance` m from them.
+// Tiles in which shadows of the bodies may fall on anything up to `distance` m below them along the light.
 Tiles swept_tiles(const FrameView& view, std::span<const Instance> bodies, float distance);
 
-// The areas of a frame that are drawn, by what the ground in them needs: lookups of the shadow are most of its
-// time. Each pixel of the tiles is in one of them.
+// Areas of a frame to draw, by whether the ground needs shadow lookups, which take most of its time. Each pixel of
+// the tiles is in exactly one area.
 struct FramePlan {
     std::vector<PixelArea> lit;       // no shadow falls on the ground
-    std::vector<PixelArea> shadowed;  // one may
+    std::vector<PixelArea> shadowed;  // a shadow may
 };
 FramePlan plan_frame(const Tiles& drawn, const Tiles& shadowed);
 

@@ -19,24 +19,24 @@ const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0
 
 namespace {
 
-// In units of the picture's scale: with a squared exponential haze the ground has the background's colour to
-// within a level of 8 bits well before it ends.
+// In units of the picture's scale: with a squared exponential haze the ground reaches the background colour, up to
+// one 8-bit level, well before it ends.
 constexpr float haze = 5.0f;
 
-// The least width of a bar, so that it does not break into dots: in pixels, and in the shadow map's texels.
+// Minimum width of a bar, so that it does not break into dots: in pixels, and in texels of the shadow map.
 constexpr float least_bar_width = 1.2f;
 
-// From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
+// Powers of ten from 0.1 m upwards, so that lines are some pixels apart at the camera's target.
 float line_spacing(float scale) {
     return std::pow(10.0f, std::floor(std::log10(scale / 6.0f)));
 }
 
-// Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
+// From clip space, -1..1, to texture coordinates and depth, 0..1.
 glm::mat4 texture_from_clip() {
     return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)), glm::vec3(0.5f));
 }
 
-// The smallest area that holds all of the areas, of which there is one at least.
+// Smallest area that contains all of the areas; needs at least one.
 PixelArea bounds_of(const std::vector<PixelArea>& areas) {
     PixelArea bounds = areas.front();
     for (const PixelArea& area : areas) {
@@ -50,7 +50,7 @@ PixelArea bounds_of(const std::vector<PixelArea>& areas) {
     return bounds;
 }
 
-// The bodies of which something is seen in the tiles.
+// Bodies that are visible in the tiles.
 std::vector<Instance> seen_in(const Tiles& tiles, const FrameView& view, std::vector<Instance> bodies) {
     std::erase_if(bodies, [&](const Instance& body) {
         return !tiles.show_ball(view.world_to_clip, body.position, bounding_radius(body));
@@ -137,7 +137,7 @@ void Painter::draw(const Drawing& scene, const Tiles& tiles, const RenderTarget&
     shadow_map_.bind_texture();
     draw_floor(scene, tiles, target);
     end(Stage::ground);
-    // What is drawn outside of the tiles does no harm, but takes time.
+    // Drawing outside of the tiles is harmless but takes time.
     within({bounds_of(tiles.areas())}, [&] {
         draw_bodies(scene, tiles);
         draw_bars(scene, tiles);
@@ -146,8 +146,8 @@ void Painter::draw(const Drawing& scene, const Tiles& tiles, const RenderTarget&
     end(Stage::bodies);
 }
 
-// All that is behind the bodies, and the depth of the ground. Where nothing depends on it, more than the tiles is
-// drawn: each area of its own takes time.
+// Draws everything behind the bodies, and the depth of the ground. Draws more than the tiles where nothing depends
+// on it, because each separate area takes time.
 void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target) {
     const std::optional<Ground>& ground = scene.picture.ground;
     const Tiles shadowed = ground ? shadowed_tiles(scene.view, scene.bodies.all(), *ground)
@@ -197,7 +197,7 @@ void Painter::within(const std::vector<PixelArea>& areas, const Draw& draw) cons
     gl_.Disable(GL_SCISSOR_TEST);
 }
 
-// Takes a program into use and sets all that does not depend on what it draws.
+// Binds a program and sets all uniforms that do not depend on what it draws.
 void Painter::use(const ShaderProgram& program, const Drawing& scene) const {
     program.use();
     program.set("world_to_clip", scene.view.world_to_clip);
@@ -223,7 +223,7 @@ void Painter::draw_ground(const Drawing& scene, const ShaderProgram& program, co
     within(areas, [&] { ground_.draw(); });
 }
 
-// Hides what bodies and panels have below the ground.
+// Hides the parts of bodies and panels below the ground.
 void Painter::draw_ground_depth(const Drawing& scene, const std::vector<PixelArea>& areas) {
     shadow_program_.use();
     shadow_program_.set("world_to_clip", scene.view.world_to_clip);
@@ -232,7 +232,7 @@ void Painter::draw_ground_depth(const Drawing& scene, const std::vector<PixelAre
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-// Nothing but the ground has been drawn when this darkens it.
+// Drawn right after the ground, so it darkens nothing else.
 void Painter::draw_contacts(const Drawing& scene, const Tiles& tiles) {
     const Ground& ground = *scene.picture.ground;
     std::vector<Instance> bodies = touching(ground, scene.bodies.thick());
@@ -259,7 +259,7 @@ void Painter::draw_bodies(const Drawing& scene, const Tiles& tiles) {
     spheres_.draw();
 }
 
-// Their edges are blended with what is behind them, so the farthest comes first; they are smooth as they are drawn.
+// Back to front, because edges are blended with what is behind them. Bars are drawn with smooth edges.
 void Painter::draw_bars(const Drawing& scene, const Tiles& tiles) {
     std::vector<Instance> bars = seen_in(tiles, scene.view, scene.bodies.bars);
     std::ranges::reverse(bars);
@@ -275,7 +275,7 @@ void Painter::draw_bars(const Drawing& scene, const Tiles& tiles) {
     gl_.Enable(GL_CULL_FACE);
 }
 
-// Last, over all that they let through; they hide nothing from each other.
+// Drawn last, over everything visible through them; panels do not hide each other.
 void Painter::draw_panels(const Drawing& scene) {
     panels_.set_triangles(panel_triangles(scene.picture.panels, scene.picture.camera.eye));
     use(panel_program_, scene);

@@ -25,26 +25,25 @@ namespace pushfactor::renderer {
 // In linear light.
 extern const glm::vec3 background;
 
-// How far from the eye anything is drawn, in units of the picture's scale.
+// Draw distance from the eye, in units of the picture's scale.
 constexpr float ground_reach = 12.0f;
 
-// One drawing of a picture.
+// One rendering of a picture.
 struct Drawing {
     const Picture& picture;
-    const Bodies& bodies;  // those of the picture that are drawn
+    const Bodies& bodies;  // the visible ones of the picture
     const SunView& sun;
     const FrameView& view;
 };
 
-// Draws with GL: holds the programs and meshes, and knows in which order things are drawn.
+// Issues the GL draw calls: owns programs and meshes, and defines the drawing order.
 class Painter {
   public:
-    // For frames of this size in pixels. `stages`, if not null, is told of each stage. Throws RendererError when a
-    // shader is missing or refused.
+    // For frames of this size in pixels. `stages`, if not null, is notified of each stage. Throws RendererError if
+    // a shader is missing or does not compile.
     Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages);
 
-    // Draws these tiles of the scene, of which there is one at least; what is outside of them has no meaning in the
-    // target afterwards.
+    // Draws these tiles of the scene, at least one; the target is undefined outside of them afterwards.
     void draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
 
   private:
@@ -60,7 +59,7 @@ class Painter {
     void draw_bodies(const Drawing& scene, const Tiles& tiles);
     void draw_bars(const Drawing& scene, const Tiles& tiles);
     void draw_panels(const Drawing& scene);
-    // Calls `draw` once for each area, and nothing outside of it changes.
+    // Calls `draw` once per area, clipped to it.
     template <typename Draw>
     void within(const std::vector<PixelArea>& areas, const Draw& draw) const;
     void end(Stage stage) const;

@@ -15,7 +15,7 @@ class PanelMesh {
 
     void set_triangles(std::span<const PanelVertex> vertices);
 
-    // Draws all triangles in their order with the program in use.
+    // Draws all triangles in order with the program in use.
     void draw() const;
 
   private:

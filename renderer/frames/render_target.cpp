@@ -8,7 +8,7 @@
 namespace pushfactor::renderer {
 namespace {
 
-// Gives the bound framebuffer an image of its own.
+// Attaches a renderbuffer to the bound framebuffer.
 void attach(const Gl& gl, GLenum attachment, const GlObject& image, GLenum format, int width, int height) {
     gl.BindRenderbuffer(GL_RENDERBUFFER, image.name());
     gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);

@@ -9,20 +9,20 @@
 
 namespace pushfactor::renderer {
 
-// What a frame is drawn into: linear light in, sRGB stored, with depth. The fourth channel tells surfaces whose
-// edges are to be smoothed (not 0) from all that is smooth as it is drawn.
+// Framebuffer of a frame: linear light in, sRGB stored, with depth. Alpha is 0 for pixels drawn with smooth edges,
+// and not 0 for surfaces whose edges are to be smoothed.
 class RenderTarget {
   public:
-    // Throws RendererError when GL refuses the size (pixels).
+    // Size in pixels. Throws RendererError if GL refuses it.
     RenderTarget(const Gl& gl, int width, int height);
 
-    // Directs drawing here.
+    // Binds it for drawing.
     void bind() const;
 
     // Copies the colours of these areas from another target of the same size. This one must be bound.
     void copy_colour(const RenderTarget& from, std::span<const PixelArea> areas) const;
 
-    // Copies these areas into `rgba`, which holds the whole frame: rows from bottom to top, four bytes a pixel.
+    // Copies these areas into `rgba`, which holds the whole frame: rows from bottom to top, four bytes per pixel.
     void read(std::span<const PixelArea> areas, std::span<std::uint8_t> rgba) const;
 
   private:

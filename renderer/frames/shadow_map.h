@@ -5,18 +5,18 @@
 
 namespace pushfactor::renderer {
 
-// A depth image seen from the sun. Lookups compare and interpolate; outside of the image everything is lit.
+// Depth image as seen from the sun. Lookups compare and interpolate; outside of the image everything is lit.
 class ShadowMap {
   public:
     static constexpr int max_side = 2048;  // texels
 
     explicit ShadowMap(const Gl& gl);
 
-    // Directs drawing to a new, empty map of this size in texels, each side 1..max_side. Throws
-    // RendererError when GL refuses it.
+    // Binds a cleared map of this size in texels, each side 1..max_side, for drawing. Throws RendererError if GL
+    // refuses it.
     void begin(int width, int height);
 
-    // Makes the map the texture of unit 0.
+    // Binds the map to texture unit 0.
     void bind_texture() const;
 
   private:

@@ -9,8 +9,8 @@
 namespace pushfactor::renderer {
 namespace {
 
-// The largest radius in pixels for each level but the last: between the corners of the outline, which has 12,
-// 20, 32 or 96 of them, it keeps within 0.3 pixels of the circle.
+// Largest radius in pixels for each level except the last: the outline, with 12, 20, 32 or 96 corners, deviates
+// from the circle by less than 0.3 pixels.
 constexpr std::array largest_radius{9.0f, 24.0f, 62.0f};
 
 }  // namespace

@@ -9,19 +9,19 @@
 
 namespace pushfactor::renderer {
 
-// Spheres drawn with as many triangles as their size in the picture asks for.
+// Spheres with level of detail by their size in the picture.
 class SphereMeshes {
   public:
     explicit SphereMeshes(const Gl& gl);
 
-    // `pixel` is the side of a pixel at a distance of 1 m from the eye, m.
+    // `pixel`: side length of a pixel at a distance of 1 m from the eye, m.
     void set_instances(std::span<const Instance> spheres, const glm::vec3& eye, float pixel);
 
     // Draws all spheres with the program in use.
     void draw() const;
 
   private:
-    std::array<InstancedMesh, 4> levels_;  // from coarse to fine
+    std::array<InstancedMesh, 4> levels_;  // coarse to fine
 };
 
 }  // namespace pushfactor::renderer

@@ -2,15 +2,15 @@
 
 namespace pushfactor::renderer {
 
-// The stages of a frame, in their order.
+// Stages of a frame, in order.
 enum class Stage { plan, shadow, ground, bodies, read, smooth, marks };
 
-// Somebody who wants to know how long they take.
+// Observer that is notified of finished stages, for timing.
 class Stages {
   public:
     virtual ~Stages() = default;
 
-    // The stage, and all that it asked of GL, has been done since the last call, or since the frame began.
+    // The stage, including its GL commands, ran since the last call or the beginning of the frame.
     virtual void end(Stage stage) = 0;
 };
 
