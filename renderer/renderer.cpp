@@ -42,7 +42,7 @@ int checked_samples(int samples) {
 
 }  // namespace
 
-// Keeps the last frame and draws anew what the next one changes in it.
+// Keeps the last frame and redraws only what the next one changes.
 class Renderer::Pipeline {
   public:
     Pipeline(OffscreenContext& context, int width, int height, const std::filesystem::path& shaders, int samples,
@@ -69,7 +69,7 @@ class Renderer::Pipeline {
         } else {
             changed.add_all();
         }
-        drawn_.reset();  // until it is drawn
+        drawn_.reset();  // until it is complete
         end(Stage::plan);
         if (!changed.none()) {
             samples_ == 1 ? draw_once(picture, contents, changed) : draw_mean(picture, contents, changed);
@@ -88,14 +88,14 @@ class Renderer::Pipeline {
         const float scale = scale_of(picture.camera);
         FrameContents contents{.camera = picture.camera,
                                .ground = picture.ground,
-                               // Those beyond are lost in the haze, however far they have been thrown.
+                               // Bodies beyond are invisible in the haze, however far they have been thrown.
                                .bodies = visible_bodies(picture, ground_reach * scale),
                                .panels = picture.panels,
                                .suns = {},
                                .views = {}};
         const std::vector<Instance> bodies = contents.bodies.all();
         const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
-        // The corners of the ground are the farthest that is drawn.
+        // The corners of the ground are the farthest points drawn.
         const glm::mat4 world_to_clip = camera_view(picture.camera, aspect, 1.5f * ground_reach * scale);
         for (int index = 0; index < samples_; ++index) {
             const auto [pixel, towards_sun] = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
@@ -112,7 +112,7 @@ class Renderer::Pipeline {
         return contents;
     }
 
-    // What smoothing makes of a pixel depends on those around it, no farther than the next tile.
+    // Smoothing of a pixel depends on its surroundings, at most up to the adjacent tile.
     static_assert(smoothing_reach <= Tiles::side);
     void draw_once(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
         draw_raw(picture, contents, 0, changed);
@@ -120,7 +120,7 @@ class Renderer::Pipeline {
         end(Stage::smooth);
     }
 
-    // Of several drawings only their sum is kept, so what surrounds the changed tiles is drawn again.
+    // Only the sum of several renderings is kept, so the surroundings of changed tiles are drawn again.
     void draw_mean(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
         const Tiles smoothed = changed.with_neighbours();
         const Tiles drawn = smoothed.with_neighbours();
@@ -153,10 +153,10 @@ class Renderer::Pipeline {
     int height_;  // pixels
     Painter painter_;
     RenderTarget target_;
-    std::vector<std::uint8_t> rgba_;      // as drawn
-    std::optional<SampleMean> mean_;      // of several drawings
+    std::vector<std::uint8_t> rgba_;      // before smoothing
+    std::optional<SampleMean> mean_;      // for several renderings
     Image frame_;                         // without marks
-    std::optional<FrameContents> drawn_;  // what it shows
+    std::optional<FrameContents> drawn_;  // contents of frame_
 };
 
 Renderer::Renderer(OffscreenContext& context, int width, int height, const std::filesystem::path& shader_directory,
@@ -165,7 +165,7 @@ Renderer::Renderer(OffscreenContext& context, int width, int height, const std::
       pipeline_(std::make_unique<Pipeline>(context, checked_side(width), checked_side(height), shader_directory,
                                            checked_samples(samples), stages)) {}
 
-// What the pipeline holds is deleted in its own context.
+// The pipeline's GL objects are deleted in their own context.
 Renderer::~Renderer() {
     context_.make_current();
 }
