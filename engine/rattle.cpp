@@ -38,7 +38,7 @@ class RattleStep {
 
     // Takes the rows and their warm start at the beginning of the step.
     void begin(double dt) {
-        // Each step solves for its positions anew, so that no error accumulates in kept forces.
+        // Each step solves for its positions from scratch, so that no error accumulates in kept forces.
         world_.find_awake();
         world_.island_solver_.set_memory({});
         world_.island_solver_.begin(world_.bodies.size(), world_.awake_.members());

@@ -37,7 +37,7 @@ class Team {
 
 class Threads {
   public:
-    // `count` threads including the caller, clamped to 1 .. all().
+    // `count` threads including the caller, clamped to 1 .. min(all(), 255).
     explicit Threads(int count);
     ~Threads();
 

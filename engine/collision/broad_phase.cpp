@@ -23,7 +23,7 @@ constexpr std::size_t few = 96;
 // Work items per thread task.
 constexpr std::size_t boxes_of_a_part = 250, left_of_a_part = 50, candidates_of_a_part = 2000;
 
-// Share of boxes that have left their wide boxes above which all candidates are found anew.
+// Share of boxes that have left their wide boxes above which all candidates are found again.
 constexpr double most_left = 0.5;
 
 // Extra reach of a wide box as a fraction of the size: some steps of a slow body.
@@ -55,7 +55,7 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
                              std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
     if (all) place_.assign(colliders.size(), -1);
-    planes_.clear();  // always listed anew: planes are static, and static ones are always in `moved`
+    planes_.clear();  // always listed again: planes are static, and static ones are always in `moved`
     looked_at_.clear();
     int place = 0;
     for (const int i : moved) {
@@ -120,7 +120,7 @@ void BroadPhase::update_candidates(Threads* threads) {
     if (some_came_to_rest) std::erase_if(candidates_, [this](const Candidate& c) { return !can_move(c); });
     if (left_.empty()) return;
     put_again_ += left_.size();
-    // The level bounds of the grid only ever grow, until it is filled anew.
+    // The level bounds of the grid only ever grow, until it is refilled.
     const bool many = static_cast<double>(left_.size()) > most_left * static_cast<double>(wide_.size());
     if (many || put_again_ > 8 * wide_.size()) {
         find_all_candidates(threads);

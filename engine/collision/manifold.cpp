@@ -24,8 +24,8 @@ struct Outwards {
     Vector3 along, across;
 };
 
-// `u` and `v` rotated and scaled so that the corners of a rectangle along them differ in both directions, which
-// lie off its diagonals.
+// `u` and `v` rotated and scaled so that the corners of a rectangle along them are distinguished by both
+// directions, which lie off its diagonals.
 Outwards off_diagonals(const Vector3& u, const Vector3& v) {
     return {(2.0 * u + v) / std::sqrt(5.0), (2.0 * v - u) / std::sqrt(5.0)};
 }

@@ -89,7 +89,7 @@ class ConjugateSweeps {
             const bool restart = !(beta <= 1.0);
             go_on(c, restart ? 0.0 : beta, restart ? 0.0 : 1.0);
         }
-        // r|^2, y and p, and x as in a sweep.
+        // |r|^2, y and p, and x as in a sweep.
         count.multiply_adds += 15.0 * columns * static_cast<double>(rows_.rows.size());
     }
 

@@ -132,7 +132,7 @@ void copy_colours(const std::uint8_t* rgba, std::ptrdiff_t count, std::uint8_t* 
 }
 
 // Finds the pixels of an area with a visible edge at which they or a neighbour are marked. All pixels around the
-// area have to be inside the image. Written to vectorise: the same operations for all pixels of a row.
+// area have to be inside the image. Applies the same operations to all pixels of a row, for speed.
 class EdgeFinder {
   public:
     EdgeFinder(const std::uint8_t* rgba, std::ptrdiff_t row, const PixelArea& area)

@@ -53,7 +53,7 @@ class Tiles {
     // These tiles and their neighbours.
     Tiles with_neighbours() const;
 
-    // The pixels of tiles accepted by `wanted(column, row)`, as few disjoint areas.
+    // The pixels of tiles accepted by `wanted(column, row)`, in a small number of disjoint areas.
     template <typename Wanted>
     std::vector<PixelArea> areas(const Wanted& wanted) const {
         std::vector<PixelArea> found;

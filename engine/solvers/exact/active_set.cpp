@@ -7,9 +7,9 @@ namespace {
 using Row = UnitProblem::Row;
 
 constexpr double greatest_rho = 1e9;
-// With discs the natural map is not linear between its bounds, so steps may have to stay near the linearisation
-// point: rho shrinks, to this or less, after a step that makes the residual worse, and the next starts from the
-// best iterate; otherwise it grows.
+// With discs the natural map is not linear between its bounds, so steps may have to stay near the
+// linearisation point: rho starts at careful_rho and grows after each improvement; otherwise it shrinks and the
+// next step starts from the best iterate, until rho falls below least_rho.
 constexpr double careful_rho = 1e3, least_rho = 1e-3;
 constexpr double rho_gain = 10.0, rho_loss = 0.1;
 // Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.

@@ -36,7 +36,7 @@ constexpr double most_of_a_long_way = 0.9995;
 // A non-convex problem is jammed after most_short_steps consecutive steps below this share.
 constexpr double short_step = 0.05;
 constexpr int most_short_steps = 6;
-// Stall: this many steps in which the gap does not fall to `gain` of its minimum.
+// Stall: this many steps without a smaller residual or a gap below `gain` of its minimum.
 constexpr double gain = 0.9;
 constexpr int most_without_gain = 10;
 
