@@ -30,8 +30,7 @@ class BoxGrid {
     void insert(int index, const BoundingBox& box);
     void remove(int index);
 
-    // Calls `visit(other)` once for each other box in the grid that may overlap `box`, which is stored as
-    // `index`.
+    // Calls `visit(other)` once for each other box in the grid that may overlap `box`, which is stored as `index`.
     template <typename Visit>
     void visit_neighbours(int index, const BoundingBox& box, const Visit& visit) const {
         for (const Level& level : levels_) visit_level(level, index, box, visit);

@@ -5,9 +5,8 @@
 // merely slides over the seam. So two bodies that overlap by no more than `permitted` count as separated along
 // an axis, and they meet along the axis that closes last. Two things decide when an axis closes:
 // - the motion before the step. A resting body does not close in by its weight, because that is held;
-// - what holds the bodies: the other touches of both. A cube that lies on one box of a floor does not fall past the
-// top
-//   of the next one, whatever presses or drops it.
+// - what holds the bodies: the other touches of both. A cube that lies on one box of a floor does not fall past
+//   the top of the next one, whatever presses or drops it.
 //
 // Applied only if the axis chosen by collide() would really close in this step, so that at rest normals never
 // change.

@@ -18,8 +18,7 @@ struct Separation {
 
 class Separations {
   public:
-    // The six face axes of two boxes and the nine cross products of their edges, except those of parallel
-    // edges.
+    // The six face axes of two boxes and the nine cross products of their edges, except those of parallel edges.
     Separations(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
     // The face axes of a box; the normals point from the box to the sphere.
     Separations(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose);

@@ -10,8 +10,7 @@ namespace {
 // normals would unbalance a sphere that lies where the edges of four boxes meet.
 constexpr double rounding = 1e-6;
 
-// `surface` is the point of the other shape closest to the sphere; `normal` points from that shape to the
-// sphere.
+// `surface` is the point of the other shape closest to the sphere; `normal` points from that shape to the sphere.
 void add_point(const Vector3& surface, const Vector3& normal, double gap, double margin, Manifold& manifold) {
     manifold.normal = normal;
     if (gap < margin) manifold.add({surface + (0.5 * gap) * normal, gap, 0});

@@ -6,12 +6,11 @@
 // Symbols: mu friction coefficient [1]; m combined mass of both bodies, or the mass of the movable one [kg];
 // g gravity [m/s^2]; n contact normal; points: number of contact points of the pair.
 //
-// Deviations: the paper has g . n without the absolute value, which is negative when a is below b and would
-// make c_max < c_min. Its bound is exact for one body on a static one and wrong in stacks, as the paper says
-// itself. The alternative is Coulomb's law, mu times the normal force of the same point: either for each
-// tangent alone, which turns the cone into a pyramid, or for the norm of both forces. A separated point carries
-// no force unless it meets, which no weight can know: with the paper's bound its friction begins in the next
-// step.
+// Deviations: the paper has g . n without the absolute value, which is negative when a is below b and would make
+// c_max < c_min. Its bound is exact for one body on a static one and wrong in stacks, as the paper says itself. The
+// alternative is Coulomb's law, mu times the normal force of the same point: either for each tangent alone, which
+// turns the cone into a pyramid, or for the norm of both forces. A separated point carries no force unless it
+// meets, which no weight can know: with the paper's bound its friction begins in the next step.
 #pragma once
 
 #include "engine/bodies/motion.h"
@@ -38,9 +37,8 @@ struct FrictionBound {
     double limit = 0.0;
     bool of_normal_force = false;
     bool round = false;  // bounds the norm of both forces instead of each
-    // m/s: slower sliding has no direction, so that rounding does not turn the tangents of a resting body. A
-    // disc needs no direction, but the square around it, where exact solves begin, should be aligned with the
-    // sliding.
+    // m/s: slower sliding has no direction, so that rounding does not turn the tangents of a resting body. A disc
+    // needs no direction, but the square around it, where exact solves begin, should be aligned with the sliding.
     double least_sliding = 0.0;
 
     // For the point whose contact row has index `normal_row` in the rows of the step, first or second tangent.
