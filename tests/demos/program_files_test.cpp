@@ -1,4 +1,5 @@
 // The files of the program: their columns, that equal runs give equal bytes, and that nothing is left half-written.
+#include "demos/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
@@ -6,6 +7,7 @@
 #include <vector>
 
 using namespace pushfactor::tests;
+using pushfactor::demos::Json;
 
 namespace {
 
@@ -70,6 +72,39 @@ TEST_CASE("two runs give equal files, and a config file gives the run that wrote
     // The command line comes before the config.
     shell(folder, "pushfactor run stack --config frames/config.json --seed 6 --summary d.json");
     CHECK_THAT(folder.read("d.json"), Catch::Contains("\"seed\": 6") && Catch::Contains("\"beta\": 0.3"));
+}
+
+TEST_CASE("a preset of the command line wins over files that spell out their options, a single option over both") {
+    const Folder folder;
+    const std::string run = "pushfactor run stack --count 2 --seconds 1 --dt 1/120 ";
+    REQUIRE(shell(folder, "pushfactor scene stack --count 2 --seconds 1 --dt 1/120 >scene.json").status == 0);
+    REQUIRE(shell(folder, "pushfactor render stack --count 2 --seconds 1 --dt 1/120 --at 0 --out frames" + tiny)
+                .status == 0);
+    for (const std::string given : {"--preset exact", "--preset paper", "--preset exact --slop 0.01 --beta 0.5"}) {
+        INFO(given);
+        const std::string wanted = shell(folder, run + given).out;
+        CHECK(shell(folder, "pushfactor run --config frames/config.json " + given).out == wanted);
+        Json of_catalogue = Json::parse(wanted);
+        Json of_file = Json::parse(shell(folder, "pushfactor run scene.json " + given).out);
+        CHECK(of_file["state_hash"] == of_catalogue["state_hash"]);
+        for (const char* parameter : {"count", "gap", "jitter", "seed"}) of_catalogue["options"].erase(parameter);
+        CHECK(of_file["options"] == of_catalogue["options"]);
+        CHECK(of_file["preset"] == of_catalogue["preset"]);
+    }
+    // Without one on the command line the file's options hold.
+    REQUIRE(shell(folder, "pushfactor scene stack --preset paper --beta 0.7 >paper.json").status == 0);
+    const Json kept = Json::parse(shell(folder, "pushfactor run paper.json --seconds 0.1").out);
+    CHECK(kept["preset"] == "paper");
+    CHECK(kept["options"]["beta"] == 0.7);
+}
+
+TEST_CASE("a saved run that goes on under another preset is not started again") {
+    const Folder folder;
+    REQUIRE(shell(folder, "pushfactor run pendulum-wave --seconds 1 --save-state saved.json --summary -").status ==
+            0);
+    const Json on = Json::parse(shell(folder, "pushfactor run saved.json --seconds 0.1 --preset exact").out);
+    CHECK(on["options"]["solver"] == "direct");
+    CHECK(on["options"]["start-kick"] == "off");
 }
 
 TEST_CASE("a bad config file is refused by file, key and value") {
