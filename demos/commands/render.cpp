@@ -138,7 +138,14 @@ void render_job(const Job& job, const Request& request, pictures::Studio& studio
     const pictures::Film film(studio, job.panels, simulations, job.frames);
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
-    make_frames(job, request, runs, film, times);
+    try {
+        make_frames(job, request, runs, film, times);
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception&) {
+        for (ObservedRun& run : runs) fmt::print(stderr, "{}", run.keep_records());
+        throw;
+    }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
     for (std::size_t i = 0; i < runs.size(); ++i) {
         fmt::print(stderr, "{}", runs[i].warnings(job.panels[i].label));

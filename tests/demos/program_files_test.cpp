@@ -185,6 +185,39 @@ TEST_CASE("a render that is far from its next frame can be interrupted too") {
     CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames are in frames"));
 }
 
+TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to where") {
+    for (const std::string signal : {"INT", "TERM"}) {
+        for (const std::string command : {"run stack", "render stack --fps 1 --size 64x36 --out frames"}) {
+            const Folder folder;
+            folder.write("steps.csv", "of an earlier run");
+            const Ended ended = shell(folder, "'" PUSHFACTOR_PROGRAM "' " + command +
+                                                  " --seconds 100000 --csv steps.csv --trajectory bodies.csv "
+                                                  "--summary summary.json --save-state state.json & until [ -s "
+                                                  "steps.csv.partial ]; do sleep 0.05; done; kill -" +
+                                                  signal + " $!; wait $!");
+            INFO(signal << " " << command << ": " << ended.err);
+            CHECK(ended.status == 1);
+            CHECK_THAT(ended.err, Catch::Contains("pushfactor: interrupted: "));
+            const std::string steps = folder.read("steps.csv");
+            const long last = lines(steps) - 1;
+            CHECK(last > 100);
+            CHECK(steps.ends_with("\n"));
+            const std::string last_line = lines_of(steps).back();
+            CHECK(last_line.starts_with(std::to_string(last) + ","));
+            CHECK(std::count(last_line.begin(), last_line.end(), ',') ==
+                  std::count(steps.begin(), steps.begin() + static_cast<long>(steps.find('\n')), ','));
+            const long every = command.starts_with("render") ? 60 : 1;  // a line a body and frame
+            CHECK(lines(folder.read("bodies.csv")) == 1 + 5 * (last / every + 1));
+            CHECK_THAT(ended.err, Catch::Contains("pushfactor: note: steps.csv holds the run up to step " +
+                                                  std::to_string(last) + ", where it stopped\n"));
+            for (const std::string& name : folder.files()) {
+                CHECK_THAT(
+                    name, !Catch::Contains(".partial") && !Catch::Contains("summary") && !Catch::Contains("state"));
+            }
+        }
+    }
+}
+
 TEST_CASE("an interrupted render leaves whole frames only and says how many") {
     const Folder folder;
     const Ended ended =
