@@ -24,6 +24,12 @@ struct Job {
     fs::path folder;
 
     const std::string& scene() const { return panels.front().choices.description.name; }
+
+    // Stills need no step after the last of them.
+    long last_step(std::size_t panel) const {
+        const Choices& choices = panels[panel].choices;
+        return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
+    }
 };
 
 // Frames of an earlier, longer run would be taken for this one's; they are not ours to delete.
@@ -91,7 +97,7 @@ class Shooting {
             if (!moments.send(std::move(moment))) return;
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            if (!advance(i, whole_steps(job_.panels[i].choices.settings), moments)) return;
+            if (!advance(i, job_.last_step(i), moments)) return;
         }
     }
 
