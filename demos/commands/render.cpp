@@ -149,7 +149,9 @@ void render_job(const Job& job, const Request& request, pictures::Studio& studio
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception&) {
-        for (ObservedRun& run : runs) fmt::print(stderr, "{}", run.keep_records());
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.panels[i].label));
+        }
         throw;
     }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));

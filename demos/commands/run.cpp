@@ -38,7 +38,7 @@ void go_through(ObservedRun& observed, const std::string& name, long steps) {
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception&) {
-        fmt::print(stderr, "{}", observed.keep_records());
+        fmt::print(stderr, "{}{}", observed.keep_records(), observed.warnings());
         throw;
     }
 }
