@@ -6,6 +6,7 @@
 #include "demos/output_file.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
+#include "demos/pictures/overview.h"
 #include "demos/producer.h"
 #include "demos/progress.h"
 
@@ -137,7 +138,8 @@ void make_frames(const Job& job, const Request& request, std::vector<ObservedRun
     writer.finish();
 }
 
-void render_job(const Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_job(Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+    pictures::add_overview(job.panels, job.frames);
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
@@ -213,7 +215,7 @@ void render(const Request& request) {
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     pictures::Studio studio(jobs.front().panels.front().choices.frames.gl, watch);
-    for (const Job& job : jobs) render_job(job, request, studio, watch);
+    for (Job& job : jobs) render_job(job, request, studio, watch);
     if (times) print_times(jobs, *times);
 }
 
