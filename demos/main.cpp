@@ -1,9 +1,9 @@
 // pushfactor: one program, a command each for physics, frames and the list of scenes. See --help.
-#include "demos/command_line.h"
+#include "demos/commands/command_line.h"
 #include "demos/commands/commands.h"
-#include "demos/errors.h"
-#include "demos/progress.h"
-#include "engine/invalid_input.h"
+#include "demos/platform/progress.h"
+#include "demos/text/errors.h"
+#include "engine/base/invalid_input.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "engine/energy_account.h"
 
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 
 #include <algorithm>
 #include <cmath>

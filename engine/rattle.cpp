@@ -1,6 +1,6 @@
 #include "engine/rattle.h"
 
-#include "engine/invalid_input.h"
+#include "engine/base/invalid_input.h"
 
 #include <algorithm>
 #include <array>

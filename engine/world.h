@@ -1,15 +1,16 @@
 // The world: bodies and the parts that act on them, and the step that makes the paper's algorithm of them.
 #pragma once
 
-#include "engine/benches.h"
-#include "engine/integrator.h"
-#include "engine/island_solver.h"
-#include "engine/islands.h"
-#include "engine/rest.h"
+#include "engine/base/threads.h"
+#include "engine/bodies/integrator.h"
+#include "engine/constraints/constraint_source.h"
+#include "engine/forces/force_source.h"
 #include "engine/solvers/solver.h"
-#include "engine/sources.h"
-#include "engine/system_equation.h"
-#include "engine/threads.h"
+#include "engine/step/benches.h"
+#include "engine/step/island_solver.h"
+#include "engine/step/rest.h"
+#include "engine/system/islands.h"
+#include "engine/system/system_equation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,16 +1,16 @@
 #include "renderer/renderer.h"
 
-#include "renderer/bodies.h"
-#include "renderer/frame_changes.h"
-#include "renderer/frame_checks.h"
-#include "renderer/gl.h"
-#include "renderer/marks.h"
-#include "renderer/painter.h"
-#include "renderer/render_target.h"
-#include "renderer/renderer_error.h"
-#include "renderer/sampling.h"
-#include "renderer/smoothing.h"
-#include "renderer/views.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/frames/frame_changes.h"
+#include "renderer/frames/frame_checks.h"
+#include "renderer/frames/painter.h"
+#include "renderer/frames/render_target.h"
+#include "renderer/gl/gl.h"
+#include "renderer/images/sampling.h"
+#include "renderer/images/smoothing.h"
+#include "renderer/picture/bodies.h"
+#include "renderer/picture/marks.h"
+#include "renderer/picture/views.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "renderer/image.h"
-#include "renderer/offscreen_context.h"
-#include "renderer/picture.h"
-#include "renderer/stages.h"
+#include "renderer/frames/stages.h"
+#include "renderer/gl/offscreen_context.h"
+#include "renderer/images/image.h"
+#include "renderer/picture/picture.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 // Random numbers for tests: seeded, and the same on every platform.
 #pragma once
 
-#include "engine/math.h"
+#include "engine/base/math.h"
 
 #include <random>
 

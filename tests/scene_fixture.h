@@ -1,9 +1,9 @@
 // The project's own scenes for tests: a setting or two changed, then stepped.
 #pragma once
 
-#include "demos/catalogue.h"
-#include "demos/measurements.h"
-#include "demos/simulation.h"
+#include "demos/runs/measurements.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/catalogue.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // The commands of the program, one file each. All throw the exceptions of errors.h.
 #pragma once
 
-#include "demos/request.h"
+#include "demos/commands/request.h"
 
 namespace pushfactor::demos::commands {
 

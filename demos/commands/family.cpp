@@ -1,11 +1,11 @@
-#include "demos/families/family.h"
+#include "demos/scenes/families/family.h"
 
 #include "demos/commands/commands.h"
-#include "demos/errors.h"
-#include "demos/numbers.h"
-#include "demos/output_file.h"
-#include "demos/scene_file.h"
-#include "demos/suggest.h"
+#include "demos/platform/output_file.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
 #include "demos/commands/commands.h"
-#include "demos/errors.h"
 #include "demos/figures/figure.h"
-#include "demos/figures/workshop.h"
-#include "demos/output_file.h"
-#include "demos/progress.h"
-#include "demos/suggest.h"
+#include "demos/pages/workshop.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
+#include "demos/text/errors.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
-#include "demos/catalogue.h"
 #include "demos/commands/commands.h"
+#include "demos/scenes/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,14 @@
 #include "demos/commands/commands.h"
-#include "demos/comparison.h"
-#include "demos/errors.h"
-#include "demos/json.h"
-#include "demos/observed_run.h"
-#include "demos/output_file.h"
+#include "demos/options/comparison.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
 #include "demos/pictures/overview.h"
-#include "demos/producer.h"
-#include "demos/progress.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/producer.h"
+#include "demos/platform/progress.h"
+#include "demos/runs/observed_run.h"
+#include "demos/text/errors.h"
+#include "demos/text/json.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +64,9 @@ Job understand_job(const std::string& scene, const Request& request) {
 
 std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
     std::vector<ObservedRun> runs;
-    for (const Panel& panel : job.panels) runs.emplace_back(panel.choices, request, job.folder);
+    for (const Panel& panel : job.panels)
+        runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
+
     return runs;
 }
 
@@ -180,9 +182,9 @@ void refuse_shared_files(const Request& request) {
     const bool several = request.scenes.size() > 1;
     const bool compares = request.given.find("compare") != nullptr;
     for (const auto& [option, path] :
-         {std::pair{"--csv", request.csv}, std::pair{"--trajectory", request.trajectory},
-          std::pair{"--rows", request.rows}, std::pair{"--summary", request.summary},
-          std::pair{"--save-state", request.save_state}, std::pair{"--video", request.video}}) {
+         {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
+          std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
+          std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
         const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video");
         if (compares && path && !one_for_all) {

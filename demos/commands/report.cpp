@@ -1,10 +1,10 @@
 #include "demos/commands/commands.h"
-#include "demos/errors.h"
 #include "demos/reports/atlas_report.h"
 #include "demos/reports/cost_report.h"
 #include "demos/reports/error_report.h"
 #include "demos/reports/stability_report.h"
-#include "demos/suggest.h"
+#include "demos/text/errors.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

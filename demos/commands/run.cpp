@@ -1,8 +1,8 @@
 #include "demos/commands/commands.h"
-#include "demos/errors.h"
-#include "demos/observed_run.h"
-#include "demos/output_file.h"
-#include "demos/progress.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
+#include "demos/runs/observed_run.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,8 @@ namespace pushfactor::demos::commands {
 namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
-    return {request.csv, request.trajectory, request.rows, request.save_state};
+    const RunFiles& files = request.files;
+    return {files.csv, files.trajectory, files.rows, files.save_state};
 }
 
 // Of the first file that was asked for; the working folder when none was.
@@ -47,7 +48,7 @@ void go_through(ObservedRun& observed, const std::string& name, long steps) {
 
 void run(const Request& request) {
     const Choices choices = understand(request.scenes.front(), request.given);
-    ObservedRun observed(choices, request, folder_of_outputs(request));
+    ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
     go_through(observed, choices.description.name, whole_steps(choices.settings));
     const std::string summary = observed.finish();
     const std::vector<std::optional<std::string>> data = data_files(request);

@@ -1,6 +1,6 @@
 #include "demos/commands/commands.h"
-#include "demos/output_file.h"
-#include "demos/scene_file.h"
+#include "demos/platform/output_file.h"
+#include "demos/scenes/scene_file.h"
 
 namespace pushfactor::demos::commands {
 

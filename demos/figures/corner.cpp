@@ -1,10 +1,10 @@
 // Figure 11, "Sphere resting in a V shaped corner", with the rows of J of section 12.2 as the engine has them.
 #include "demos/figures/figure.h"
-#include "demos/figures/workshop.h"
+#include "demos/pages/workshop.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& co
 
 Plate sphere_in_corner(Workshop& workshop, const Figure& figure) {
     const Choices choices = run_of("corner", {});
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     while (run.sample().step < whole_steps(choices.settings)) run.advance();
     const Corner corner = look_at(run);
     const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];

@@ -1,7 +1,7 @@
 // A figure: what it is called, and what makes it.
 #pragma once
 
-#include "demos/page.h"
+#include "demos/pages/page.h"
 
 #include <span>
 #include <string>

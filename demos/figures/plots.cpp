@@ -1,7 +1,7 @@
 // Not in the paper: motion, energy and forces over time.
 #include "demos/figures/figure.h"
-#include "demos/figures/workshop.h"
-#include "demos/simulation.h"
+#include "demos/pages/workshop.h"
+#include "demos/runs/simulation.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ using engine::Body;
 // Adds to `table`, one row a step, what `measure` says of the run after each; the first column is the time.
 void follow(const Choices& choices, std::size_t first_column,
             const std::function<std::vector<double>(const Simulation&)>& measure, Table& table) {
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     for (std::size_t step = 0;; ++step) {
         if (table.rows.size() <= step) {
             table.rows.emplace_back(table.columns.size());

@@ -1,8 +1,8 @@
 // Not in the paper: a push that is not solved well works against gravity.
-#include "demos/families/family.h"
 #include "demos/figures/figure.h"
-#include "demos/figures/workshop.h"
-#include "demos/simulation.h"
+#include "demos/pages/workshop.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/families/family.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "demos/figures/strip.h"
 
-#include "demos/errors.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlay.h"
 #include "demos/pictures/survey.h"
-#include "demos/progress.h"
+#include "demos/platform/progress.h"
+#include "demos/text/errors.h"
 
 #include <cmath>
 #include <sstream>
@@ -27,7 +27,7 @@ template <typename Show>
 void play(const Strip& strip, const Show& show) {
     for (std::size_t r = 0; r < strip.runs.size(); ++r) {
         const Choices& choices = strip.runs[r];
-        Simulation run(choices.build(), choices.settings);
+        Simulation run(choices);
         for (std::size_t i = 0; i < strip.cells.size(); ++i) {
             if (strip.cells[i].row != r) continue;
             while (run.sample().step < step_of(strip.cells[i].time, choices.settings)) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "demos/figures/figure.h"
-#include "demos/figures/workshop.h"
-#include "demos/overlay_choice.h"
-#include "demos/simulation.h"
+#include "demos/options/overlay_choice.h"
+#include "demos/pages/workshop.h"
+#include "demos/runs/simulation.h"
 
 #include <functional>
 #include <optional>

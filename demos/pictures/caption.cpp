@@ -1,7 +1,7 @@
 #include "demos/pictures/caption.h"
 
-#include "demos/numbers.h"
-#include "demos/simulation_options.h"
+#include "demos/options/simulation_options.h"
+#include "demos/text/numbers.h"
 
 namespace pushfactor::demos::pictures {
 

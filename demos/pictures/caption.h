@@ -1,7 +1,7 @@
 // A run in one line of words.
 #pragma once
 
-#include "demos/choices.h"
+#include "demos/options/choices.h"
 
 #include <string>
 

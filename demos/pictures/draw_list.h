@@ -1,8 +1,8 @@
 // From a scene to a picture: bodies, bars, planes.
 #pragma once
 
-#include "demos/scene.h"
-#include "renderer/picture.h"
+#include "demos/runs/scene.h"
+#include "renderer/picture/picture.h"
 
 namespace pushfactor::demos::pictures {
 

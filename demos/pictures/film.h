@@ -3,7 +3,7 @@
 
 #include "demos/pictures/layout.h"
 #include "demos/pictures/survey.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
 
 #include <vector>
 

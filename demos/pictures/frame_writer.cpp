@@ -1,8 +1,8 @@
 #include "demos/pictures/frame_writer.h"
 
-#include "demos/errors.h"
-#include "demos/output_file.h"
-#include "renderer/png.h"
+#include "demos/platform/output_file.h"
+#include "demos/text/errors.h"
+#include "renderer/images/png.h"
 
 #include <fmt/format.h>
 

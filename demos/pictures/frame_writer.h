@@ -1,10 +1,10 @@
 // Where the pictures of a film go: PNG files, a video, or both.
 #pragma once
 
-#include "demos/channel.h"
 #include "demos/pictures/stage_times.h"
 #include "demos/pictures/video.h"
-#include "renderer/image.h"
+#include "demos/platform/channel.h"
+#include "renderer/images/image.h"
 
 #include <condition_variable>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Cameras that show what they should.
 #pragma once
 
-#include "demos/scene_description.h"
+#include "demos/scenes/scene_description.h"
 
 #include <span>
 

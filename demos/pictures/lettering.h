@@ -1,9 +1,9 @@
 // What is written on pictures: captions, the names of panels, legends.
 #pragma once
 
-#include "demos/palette.h"
-#include "renderer/canvas.h"
-#include "renderer/font.h"
+#include "demos/text/palette.h"
+#include "renderer/images/canvas.h"
+#include "renderer/text/font.h"
 
 #include <string>
 #include <vector>

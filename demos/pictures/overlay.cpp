@@ -1,7 +1,7 @@
 #include "demos/pictures/overlay.h"
 
-#include "demos/errors.h"
 #include "demos/pictures/to_glm.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 // and the colours of islands, and of what is at rest.
 #pragma once
 
-#include "demos/overlay_choice.h"
-#include "demos/palette.h"
-#include "demos/scene.h"
-#include "renderer/picture.h"
+#include "demos/options/overlay_choice.h"
+#include "demos/runs/scene.h"
+#include "demos/text/palette.h"
+#include "renderer/picture/picture.h"
 
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "demos/pictures/framing.h"
 #include "demos/pictures/survey.h"
+#include "demos/runs/scene.h"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
 void add_overview(std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames) {
     const Choices& first = panels.front().choices;
     if (first.description.has_camera || first.frames.camera.view) return;
-    const std::vector<Ball> start = movable_balls(first.build());
+    const std::vector<Ball> start = movable_balls(build_scene(first));
     if (start.empty()) return;
     std::vector<Ball> balls = survey(panels, frames).reached;
     const Eigen::AlignedBox3d near = surroundings(start);

@@ -1,8 +1,8 @@
 // The camera of a scene that brings none.
 #pragma once
 
-#include "demos/comparison.h"
-#include "demos/frame_options.h"
+#include "demos/options/comparison.h"
+#include "demos/options/frame_options.h"
 
 #include <vector>
 

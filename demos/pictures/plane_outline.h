@@ -1,7 +1,7 @@
 // The part of an infinite plane that is worth drawing.
 #pragma once
 
-#include "demos/scene.h"
+#include "demos/runs/scene.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Where the time of a film goes.
 #pragma once
 
-#include "renderer/stages.h"
+#include "renderer/frames/stages.h"
 
 #include <ctime>
 #include <map>

@@ -1,6 +1,6 @@
 #include "demos/pictures/studio.h"
 
-#include "demos/assets.h"
+#include "demos/platform/assets.h"
 
 #include <optional>
 

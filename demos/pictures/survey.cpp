@@ -1,10 +1,10 @@
 #include "demos/pictures/survey.h"
 
-#include "demos/errors.h"
-#include "demos/measurements.h"
 #include "demos/pictures/overlay.h"
-#include "demos/progress.h"
-#include "demos/simulation.h"
+#include "demos/platform/progress.h"
+#include "demos/runs/measurements.h"
+#include "demos/runs/simulation.h"
+#include "demos/text/errors.h"
 
 #include <algorithm>
 
@@ -59,7 +59,7 @@ Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Fr
     std::map<OverlayKind, std::vector<double>> maxima;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Choices& choices = panels[p].choices;
-        Simulation simulation(choices.build(), choices.settings);
+        Simulation simulation(choices);
         const Scene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
         for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {

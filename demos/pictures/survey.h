@@ -3,8 +3,9 @@
 // something that depends on it pay for it.
 #pragma once
 
-#include "demos/comparison.h"
+#include "demos/options/comparison.h"
 #include "demos/pictures/framing.h"
+#include "demos/runs/scene.h"
 
 #include <map>
 #include <set>

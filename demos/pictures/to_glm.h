@@ -1,8 +1,8 @@
 // The only place where Eigen becomes GLM: double to float, the same frames and units.
 #pragma once
 
-#include "demos/palette.h"
-#include "engine/math.h"
+#include "demos/text/palette.h"
+#include "engine/base/math.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

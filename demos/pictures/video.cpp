@@ -1,6 +1,6 @@
 #include "demos/pictures/video.h"
 
-#include "demos/errors.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

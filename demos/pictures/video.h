@@ -1,9 +1,9 @@
 // Frames become a video by way of ffmpeg, a program that is looked for only when a video is wanted.
 #pragma once
 
-#include "demos/rational.h"
-#include "demos/tool.h"
-#include "renderer/image.h"
+#include "demos/platform/child_process.h"
+#include "demos/text/rational.h"
+#include "renderer/images/image.h"
 
 #include <filesystem>
 #include <memory>

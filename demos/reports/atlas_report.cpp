@@ -1,7 +1,7 @@
 #include "demos/reports/atlas_report.h"
 
-#include "demos/output_file.h"
-#include "demos/progress.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
 #include "demos/reports/atlas/file.h"
 #include "demos/reports/atlas/plot.h"
 

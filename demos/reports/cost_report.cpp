@@ -1,17 +1,17 @@
 #include "demos/reports/cost_report.h"
 
-#include "demos/catalogue.h"
-#include "demos/numbers.h"
-#include "demos/output_file.h"
-#include "demos/progress.h"
-#include "demos/reports/about.h"
+#include "demos/pages/about.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
 #include "demos/reports/cost/cases.h"
 #include "demos/reports/cost/everything.h"
 #include "demos/reports/cost/neighbours.h"
 #include "demos/reports/cost/plots.h"
 #include "demos/reports/cost/tables.h"
 #include "demos/reports/parts.h"
-#include "demos/scene_file.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

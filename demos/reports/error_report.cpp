@@ -1,8 +1,8 @@
 #include "demos/reports/error_report.h"
 
-#include "demos/output_file.h"
-#include "demos/progress.h"
-#include "demos/reports/about.h"
+#include "demos/pages/about.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
 #include "demos/reports/error/consistency.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/reports/error/plots.h"

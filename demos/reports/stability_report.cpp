@@ -1,13 +1,13 @@
 #include "demos/reports/stability_report.h"
 
-#include "demos/errors.h"
-#include "demos/numbers.h"
-#include "demos/output_file.h"
-#include "demos/page.h"
-#include "demos/progress.h"
-#include "demos/reports/about.h"
+#include "demos/pages/about.h"
+#include "demos/pages/page.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
 #include "demos/reports/parts.h"
 #include "demos/reports/stability/gallery.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

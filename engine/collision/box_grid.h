@@ -2,7 +2,7 @@
 // sizes, so that small boxes among large ones cost neither.
 #pragma once
 
-#include "engine/math.h"
+#include "engine/base/math.h"
 
 #include <cmath>
 #include <cstdint>

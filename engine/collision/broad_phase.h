@@ -3,11 +3,11 @@
 // that what moves costs nothing where nothing does.
 #pragma once
 
-#include "engine/awake.h"
+#include "engine/base/threads.h"
+#include "engine/bodies/awake.h"
 #include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
 #include "engine/collision/foresight.h"
-#include "engine/threads.h"
 
 #include <span>
 #include <vector>

@@ -1,8 +1,8 @@
 // The shapes that bodies collide with, paper section 4.
 #pragma once
 
-#include "engine/body.h"
-#include "engine/math.h"
+#include "engine/base/math.h"
+#include "engine/bodies/body.h"
 
 #include <limits>
 #include <variant>

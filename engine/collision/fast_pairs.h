@@ -3,9 +3,9 @@
 // what is fast.
 #pragma once
 
+#include "engine/bodies/motion.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/foresight.h"
-#include "engine/motion.h"
 
 #include <span>
 #include <vector>

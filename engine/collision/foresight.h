@@ -9,10 +9,10 @@
 // Not from the paper, which has no continuous collision detection.
 #pragma once
 
-#include "engine/awake.h"
+#include "engine/base/threads.h"
+#include "engine/bodies/awake.h"
+#include "engine/bodies/motion.h"
 #include "engine/collision/collider.h"
-#include "engine/motion.h"
-#include "engine/threads.h"
 
 #include <span>
 #include <vector>

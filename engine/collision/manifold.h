@@ -1,7 +1,7 @@
 // Where two shapes touch, paper section 4 ("generate a contact manifold").
 #pragma once
 
-#include "engine/math.h"
+#include "engine/base/math.h"
 
 #include <array>
 #include <cstdint>

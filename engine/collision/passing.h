@@ -14,9 +14,9 @@
 // Not from the paper, whose manifolds (section 4) belong to the axis of least overlap.
 #pragma once
 
+#include "engine/bodies/motion.h"
 #include "engine/collision/detector.h"
 #include "engine/collision/separations.h"
-#include "engine/motion.h"
 
 #include <optional>
 #include <span>

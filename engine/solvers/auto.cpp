@@ -12,7 +12,7 @@
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
-#include "engine/solvers/exact_answer.h"
+#include "engine/solvers/exact/exact_answer.h"
 #include "engine/solvers/single_row.h"
 #include "engine/solvers/sweep.h"
 

@@ -2,7 +2,7 @@
 // double would have. An inner matter of the solvers.
 #pragma once
 
-#include "engine/constraint_row.h"
+#include "engine/constraints/constraint_row.h"
 
 #include <array>
 #include <cmath>

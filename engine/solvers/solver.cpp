@@ -1,6 +1,6 @@
 #include "engine/solvers/solver.h"
 
-#include "engine/invalid_input.h"
+#include "engine/base/invalid_input.h"
 #include "engine/solvers/auto.h"
 #include "engine/solvers/dense.h"
 #include "engine/solvers/direct.h"

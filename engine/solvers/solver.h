@@ -1,8 +1,8 @@
 // What all solvers have in common, paper sections 6.2.3 and 7: one signature, one table of names.
 #pragma once
 
-#include "engine/islands.h"
-#include "engine/system_equation.h"
+#include "engine/system/islands.h"
+#include "engine/system/system_equation.h"
 
 #include <limits>
 #include <memory>

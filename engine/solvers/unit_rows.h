@@ -18,9 +18,9 @@
 // together: y <- P_disc(y + t - U x), with both errors from the same x (system_equation.h).
 #pragma once
 
-#include "engine/islands.h"
 #include "engine/solvers/lanes.h"
-#include "engine/system_equation.h"
+#include "engine/system/islands.h"
+#include "engine/system/system_equation.h"
 
 #include <algorithm>
 #include <array>

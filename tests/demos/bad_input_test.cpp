@@ -1,13 +1,13 @@
 // What is no number, infinite, zero or negative, in every field of a scene file and every option: refused by the
 // field's name, before anything runs.
-#include "demos/catalogue.h"
-#include "demos/choices.h"
-#include "demos/errors.h"
-#include "demos/frame_options.h"
-#include "demos/json.h"
-#include "demos/scene_file.h"
-#include "demos/simulation_options.h"
-#include "engine/invalid_input.h"
+#include "demos/options/choices.h"
+#include "demos/options/frame_options.h"
+#include "demos/options/simulation_options.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
+#include "demos/text/json.h"
+#include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
@@ -163,7 +163,7 @@ std::string said_of(const std::string& pointer, const std::string& value) {
     const Folder folder;
     folder.write("my.json", text);
     try {
-        understand((folder / "my.json").string(), {}).build();
+        build_scene(understand((folder / "my.json").string(), {}));
     } catch (const UsageError& error) {
         return error.what();
     }

@@ -1,7 +1,7 @@
 // What threads pass to each other: order, bounds, and how it ends.
-#include "demos/channel.h"
+#include "demos/platform/channel.h"
 
-#include "demos/producer.h"
+#include "demos/platform/producer.h"
 #include "tests/catch.h"
 
 #include <atomic>

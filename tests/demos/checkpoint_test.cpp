@@ -1,9 +1,9 @@
 // Runs that are saved and go on, and runs that leave the finite numbers.
-#include "demos/checkpoint.h"
+#include "demos/runs/checkpoint.h"
 
-#include "demos/named_run.h"
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
+#include "demos/options/named_run.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
@@ -29,7 +29,7 @@ Simulation saved_and_read(const Choices& choices, const Simulation& run) {
     const Folder folder;
     folder.write("saved.json", scene_file_text(resumed(spelled_out(choices), run.scene(), run.checkpoint())));
     const Choices read = understand((folder / "saved.json").string(), {});
-    return Simulation(read.build(), read.settings);
+    return Simulation(read);
 }
 
 SceneDescription read_back(const SceneDescription& scene) {
@@ -112,7 +112,7 @@ TEST_CASE("a saved run goes on to the bits of the run that was not interrupted, 
     for (const Case& one : cases) {
         INFO(command_text("run", one.scene, one.options) << " saved after " << one.steps << " steps");
         const Choices choices = run_of(one.scene, one.options);
-        Simulation whole(choices.build(), choices.settings);
+        Simulation whole(choices);
         advance(whole, one.steps);
         Simulation resumed = saved_and_read(choices, whole);
         CHECK(hash_of(resumed) == hash_of(whole));
@@ -128,7 +128,7 @@ TEST_CASE(
     "without the forces of the last step a run goes on to other bits, so that the caches are what was tested") {
     for (const char* const scene : {"stack", "pendulum-grid"}) {
         const Choices choices = run_of(scene, {{"solver", "pgs"}});
-        Simulation whole(choices.build(), choices.settings);
+        Simulation whole(choices);
         advance(whole, 60);
         SceneDescription forgetful = resumed(spelled_out(choices), whole.scene(), whole.checkpoint());
         RunState state = *forgetful.state;
@@ -158,7 +158,7 @@ TEST_CASE("what exact solves have cost is saved and read again, number for numbe
 
 TEST_CASE("a run that owes for exact solves, of which some failed, goes on with its debts") {
     const Choices choices = run_of("stack", {{"jitter", "0.1"}});
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     advance(run, 40);
     SceneDescription description = resumed(spelled_out(choices), run.scene(), run.checkpoint());
     RunState state = *description.state;

@@ -1,6 +1,6 @@
-#include "demos/comparison.h"
+#include "demos/options/comparison.h"
 
-#include "demos/errors.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 using namespace pushfactor::demos;

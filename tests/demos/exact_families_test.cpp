@@ -1,8 +1,8 @@
 // Families of scenes with random parameters, under the exact preset: what mechanics says stands
 // does stand, every step is solved, and the work of a step is bounded.
-#include "demos/scene.h"
-#include "demos/settings.h"
-#include "demos/simulation.h"
+#include "demos/options/settings.h"
+#include "demos/runs/scene.h"
+#include "demos/runs/simulation.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

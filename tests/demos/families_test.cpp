@@ -1,8 +1,8 @@
 // Families of scenes: their members are ordinary scenes, and what is drawn depends on the seed alone.
-#include "demos/families/family.h"
-#include "demos/numbers.h"
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/families/family.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

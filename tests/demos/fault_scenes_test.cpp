@@ -1,7 +1,7 @@
 // Scenes in which something went wrong once, as files that the program runs too: tests/scenes.
-#include "demos/named_run.h"
-#include "demos/scene_file.h"
-#include "engine/diagnostics.h"
+#include "demos/options/named_run.h"
+#include "demos/scenes/scene_file.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
@@ -106,7 +106,7 @@ TEST_CASE(
     // Swept, because an exact solve answers in the same step.
     Choices choices = understand(file_of("fault-7-heap-then-force.json"), {});
     choices.settings.solver = "pgs";
-    Simulation heap(choices.build(), choices.settings);
+    Simulation heap(choices);
     int kept = 0;
     for (int i = 0; i < 600; ++i) {
         heap.advance();
@@ -127,7 +127,7 @@ TEST_CASE("a layer of cubes has its rows in the same order when their heights di
         for (BodyDescription& body : choices.description.bodies) {
             if (body.mass) body.position.y() += random.in(-jitter, jitter);
         }
-        Simulation layer(choices.build(), choices.settings);
+        Simulation layer(choices);
         std::vector<std::pair<int, int>> pairs;
         for (int i = 0; i < 5; ++i) {
             layer.advance();

@@ -1,6 +1,6 @@
-#include "demos/frame_options.h"
+#include "demos/options/frame_options.h"
 
-#include "demos/errors.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 using namespace pushfactor::demos;

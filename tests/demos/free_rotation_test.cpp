@@ -1,8 +1,8 @@
 // The exact rotation of a free body against its equations of motion and against the engine.
-#include "demos/scenes/free_rotation.h"
+#include "demos/scenes/named/free_rotation.h"
 
-#include "engine/integrator.h"
-#include "engine/invalid_input.h"
+#include "engine/base/invalid_input.h"
+#include "engine/bodies/integrator.h"
 #include "tests/catch.h"
 
 #include <array>

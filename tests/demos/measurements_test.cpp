@@ -1,9 +1,9 @@
 // How runs are judged, on scenes whose end is known beforehand.
-#include "demos/measurements.h"
+#include "demos/runs/measurements.h"
 
-#include "demos/errors.h"
-#include "demos/named_run.h"
-#include "demos/scenes/cube_tower.h"
+#include "demos/options/named_run.h"
+#include "demos/scenes/named/cube_tower.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 #include <cmath>
@@ -54,7 +54,7 @@ Outcome outcome_of(const SceneDescription& scene, double seconds, const std::str
 
 Outcome outcome_of_chain(const Options& options) {
     const Choices choices = run_of("chain", options);
-    Simulation simulation(choices.build(), choices.settings);
+    Simulation simulation(choices);
     Measurements measurements(simulation);
     for (long i = 0; i < whole_steps(choices.settings); ++i) {
         simulation.advance();

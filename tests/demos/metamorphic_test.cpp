@@ -3,7 +3,7 @@
 // Where a transformation only moves exponents (powers of two whose roots are powers of two) or signs, the result
 // follows bit for bit: whatever breaks that is a constant with a unit somewhere in the engine. Elsewhere it follows
 // to roundings, and to what the scene makes of them in the time that it is watched.
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/similar_scene.h"
 #include "tests/scene_fixture.h"

@@ -1,5 +1,5 @@
 // Can the colours be told apart by those who see fewer of them?
-#include "demos/palette.h"
+#include "demos/text/palette.h"
 
 #include "tests/catch.h"
 

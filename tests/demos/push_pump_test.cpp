@@ -1,6 +1,6 @@
 // A push that is not solved well works against gravity (paper 8.1).
-#include "demos/families/family.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/families/family.h"
 #include "tests/catch.h"
 
 #include <algorithm>

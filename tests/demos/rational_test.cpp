@@ -1,4 +1,4 @@
-#include "demos/rational.h"
+#include "demos/text/rational.h"
 
 #include "tests/catch.h"
 

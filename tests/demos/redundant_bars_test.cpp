@@ -1,5 +1,5 @@
 // Bars that say the same, bars that contradict each other, and bars without a direction.
-#include "demos/scene_description.h"
+#include "demos/scenes/scene_description.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 

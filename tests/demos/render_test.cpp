@@ -1,5 +1,5 @@
 // What render adds to a picture, seen from outside: panels, overlays, captions, videos.
-#include "demos/json.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

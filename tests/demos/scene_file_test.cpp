@@ -1,10 +1,10 @@
 // Scenes as files: round trips, the examples, the schema, and what is said to wrong files.
-#include "demos/scene_file.h"
+#include "demos/scenes/scene_file.h"
 
-#include "demos/catalogue.h"
-#include "demos/errors.h"
-#include "demos/json.h"
-#include "demos/scene.h"
+#include "demos/runs/scene.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/text/errors.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

@@ -1,7 +1,7 @@
 // The scenes of paper section 10.3: what they must do. Measured values stand beside the bounds.
-#include "demos/measurements.h"
-#include "demos/scenes/ball_on_bar.h"
-#include "engine/diagnostics.h"
+#include "demos/runs/measurements.h"
+#include "demos/scenes/named/ball_on_bar.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 

@@ -1,6 +1,6 @@
 // --scheme on the scenes: the wave against its reference, and what is refused.
-#include "demos/scenes/ball_on_bar.h"
-#include "engine/invalid_input.h"
+#include "demos/scenes/named/ball_on_bar.h"
+#include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/scene_fixture.h"

@@ -1,6 +1,6 @@
 // Floors and walls of boxes that lie flush side by side: what slides or rolls over a seam does as on one single
 // box.
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"

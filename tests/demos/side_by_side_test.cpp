@@ -1,8 +1,8 @@
 // What happens in one place changes nothing in another: scenes in one world, too far apart to touch, do what each
 // of them does alone, to the last bit.
-#include "demos/scenes/side_by_side.h"
+#include "demos/scenes/named/side_by_side.h"
 
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/similar_scene.h"
 #include "tests/random.h"

@@ -2,9 +2,9 @@
 // such a scene is the physics of the first one, seen in the same way.
 #pragma once
 
-#include "demos/scene_description.h"
-#include "demos/settings.h"
-#include "engine/body.h"
+#include "demos/options/settings.h"
+#include "demos/scenes/scene_description.h"
+#include "engine/bodies/body.h"
 
 namespace pushfactor::tests {
 

@@ -1,4 +1,4 @@
-#include "demos/simulation_options.h"
+#include "demos/options/simulation_options.h"
 
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

@@ -1,6 +1,6 @@
 // Small bodies and long steps: what stands at 60 Hz stands whatever its size and step, when the step is divided as
 // its size asks for.
-#include "demos/scenes/cube_tower.h"
+#include "demos/scenes/named/cube_tower.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 

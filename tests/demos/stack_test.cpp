@@ -1,6 +1,6 @@
 // Paper section 10.1 and 10.2: what the two stacks must do. Measured values stand beside the bounds.
-#include "demos/measurements.h"
-#include "engine/diagnostics.h"
+#include "demos/runs/measurements.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 

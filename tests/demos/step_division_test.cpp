@@ -1,5 +1,5 @@
 // How the runner divides a step, and the scenes that need it.
-#include "demos/step_division.h"
+#include "demos/runs/step_division.h"
 
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"

@@ -2,6 +2,7 @@
 #include "tests/catch.h"
 #include "tests/texts.h"
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -38,7 +39,93 @@ void check_absent(const char* folder, std::initializer_list<std::string_view> fo
     }
 }
 
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+// The folder of a file within another folder, or the name of a file that is in none.
+std::string room_of(const std::string& path) {
+    const fs::path inside = fs::path(path.substr(path.find('/') + 1));
+    return inside.has_parent_path() ? inside.begin()->string() : inside.stem().string();
+}
+
+// Which rooms of a folder include which others.
+Rooms rooms_of(const std::string& folder) {
+    const std::regex include("#include \"(" + folder + "/[^\"]+)\"");
+    Rooms rooms;
+    for (const auto& [path, text] : sources_of({folder.c_str()}, {".h", ".cpp"})) {
+        std::set<std::string>& included = rooms[room_of(path)];
+        for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+            const std::string room = room_of((*match)[1]);
+            if (room != room_of(path) && room != "commit") included.insert(room);  // a file that the build writes
+        }
+    }
+    return rooms;
+}
+
+bool reaches(const Rooms& rooms, const std::string& from, const std::string& to) {
+    return std::any_of(rooms.at(from).begin(), rooms.at(from).end(),
+                       [&](const std::string& next) { return next == to || reaches(rooms, next, to); });
+}
+
+// "a --> b" for what a includes but not through another room. The rooms must have no circle.
+std::set<std::string> arrows_of(const Rooms& rooms) {
+    std::set<std::string> arrows;
+    for (const auto& [from, included] : rooms) {
+        for (const std::string& to : included) {
+            const bool follows = std::any_of(included.begin(), included.end(), [&](const std::string& other) {
+                return other != to && reaches(rooms, other, to);
+            });
+            if (!follows) arrows.insert(from + " --> " + to);
+        }
+    }
+    return arrows;
+}
+
+// What matches in the README of a folder, in its order.
+std::vector<std::string> shown(const std::string& folder, const std::regex& pattern) {
+    const std::string text = read_file(fs::path(PUSHFACTOR_SOURCE_DIR) / folder / "README.md");
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.push_back((*match)[1]);
+    }
+    return found;
+}
+
 }  // namespace
+
+TEST_CASE("every room includes only rooms above it in the table of its README, whose diagram shows the includes") {
+    for (const std::string folder : {"engine", "renderer", "demos"}) {
+        const Rooms rooms = rooms_of(folder);
+        const std::vector<std::string> table = shown(folder, std::regex(R"(\n\| `(\w+)/`)"));
+        CHECK(table.size() > 5);
+        CHECK(table.size() <= 10);
+        const auto place = [&](const std::string& room) {
+            return std::find(table.begin(), table.end(), room) - table.begin();
+        };
+        for (const auto& [room, included] : rooms) {
+            const fs::path path = fs::path(PUSHFACTOR_SOURCE_DIR) / folder / room;
+            INFO(folder << "/" << room);
+            if (fs::is_directory(path)) REQUIRE(place(room) < std::ssize(table));
+            for (const std::string& other : included) {
+                INFO("includes " << other);
+                REQUIRE((place(other) < place(room) || place(room) == std::ssize(table)));
+            }
+        }
+        const std::vector<std::string> drawn = shown(folder, std::regex(R"(\n    (\w+ --> \w+))"));
+        CHECK(std::set<std::string>(drawn.begin(), drawn.end()) == arrows_of(rooms));
+    }
+}
+
+TEST_CASE("no folder has more than some fifteen sources, and only main.cpp is beside the rooms of demos") {
+    std::map<std::string, std::set<std::string>> sources;
+    for (const auto& [path, text] : sources_of({"engine", "renderer", "demos"}, {".h", ".cpp"})) {
+        sources[fs::path(path).parent_path().string()].insert(fs::path(path).stem().string());
+    }
+    for (const auto& [folder, names] : sources) {
+        INFO(folder);
+        CHECK(names.size() <= 15);
+    }
+    CHECK(sources.at("demos") == std::set<std::string>{"main"});
+}
 
 TEST_CASE("the engine knows Eigen only: no graphics, no demos, no files, no clock, no printing") {
     check_absent("engine", {"renderer/", "demos/", "tests/", "GL/", "glm/", "stb", "fmt/", "nlohmann/", "CLI/",
@@ -64,7 +151,7 @@ TEST_CASE("the renderer knows no physics") {
 }
 
 TEST_CASE("scenes know the engine and nothing that draws or writes") {
-    check_absent("demos/scenes",
+    check_absent("demos/scenes/named",
                  {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
 }
 
@@ -79,8 +166,8 @@ void gather(const std::string& file, std::set<std::string>& found) {
 
 TEST_CASE("the pendulum wave includes no collision header, not even through another one") {
     std::set<std::string> wave, stack;
-    gather("demos/scenes/pendulum_wave.cpp", wave);
-    gather("demos/build_scene.cpp", stack);
+    gather("demos/scenes/named/pendulum_wave.cpp", wave);
+    gather("demos/runs/build_scene.cpp", stack);
     const auto of_contacts = [](const std::string& name) {
         return name.find("collision") != std::string::npos || name.find("contact") != std::string::npos;
     };

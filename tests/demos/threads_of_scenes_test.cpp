@@ -1,7 +1,7 @@
 // Every scene and a member of every family: the bits do not depend on the number of threads.
-#include "demos/catalogue.h"
-#include "demos/families/family.h"
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/families/family.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 

@@ -1,6 +1,6 @@
 // Steps that were not solved: counted, and said aloud.
-#include "demos/json.h"
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"
@@ -38,7 +38,7 @@ std::vector<double> column_of(const std::string& csv, const std::string& name) {
 
 Simulation start(const std::string& scene, const Options& options) {
     const Choices choices = run_of(scene, options);
-    return Simulation(choices.build(), choices.settings);
+    return Simulation(choices);
 }
 
 // How fast the bars of a scene of nothing but bars are too fast or too slow after a step, by the bodies that they

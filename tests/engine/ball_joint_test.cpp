@@ -1,7 +1,7 @@
 // Distances of length zero.
-#include "engine/diagnostics.h"
-#include "engine/distance_constraint.h"
-#include "engine/gravity.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/constraints/distance_constraint.h"
+#include "engine/forces/gravity.h"
 #include "engine/rattle.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"

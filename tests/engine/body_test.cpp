@@ -1,6 +1,6 @@
-#include "engine/body.h"
+#include "engine/bodies/body.h"
 
-#include "engine/invalid_input.h"
+#include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 
 #include <limits>

@@ -1,4 +1,4 @@
-#include "engine/contact_cache.h"
+#include "engine/constraints/contact_cache.h"
 
 #include "tests/catch.h"
 #include "tests/random.h"

@@ -1,10 +1,10 @@
 // Worlds of a few bodies with contacts as the default preset has them, for tests of fast and extreme bodies.
 #pragma once
 
-#include "engine/contact_stage.h"
-#include "engine/diagnostics.h"
-#include "engine/gravity.h"
-#include "engine/penetration.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/forces/gravity.h"
+#include "engine/measures/penetration.h"
 #include "engine/world.h"
 
 #include <memory>

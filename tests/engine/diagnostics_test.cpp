@@ -1,6 +1,6 @@
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 
-#include "engine/penetration.h"
+#include "engine/measures/penetration.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

@@ -1,8 +1,8 @@
 // The distance constraint, paper section 5.2, against closed forms and finite differences.
-#include "engine/distance_constraint.h"
+#include "engine/constraints/distance_constraint.h"
 
-#include "engine/diagnostics.h"
-#include "engine/gravity.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"

@@ -1,5 +1,5 @@
 // Coulomb friction on a round cone: the same in every direction and for every step, and none without a contact.
-#include "engine/friction_constraint.h"
+#include "engine/constraints/friction_constraint.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/random_contacts.h"

@@ -1,8 +1,8 @@
 // Paper section 3.2 against closed forms.
-#include "engine/integrator.h"
+#include "engine/bodies/integrator.h"
 
-#include "engine/diagnostics.h"
-#include "engine/gravity.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 

@@ -1,7 +1,7 @@
 // The guard around a solver, and what solves may cost. Each rule meets a solver that breaks it.
-#include "engine/island_solver.h"
+#include "engine/step/island_solver.h"
 
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/engine/random_contacts.h"
 #include "tests/engine/solvers/problems.h"

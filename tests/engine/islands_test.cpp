@@ -1,5 +1,5 @@
 // Islands: against a search of the graph, against A as a matrix, and solved one by one against all at once.
-#include "engine/islands.h"
+#include "engine/system/islands.h"
 
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

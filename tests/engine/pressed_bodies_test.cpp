@@ -1,6 +1,6 @@
 // Bodies that a force or a torque moves by more than their size within one step: nothing goes through, what rests
 // is not swept, and a touch that the sweep cannot decide about stays.
-#include "engine/poke.h"
+#include "engine/forces/poke.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"

@@ -1,11 +1,11 @@
 // RATTLE and its compositions against closed forms: order, reversal, what must be kept.
 #include "engine/rattle.h"
 
-#include "engine/diagnostics.h"
-#include "engine/distance_constraint.h"
-#include "engine/gravity.h"
-#include "engine/invalid_input.h"
-#include "engine/poke.h"
+#include "engine/base/invalid_input.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/constraints/distance_constraint.h"
+#include "engine/forces/gravity.h"
+#include "engine/forces/poke.h"
 #include "tests/catch.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Scenes that come to rest, and what a test asks of them.
 #pragma once
 
-#include "engine/body.h"
-#include "engine/rest.h"
+#include "engine/bodies/body.h"
+#include "engine/step/rest.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 

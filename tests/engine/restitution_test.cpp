@@ -1,9 +1,9 @@
 // Elastic collisions, paper section 8.2, and the push that lasts: a conveyor (8.1, "constant speed motors").
-#include "engine/restitution.h"
+#include "engine/constraints/restitution.h"
 
-#include "engine/contact_stage.h"
-#include "engine/gravity.h"
-#include "engine/poke.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/forces/gravity.h"
+#include "engine/forces/poke.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"

@@ -1,7 +1,7 @@
 // Systems built by hand for tests of rows and solvers.
 #pragma once
 
-#include "engine/system_equation.h"
+#include "engine/system/system_equation.h"
 #include "engine/world.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Islands that go through a step in small ones.
-#include "engine/small_steps.h"
+#include "engine/step/small_steps.h"
 
-#include "engine/distance_constraint.h"
+#include "engine/constraints/distance_constraint.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 

@@ -1,7 +1,7 @@
 // The rules for the length of a step, against closed forms.
-#include "engine/step_length.h"
+#include "engine/measures/step_length.h"
 
-#include "engine/gravity.h"
+#include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 

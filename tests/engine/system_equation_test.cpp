@@ -1,5 +1,5 @@
 // Paper section 6: the system equation 6.2.9 and what is derived from it.
-#include "engine/system_equation.h"
+#include "engine/system/system_equation.h"
 
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

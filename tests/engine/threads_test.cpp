@@ -1,8 +1,8 @@
 // Threads: every part of the work once, and the bits of one thread, whatever their number.
-#include "engine/threads.h"
+#include "engine/base/threads.h"
 
-#include "engine/dissection.h"
-#include "engine/small_steps.h"
+#include "engine/step/small_steps.h"
+#include "engine/system/dissection.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/rows.h"

@@ -1,7 +1,7 @@
 // What wakes bodies that rest and what does not, in which step, and that neither brings energy.
-#include "engine/distance_constraint.h"
-#include "engine/poke.h"
-#include "engine/rest.h"
+#include "engine/constraints/distance_constraint.h"
+#include "engine/forces/poke.h"
+#include "engine/step/rest.h"
 #include "tests/catch.h"
 #include "tests/engine/rest_scene.h"
 

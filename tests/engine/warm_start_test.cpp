@@ -1,5 +1,5 @@
 // What an island remembers from step to step, and what it makes of it.
-#include "engine/warm_start.h"
+#include "engine/step/warm_start.h"
 
 #include "tests/catch.h"
 #include "tests/engine/solvers/problems.h"

@@ -1,9 +1,9 @@
 // The step as a whole, against closed forms (paper sections 5.3, 5.4, 8.1).
 #include "engine/world.h"
 
-#include "engine/contact_stage.h"
-#include "engine/diagnostics.h"
-#include "engine/gravity.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/forces/gravity.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

@@ -1,7 +1,7 @@
 // A constraint source, as engine/README.md shows it.
-#include "engine/gravity.h"
+#include "engine/constraints/constraint_source.h"
+#include "engine/forces/gravity.h"
 #include "engine/solvers/solver.h"
-#include "engine/sources.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 

@@ -1,5 +1,5 @@
 // A force source, as engine/README.md shows it.
-#include "engine/sources.h"
+#include "engine/forces/force_source.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 

@@ -1,5 +1,5 @@
 // A picture, as renderer/README.md shows it.
-#include "renderer/offscreen_context.h"
+#include "renderer/gl/offscreen_context.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 

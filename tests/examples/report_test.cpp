@@ -1,11 +1,11 @@
 // A report, as demos/README.md shows it.
-#include "demos/catalogue.h"
-#include "demos/measurements.h"
-#include "demos/named_run.h"
-#include "demos/numbers.h"
-#include "demos/output_file.h"
-#include "demos/page.h"
-#include "demos/progress.h"
+#include "demos/options/named_run.h"
+#include "demos/pages/page.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
+#include "demos/runs/measurements.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"
@@ -35,7 +35,7 @@ void report_solvers(const SolversRequest& request) {
     for (const engine::solvers::SolverEntry& solver : engine::solvers::solver_table()) {
         const Options options{{"seconds", seconds}, {"solver", std::string(solver.name)}};
         const Choices choices = run_of(scene, options);
-        Simulation simulation(choices.build(), choices.settings);
+        Simulation simulation(choices);
         Measurements measurements(simulation);
         for (long step = 0; step < whole_steps(choices.settings); ++step) {
             stop_if_interrupted("nothing is written");

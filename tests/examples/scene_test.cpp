@@ -1,7 +1,7 @@
 // A scene and its line in the catalogue, as demos/README.md shows them.
-#include "demos/catalogue.h"
-#include "demos/scenes/view.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/named/view.h"
 #include "tests/catch.h"
 
 #include <algorithm>

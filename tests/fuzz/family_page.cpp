@@ -1,14 +1,14 @@
 #include "tests/fuzz/family_page.h"
 
-#include "demos/measurements.h"
-#include "demos/output_file.h"
-#include "demos/page.h"
+#include "demos/pages/page.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/survey.h"
-#include "demos/simulation.h"
-#include "renderer/png.h"
-#include "renderer/renderer_error.h"
+#include "demos/platform/output_file.h"
+#include "demos/runs/measurements.h"
+#include "demos/runs/simulation.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/images/png.h"
 #include "tests/fuzz/random_scene.h"
 
 #include <fmt/format.h>

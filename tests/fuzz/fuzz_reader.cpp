@@ -1,10 +1,10 @@
 // libFuzzer: whatever bytes a scene file holds, it is refused in one line, or it is a scene that is written and
 // read back as the same, and that can be stepped.
-#include "demos/choices.h"
-#include "demos/errors.h"
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
-#include "engine/invalid_input.h"
+#include "demos/options/choices.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
+#include "engine/base/invalid_input.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -55,7 +55,7 @@ void step(demos::Choices& choices) {
     if (choices.description.bodies.size() > 20) return;
     choices.settings.iterations = std::min(choices.settings.iterations, 10);
     choices.settings.substeps = std::min(choices.settings.substeps, 2);
-    demos::Simulation simulation(choices.build(), choices.settings);
+    demos::Simulation simulation(choices);
     simulation.advance();
     simulation.advance();
 }

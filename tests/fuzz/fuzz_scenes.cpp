@@ -1,9 +1,9 @@
 // Judges random scenes, members of the families, or the scene files that it is given. Exit status: 0 all hold, 1
 // interrupted, 2 wrong usage, 3 some fail, 4 a failure could not be written.
-#include "demos/errors.h"
-#include "demos/output_file.h"
-#include "demos/progress.h"
-#include "demos/scene_file.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/progress.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/family_campaign.h"
 #include "tests/fuzz/family_page.h"

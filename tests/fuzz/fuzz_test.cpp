@@ -1,6 +1,6 @@
 // Random scenes hold what must hold; and what judges them can see.
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/fuzz/campaign.h"

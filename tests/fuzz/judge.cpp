@@ -1,7 +1,7 @@
 #include "tests/fuzz/judge.h"
 
-#include "demos/errors.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/text/errors.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/fuzz/step_claims.h"
 

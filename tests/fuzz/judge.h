@@ -19,7 +19,7 @@
 // sweep has at most the q of the cached forces from which it started.
 #pragma once
 
-#include "demos/scene_description.h"
+#include "demos/scenes/scene_description.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "tests/fuzz/random_scene.h"
 
-#include "demos/numbers.h"
-#include "demos/simulation_options.h"
+#include "demos/options/simulation_options.h"
+#include "demos/text/numbers.h"
 #include "tests/random.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // each other, under any of the simulation options.
 #pragma once
 
-#include "demos/scene_description.h"
-#include "demos/settings.h"
+#include "demos/options/settings.h"
+#include "demos/scenes/scene_description.h"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 // motion, rounder numbers.
 #pragma once
 
-#include "demos/scene_description.h"
+#include "demos/scenes/scene_description.h"
 
 #include <functional>
 

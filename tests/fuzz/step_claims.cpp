@@ -1,6 +1,6 @@
 #include "tests/fuzz/step_claims.h"
 
-#include "engine/diagnostics.h"
+#include "engine/bodies/diagnostics.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "tests/fuzz/structures.h"
 
-#include "demos/measurements.h"
-#include "demos/simulation.h"
+#include "demos/runs/measurements.h"
+#include "demos/runs/simulation.h"
 #include "tests/fuzz/random_scene.h"
 
 #include <algorithm>

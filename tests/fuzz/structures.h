@@ -17,7 +17,7 @@
 // for overlaps, which are measured by the shortest edge that there is; the speed is sqrt(g L).
 #pragma once
 
-#include "demos/families/family.h"
+#include "demos/scenes/families/family.h"
 
 #include <array>
 #include <string>

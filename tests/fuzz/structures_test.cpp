@@ -1,5 +1,5 @@
 // Small members of every family do what mechanics says; and what judges them can see when they do not.
-#include "demos/scene_file.h"
+#include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/fuzz/family_page.h"

@@ -1,6 +1,6 @@
 #include "tests/peers/exact.h"
 
-#include "demos/scenes/ball_on_bar.h"
+#include "demos/scenes/named/ball_on_bar.h"
 
 #include <cmath>
 

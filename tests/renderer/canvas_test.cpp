@@ -1,6 +1,6 @@
-#include "renderer/canvas.h"
+#include "renderer/images/canvas.h"
 
-#include "renderer/renderer_error.h"
+#include "renderer/base/renderer_error.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

@@ -1,8 +1,8 @@
-#include "renderer/egl_context.h"
-#include "renderer/gl.h"
-#include "renderer/offscreen_context.h"
-#include "renderer/osmesa_context.h"
-#include "renderer/renderer_error.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/gl/egl_context.h"
+#include "renderer/gl/gl.h"
+#include "renderer/gl/offscreen_context.h"
+#include "renderer/gl/osmesa_context.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

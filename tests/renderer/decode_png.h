@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/image.h"
+#include "renderer/images/image.h"
 
 #include <cstdint>
 #include <vector>

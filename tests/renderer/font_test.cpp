@@ -1,7 +1,7 @@
-#include "renderer/font.h"
+#include "renderer/text/font.h"
 
-#include "renderer/canvas.h"
-#include "renderer/renderer_error.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/images/canvas.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

@@ -1,7 +1,7 @@
 // A frame that could not be drawn is an error that says why, not a blank image.
-#include "renderer/frame_checks.h"
+#include "renderer/frames/frame_checks.h"
 
-#include "renderer/renderer_error.h"
+#include "renderer/base/renderer_error.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

@@ -1,6 +1,6 @@
-#include "renderer/frame_plan.h"
+#include "renderer/frames/frame_plan.h"
 
-#include "renderer/views.h"
+#include "renderer/picture/views.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

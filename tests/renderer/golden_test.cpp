@@ -1,8 +1,8 @@
 // Frames as they are meant to look, against the images in assets/golden.
 // After a wanted change: build/release/tests/tests "[golden-update]" makes them anew; look at them before you
 // commit.
-#include "renderer/gl.h"
-#include "renderer/png.h"
+#include "renderer/gl/gl.h"
+#include "renderer/images/png.h"
 #include "tests/catch.h"
 #include "tests/renderer/decode_png.h"
 #include "tests/renderer/image_difference.h"

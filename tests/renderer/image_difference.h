@@ -1,7 +1,7 @@
 // How far two images are from each other, and how far is too far.
 #pragma once
 
-#include "renderer/image.h"
+#include "renderer/images/image.h"
 
 #include <algorithm>
 #include <cmath>

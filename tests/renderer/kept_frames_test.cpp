@@ -1,7 +1,7 @@
 // What a renderer keeps of the frame before must not be seen: every frame of a run is, to the byte, the one that a
 // new renderer draws of the same picture.
+#include "renderer/frames/stages.h"
 #include "renderer/renderer.h"
-#include "renderer/stages.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

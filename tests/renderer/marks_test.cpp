@@ -1,4 +1,4 @@
-#include "renderer/marks.h"
+#include "renderer/picture/marks.h"
 
 #include "renderer/renderer.h"
 #include "tests/catch.h"

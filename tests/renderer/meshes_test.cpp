@@ -1,4 +1,4 @@
-#include "renderer/meshes.h"
+#include "renderer/meshes/meshes.h"
 
 #include "tests/catch.h"
 

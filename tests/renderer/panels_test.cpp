@@ -1,4 +1,4 @@
-#include "renderer/panels.h"
+#include "renderer/picture/panels.h"
 
 #include "tests/catch.h"
 

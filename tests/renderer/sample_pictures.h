@@ -1,8 +1,8 @@
 // What the tests of the renderer draw, and how they look at it.
 #pragma once
 
-#include "renderer/offscreen_context.h"
-#include "renderer/picture.h"
+#include "renderer/gl/offscreen_context.h"
+#include "renderer/picture/picture.h"
 #include "renderer/renderer.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Images that are the mean of several draws.
-#include "renderer/sampling.h"
+#include "renderer/images/sampling.h"
 
-#include "renderer/renderer_error.h"
+#include "renderer/base/renderer_error.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
 

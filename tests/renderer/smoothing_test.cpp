@@ -1,8 +1,8 @@
 // Edges that were drawn with one sample a pixel, smoothed: against the share of each pixel that a straight edge
 // covers.
-#include "renderer/smoothing.h"
+#include "renderer/images/smoothing.h"
 
-#include "renderer/light_bytes.h"
+#include "renderer/images/light_bytes.h"
 #include "tests/catch.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "renderer/utf8.h"
+#include "renderer/base/utf8.h"
 
 #include "tests/catch.h"
 

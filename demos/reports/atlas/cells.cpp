@@ -1,7 +1,7 @@
 #include "demos/reports/atlas/cells.h"
 
-#include "demos/errors.h"
 #include "demos/reports/atlas/outcomes.h"
+#include "demos/text/errors.h"
 
 #include <algorithm>
 #include <atomic>
@@ -93,7 +93,7 @@ std::string command_of(const AtlasCell& cell) {
 
 std::optional<CellResult> run_cell(const AtlasCell& cell, const std::stop_token& stop) {
     const Choices choices = run_of(cell.map->scene, options_of(cell));
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     Measurements measurements(run);
     const auto result = [&](std::string_view outcome) {
         return CellResult{std::string(outcome), (measurements.*cell.map->measure.value)()};

@@ -1,9 +1,10 @@
 #include "demos/reports/atlas/file.h"
 
-#include "demos/errors.h"
-#include "demos/numbers.h"
-#include "demos/output_file.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/version.h"
 #include "demos/reports/atlas/outcomes.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const header =
-    "# pushfactor " PUSHFACTOR_VERSION ": stability atlas\nmap,x_name,x,y_name,y,outcome,measure,value,command\n";
+std::string header() {
+    return "# pushfactor " + version_number() +
+           ": stability atlas\nmap,x_name,x,y_name,y,outcome,measure,value,command\n";
+}
 
 // What the line of a cell begins with; no other cell has the same.
 std::string key_of(const AtlasCell& cell) {
@@ -47,7 +50,7 @@ AtlasFile::AtlasFile(fs::path path, const std::vector<AtlasMap>& atlas) : path_(
         for (const AtlasCell& cell : cells_of(map)) cells_.push_back(cell);
     }
     std::error_code ignored;
-    if (!fs::exists(path_, ignored)) write_file(path_, header);
+    if (!fs::exists(path_, ignored)) write_file(path_, header());
     if (!fs::is_regular_file(path_, ignored)) refuse("is no file");
     std::ifstream stream(path_, std::ios::binary);
     if (!stream) fail(errno);
@@ -73,8 +76,8 @@ void AtlasFile::fail(int error) const {
 }
 
 void AtlasFile::take_over(const std::string& text) {
-    if (!text.starts_with(header)) refuse("does not begin as one");
-    std::istringstream stream(text.substr(std::strlen(header)));
+    if (!text.starts_with(header())) refuse("does not begin as one");
+    std::istringstream stream(text.substr(header().size()));
     long number = 2;
     for (std::string line; std::getline(stream, line);) take_line(line, ++number);
 }
@@ -110,7 +113,7 @@ void AtlasFile::add(const AtlasCell& cell, const CellResult& result) {
 
 void AtlasFile::sort() {
     file_.reset();
-    std::string text = header;
+    std::string text = header();
     for (const AtlasCell& cell : cells_) {
         if (const CellResult* result = find(cell)) text += line_of(cell, *result) + "\n";
     }

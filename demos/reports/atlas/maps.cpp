@@ -1,6 +1,6 @@
 #include "demos/reports/atlas/maps.h"
 
-#include "demos/rational.h"
+#include "demos/text/rational.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // and its outcome is the one of the run's summary.
 #pragma once
 
-#include "demos/measurements.h"
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
+#include "demos/runs/measurements.h"
 
 #include <optional>
 #include <string>

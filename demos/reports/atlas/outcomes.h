@@ -1,7 +1,7 @@
 // How the atlas shows the outcomes of runs.
 #pragma once
 
-#include "demos/measurements.h"
+#include "demos/runs/measurements.h"
 
 #include <array>
 #include <string_view>

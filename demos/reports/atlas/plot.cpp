@@ -1,10 +1,10 @@
 #include "demos/reports/atlas/plot.h"
 
-#include "demos/numbers.h"
-#include "demos/output_file.h"
-#include "demos/palette.h"
-#include "demos/plot.h"
+#include "demos/pages/plot.h"
+#include "demos/platform/output_file.h"
 #include "demos/reports/atlas/outcomes.h"
+#include "demos/text/numbers.h"
+#include "demos/text/palette.h"
 
 #include <fmt/format.h>
 

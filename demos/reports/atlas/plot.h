@@ -1,7 +1,7 @@
 // A map of the atlas as a picture: a colour an outcome, and in each cell the measured number.
 #pragma once
 
-#include "demos/page.h"
+#include "demos/pages/page.h"
 #include "demos/reports/atlas/cells.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "demos/reports/cost/cases.h"
 
-#include "demos/catalogue.h"
+#include "demos/scenes/catalogue.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // What the ledger is about: every scene of the catalogue as it comes, and some in other sizes and moments.
 #pragma once
 
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
 
 #include <string>
 #include <vector>

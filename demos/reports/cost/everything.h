@@ -1,7 +1,7 @@
 // The same scene with every part that there is, for the price of parts that a scene does not need.
 #pragma once
 
-#include "demos/scene_description.h"
+#include "demos/scenes/scene_description.h"
 
 namespace pushfactor::demos::reports::cost {
 

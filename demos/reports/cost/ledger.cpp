@@ -1,10 +1,10 @@
 #include "demos/reports/cost/ledger.h"
 
-#include "demos/checkpoint.h"
-#include "demos/cpu_clock.h"
+#include "demos/platform/cpu_clock.h"
 #include "demos/reports/cost/allocations.h"
-#include "demos/simulation.h"
-#include "demos/step_division.h"
+#include "demos/runs/checkpoint.h"
+#include "demos/runs/simulation.h"
+#include "demos/runs/step_division.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/solvers/auto.h"
 
@@ -136,7 +136,7 @@ StageTimes time_of_stages(const Moment& moment, double cost) {
 }  // namespace
 
 Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check) {
-    Simulation simulation(choices.build(), choices.settings);
+    Simulation simulation(choices);
     while (simulation.sample().time < seconds) {
         check();
         simulation.advance();

@@ -1,7 +1,7 @@
 // The ledger of a scene: what its steps do and what they cost.
 #pragma once
 
-#include "demos/choices.h"
+#include "demos/options/choices.h"
 #include "demos/reports/cost/parts.h"
 #include "demos/reports/cost/stage_clock.h"
 

@@ -1,10 +1,10 @@
 #include "demos/reports/cost/neighbours.h"
 
-#include "demos/numbers.h"
 #include "demos/reports/cost/ledger.h"
 #include "demos/reports/cost/tables.h"
-#include "demos/scenes/random.h"
-#include "demos/scenes/side_by_side.h"
+#include "demos/scenes/named/random.h"
+#include "demos/scenes/named/side_by_side.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Scenes side by side: a world should cost, and move, as the sum of its parts.
 #pragma once
 
-#include "demos/page.h"
-#include "demos/scene_description.h"
+#include "demos/pages/page.h"
+#include "demos/scenes/scene_description.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 #include "demos/reports/cost/parts.h"
 
-#include "demos/step_division.h"
-#include "engine/poke.h"
+#include "demos/runs/step_division.h"
+#include "engine/forces/poke.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What a scene was made of, by name.
 #pragma once
 
-#include "demos/scene.h"
+#include "demos/runs/scene.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "demos/reports/cost/plots.h"
 
-#include "demos/output_file.h"
-#include "demos/plot.h"
+#include "demos/pages/plot.h"
+#include "demos/platform/output_file.h"
 
 #include <fmt/format.h>
 

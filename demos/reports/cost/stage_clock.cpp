@@ -1,6 +1,6 @@
 #include "demos/reports/cost/stage_clock.h"
 
-#include "demos/cpu_clock.h"
+#include "demos/platform/cpu_clock.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "demos/reports/cost/tables.h"
 
-#include "demos/numbers.h"
 #include "demos/reports/cost/allocations.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // The ledger as text: the lines of cost.csv and the tables of the page.
 #pragma once
 
-#include "demos/page.h"
+#include "demos/pages/page.h"
 #include "demos/reports/cost/ledger.h"
 
 #include <span>

@@ -1,6 +1,6 @@
 #include "demos/reports/error/consistency.h"
 
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, c
                     const Rational& dt, const std::function<void()>& check) {
     Choices choices = choices_at(which, dt);
     choices.description = restarted(choices.description, start);
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     run_for(run, plan.window, check);
     return run.scene().world.bodies;
 }
@@ -61,7 +61,7 @@ Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, c
 std::vector<Bodies> starts_of(const ConsistencyPlan& plan, const ConsistencyCase& which,
                               const std::function<void()>& check) {
     const Choices choices = choices_at(which, plan.smallest);
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     std::vector<Bodies> states;
     Rational time{0, 1};
     for (const Rational& start : plan.starts) {

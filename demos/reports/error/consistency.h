@@ -7,9 +7,9 @@
 // Symbols: h step [s], h_min the smallest [s], x position [m], e_c [m].
 #pragma once
 
-#include "demos/named_run.h"
-#include "demos/rational.h"
+#include "demos/options/named_run.h"
 #include "demos/reports/error/work_plot.h"
+#include "demos/text/rational.h"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "demos/reports/error/frozen_moments.h"
 
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
 #include "engine/solvers/solver.h"
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ std::vector<Moment> hard_moments(bool quick) {
 
 FrozenProblem freeze(const Moment& moment, const std::function<void()>& check) {
     const Choices choices = run_of(moment.scene, moment.options);
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     while (run.sample().step < std::max(1L, whole_steps(choices.settings))) {
         check();
         run.advance();

@@ -2,7 +2,7 @@
 // its errors do to the run.
 #pragma once
 
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
 #include "demos/reports/error/frozen_problem.h"
 #include "demos/reports/error/work_plot.h"
 

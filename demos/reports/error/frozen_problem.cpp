@@ -1,8 +1,8 @@
 #include "demos/reports/error/frozen_problem.h"
 
-#include "demos/errors.h"
-#include "demos/json_file.h"
-#include "demos/json_reader.h"
+#include "demos/text/errors.h"
+#include "demos/text/json_file.h"
+#include "demos/text/json_reader.h"
 #include "engine/world.h"
 
 #include <fmt/format.h>

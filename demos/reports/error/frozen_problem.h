@@ -30,8 +30,8 @@
 // Find lambda [N], a column at a time: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
 #pragma once
 
-#include "demos/json.h"
-#include "engine/system_equation.h"
+#include "demos/text/json.h"
+#include "engine/system/system_equation.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 // below each plot.
 #pragma once
 
-#include "demos/page.h"
+#include "demos/pages/page.h"
 #include "demos/reports/error/consistency.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/reports/error/points.h"

@@ -1,8 +1,8 @@
 #include "demos/reports/error/points.h"
 
-#include "demos/cpu_clock.h"
-#include "demos/errors.h"
-#include "demos/measurements.h"
+#include "demos/platform/cpu_clock.h"
+#include "demos/runs/measurements.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 // Fills in all but the times.
 void run_for_errors(const Sweep& sweep, const Choices& choices, const std::function<void()>& check,
                     ErrorPoint& point) {
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     Measurements measurements(run);
     const auto error = sweep.error(run);
     bool finite = true;
@@ -39,7 +39,7 @@ void run_for_errors(const Sweep& sweep, const Choices& choices, const std::funct
 
 // CPU time in us of each step, up to the one that was not finite any more.
 std::vector<double> step_times(const Choices& choices, const std::function<void()>& check) {
-    Simulation run(choices.on_one_thread().build(), choices.settings, thread_cpu_us);
+    Simulation run(choices.on_one_thread(), thread_cpu_us);
     std::vector<double> times;
     try {
         while (run.sample().step < whole_steps(choices.settings)) {

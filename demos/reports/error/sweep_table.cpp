@@ -1,6 +1,6 @@
 #include "demos/reports/error/sweep_table.h"
 
-#include "demos/simulation_options.h"
+#include "demos/options/simulation_options.h"
 
 #include <fmt/format.h>
 

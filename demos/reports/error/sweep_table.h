@@ -2,7 +2,7 @@
 // options this build does not know is left out, so a new solver or integrator needs no more than its line here.
 #pragma once
 
-#include "demos/named_run.h"
+#include "demos/options/named_run.h"
 #include "demos/reports/error/true_errors.h"
 
 #include <optional>

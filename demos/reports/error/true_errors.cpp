@@ -1,8 +1,8 @@
 #include "demos/reports/error/true_errors.h"
 
-#include "demos/measurements.h"
 #include "demos/reports/error/converged_forces.h"
 #include "demos/reports/error/rms.h"
+#include "demos/runs/measurements.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // program, and never against a finer run of the same.
 #pragma once
 
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
 
 #include <functional>
 #include <memory>

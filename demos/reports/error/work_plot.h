@@ -1,7 +1,7 @@
 // Work against error, double logarithmic: lower left is better. The plot of all reports that compare methods.
 #pragma once
 
-#include "demos/page.h"
+#include "demos/pages/page.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 // Bars, and scenes with little or nothing in them.
 #include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/scenes.h"
-#include "demos/reports/stability/thin_scenes.h"
+#include "demos/reports/stability/scenes/small.h"
+#include "demos/reports/stability/scenes/thin.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // place where they are listed; running, judging and drawing know no case.
 #pragma once
 
-#include "demos/named_run.h"
-#include "demos/scene_description.h"
+#include "demos/options/named_run.h"
+#include "demos/scenes/scene_description.h"
 
 #include <optional>
 #include <string>

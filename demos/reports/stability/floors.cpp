@@ -1,6 +1,6 @@
 // Floors of flush boxes.
 #include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/floor_scenes.h"
+#include "demos/reports/stability/scenes/floor.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 // What slides, rolls or holds by friction.
+#include "demos/reports/stability/scenes/friction.h"
+
 #include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/friction_scenes.h"
-#include "demos/reports/stability/pieces.h"
-#include "demos/reports/stability/slab_slide.h"
+#include "demos/reports/stability/measures/slab_slide.h"
+#include "demos/reports/stability/scenes/pieces.h"
 
 #include <fmt/format.h>
 

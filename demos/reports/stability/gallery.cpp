@@ -1,13 +1,13 @@
 #include "demos/reports/stability/gallery.h"
 
-#include "demos/output_file.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/studio.h"
 #include "demos/pictures/survey.h"
-#include "renderer/png.h"
-#include "renderer/renderer_error.h"
+#include "demos/platform/output_file.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/images/png.h"
 
 #include <fmt/format.h>
 
@@ -90,7 +90,7 @@ renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const
     const Vector3 here = -origin_of(start);
     shift(start, here);
     shift(choices.description, here);
-    const Scene scene = choices.build();
+    const Scene scene = build_scene(choices);
     const double aspect = static_cast<double>(size.width) / size.height;
     try {
         return studio.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);

@@ -1,6 +1,6 @@
 // What is fast, turns or bounces.
 #include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/scenes/small.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "demos/reports/stability/refusals.h"
 
-#include "demos/json.h"
-#include "demos/scene_file.h"
-#include "demos/simulation_options.h"
+#include "demos/options/simulation_options.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/json.h"
 
 #include <algorithm>
 

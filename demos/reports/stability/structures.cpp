@@ -1,6 +1,6 @@
 // Members of the families (demos/families) that are hard: what stands must stand still, what leaves must leave.
-#include "demos/families/family.h"
 #include "demos/reports/stability/chapters.h"
+#include "demos/scenes/families/family.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // What is thin and stands or lies.
+#include "demos/reports/stability/scenes/thin.h"
+
 #include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/pieces.h"
-#include "demos/reports/stability/thin_scenes.h"
+#include "demos/reports/stability/scenes/pieces.h"
 
 namespace pushfactor::demos::reports::stability {
 

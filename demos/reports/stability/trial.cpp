@@ -1,10 +1,10 @@
 #include "demos/reports/stability/trial.h"
 
-#include "demos/errors.h"
-#include "demos/json_file.h"
-#include "demos/output_file.h"
-#include "demos/reports/stability/measures.h"
-#include "demos/scene_file.h"
+#include "demos/platform/output_file.h"
+#include "demos/reports/stability/measures/measures.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
+#include "demos/text/json_file.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // another one, and what was expected of it.
 #pragma once
 
+#include "demos/platform/child_process.h"
 #include "demos/reports/stability/cases.h"
-#include "demos/tool.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,9 @@
 // Frames are written in order, whole, by several threads; the first thing that goes wrong ends it.
 #include "demos/pictures/frame_writer.h"
 
-#include "demos/errors.h"
-#include "renderer/png.h"
-#include "renderer/renderer_error.h"
+#include "demos/text/errors.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/images/png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

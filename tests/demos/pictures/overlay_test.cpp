@@ -1,12 +1,12 @@
 // What the overlays show, against closed forms.
 #include "demos/pictures/overlay.h"
 
-#include "demos/choices.h"
-#include "demos/errors.h"
+#include "demos/options/choices.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/survey.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 using namespace pushfactor::demos;
@@ -22,7 +22,7 @@ Choices run_of(const std::string& scene, std::initializer_list<std::pair<const c
 }
 
 Simulation after(const Choices& choices, long steps) {
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     while (run.sample().step < steps) run.advance();
     return run;
 }

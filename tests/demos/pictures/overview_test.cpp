@@ -2,8 +2,8 @@
 #include "demos/pictures/overview.h"
 
 #include "demos/pictures/framing.h"
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
@@ -44,7 +44,7 @@ Shown shown(const std::string& text, const std::string& compare = "") {
 
 // Whether the ball is in the picture at every step.
 bool is_seen(const Choices& choices, double aspect) {
-    Simulation simulation(choices.build(), choices.settings);
+    Simulation simulation(choices);
     for (long step = 0; step <= whole_steps(choices.settings); ++step) {
         const Place place =
             place_in_picture(simulation.scene().world.bodies[1].position, choices.description.view, aspect);

@@ -1,7 +1,7 @@
 // Videos, with a shell script in the place of ffmpeg: what is tested is what goes into it and how its end is taken.
 #include "demos/pictures/video.h"
 
-#include "demos/errors.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

@@ -2,7 +2,7 @@
 #include "demos/reports/cost/allocations.h"
 #include "demos/reports/cost/cases.h"
 #include "demos/reports/cost/ledger.h"
-#include "engine/math.h"
+#include "engine/base/math.h"
 #include "tests/catch.h"
 
 #include <cstdlib>

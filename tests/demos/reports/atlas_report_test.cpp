@@ -1,5 +1,5 @@
 // The stability atlas as a whole: one command, all files; stopped and continued; each command of its table again.
-#include "demos/json.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"

@@ -1,6 +1,6 @@
 // Frozen problems: what is written reads back as the same problem.
-#include "demos/errors.h"
 #include "demos/reports/error/frozen_moments.h"
+#include "demos/text/errors.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

@@ -22,7 +22,7 @@ struct Cost {
 // The first error of a run, and the work of all its steps.
 Cost cost_of(const std::string& scene, const Options& options, const MakeTrueError& make) {
     const Choices choices = run_of(scene, options);
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     const auto error = make(run);
     Cost cost;
     while (run.sample().step < whole_steps(choices.settings)) {

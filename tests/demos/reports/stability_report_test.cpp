@@ -1,6 +1,6 @@
 // The stability report as a whole: one command, a table that holds, thumbnails, commands that show the same; and
 // how a case is judged.
-#include "demos/reports/stability/friction_scenes.h"
+#include "demos/reports/stability/scenes/friction.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"

@@ -1,13 +1,13 @@
 // The scenes of the stability report's chapters on friction, floors, thin bodies and ball joints, and their files
 // in tests/scenes. `tests "[scene-files-update]"` writes the files anew.
-#include "demos/json.h"
-#include "demos/output_file.h"
+#include "demos/platform/output_file.h"
 #include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/floor_scenes.h"
-#include "demos/reports/stability/friction_scenes.h"
-#include "demos/reports/stability/thin_scenes.h"
-#include "demos/scene_file.h"
-#include "demos/simulation.h"
+#include "demos/reports/stability/scenes/floor.h"
+#include "demos/reports/stability/scenes/friction.h"
+#include "demos/reports/stability/scenes/thin.h"
+#include "demos/runs/simulation.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

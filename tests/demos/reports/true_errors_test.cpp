@@ -21,7 +21,7 @@ namespace {
 // The errors of a run, by name.
 std::map<std::string, double> errors_of(const std::string& scene, const Options& options, MakeTrueError make) {
     const Choices choices = run_of(scene, options);
-    Simulation run(choices.build(), choices.settings);
+    Simulation run(choices);
     const auto error = make(run);
     while (run.sample().step < whole_steps(choices.settings)) {
         run.advance();
@@ -74,7 +74,7 @@ TEST_CASE("the converged solver finds the weights of a column, and of scenes all
           std::tuple{"funnel", warm, 114, 120}}) {
         INFO(scene);
         const Choices choices = run_of(scene, options);
-        Simulation run(choices.build(), choices.settings);
+        Simulation run(choices);
         for (int step = 1; step <= last; ++step) {
             run.advance();
             if (step < first) continue;

@@ -1,7 +1,7 @@
 // Errata of paper section 3, of equation 6.1.6 and of the table of symbols: what the text gives, and what is right.
-#include "engine/body.h"
-#include "engine/diagnostics.h"
-#include "engine/integrator.h"
+#include "engine/bodies/body.h"
+#include "engine/bodies/diagnostics.h"
+#include "engine/bodies/integrator.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

@@ -1,7 +1,7 @@
 // Errata of paper section 8: what the text gives, and what is right.
-#include "engine/contact_stage.h"
-#include "engine/gravity.h"
-#include "engine/restitution.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/restitution.h"
+#include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/literal.h"

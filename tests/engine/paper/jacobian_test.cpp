@@ -3,9 +3,9 @@
 // RATTLE has their rows; contacts have c = -d, the gap; rows across the normal have no c (5.4), they are the rates
 // at which the material points of the bodies slide over each other.
 #include "engine/collision/pair_table.h"
-#include "engine/collision/swept.h"
-#include "engine/contact_stage.h"
-#include "engine/distance_constraint.h"
+#include "engine/collision/time_of_impact.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/distance_constraint.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"

@@ -2,7 +2,7 @@
 // reading and the right one can stand side by side.
 #pragma once
 
-#include "engine/integrator.h"
+#include "engine/bodies/integrator.h"
 #include "engine/solvers/solver.h"
 #include "tests/engine/rows.h"
 

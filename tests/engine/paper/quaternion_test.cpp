@@ -3,7 +3,7 @@
 //
 // Symbols: q orientation; a angle [rad] about the unit vector b; w angular velocity [rad/s, world frame]; h a short
 // time [s].
-#include "engine/integrator.h"
+#include "engine/bodies/integrator.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

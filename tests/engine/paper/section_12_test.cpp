@@ -4,9 +4,9 @@
 // Symbols: J all rows as one c x 6n matrix (6.1.2), M^-1 system inverse mass, v_1 and v_2 system velocities before
 // and after the step, f_ext external forces, v push factors, lambda, A and b of 6.2.9; q orientation, w angular
 // velocity.
-#include "engine/contact_stage.h"
-#include "engine/distance_constraint.h"
-#include "engine/integrator.h"
+#include "engine/bodies/integrator.h"
+#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/distance_constraint.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/whole_system.h"

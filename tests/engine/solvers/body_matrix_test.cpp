@@ -1,5 +1,5 @@
 // The factorisation against a dense one, and its plan against what fill-in must be.
-#include "engine/solvers/body_matrix.h"
+#include "engine/solvers/exact/body_matrix.h"
 
 #include "tests/catch.h"
 #include "tests/random.h"

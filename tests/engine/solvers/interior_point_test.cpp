@@ -1,7 +1,7 @@
 // The two exact methods by themselves, on problems that are harder than those of scenes.
-#include "engine/solvers/interior_point.h"
+#include "engine/solvers/exact/interior_point.h"
 
-#include "engine/solvers/active_set.h"
+#include "engine/solvers/exact/active_set.h"
 #include "tests/catch.h"
 #include "tests/engine/random_contacts.h"
 #include "tests/engine/random_rows.h"

@@ -1,7 +1,7 @@
 // Frozen problems for solvers, and A and the residual worked out the long way.
 #pragma once
 
-#include "engine/contact_stage.h"
+#include "engine/constraints/contact_stage.h"
 #include "engine/solvers/solver.h"
 #include "tests/engine/rows.h"
 

@@ -1,8 +1,8 @@
 // Paper section 7: the sweep against the dense A, against theory, and against the definition of a solution.
 #include "engine/solvers/solver.h"
 
-#include "engine/contact_stage.h"
-#include "engine/invalid_input.h"
+#include "engine/base/invalid_input.h"
+#include "engine/constraints/contact_stage.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"

@@ -1,5 +1,5 @@
 // Plans of factorisations that islands share and keep.
-#include "engine/solvers/structures.h"
+#include "engine/solvers/exact/structures.h"
 
 #include "tests/catch.h"
 

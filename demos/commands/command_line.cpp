@@ -1,0 +1,281 @@
+#include "demos/commands/command_line.h"
+
+#include "demos/options/simulation_options.h"
+#include "demos/platform/version.h"
+#include "demos/scenes/families/family.h"
+#include "demos/text/errors.h"
+#include "demos/text/suggest.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace pushfactor::demos {
+
+namespace {
+
+const char* const output_group = "Output (FILE - is standard output)";
+const char* const exit_statuses =
+    "Exit status: 0 done; 1 the run failed; 2 wrong usage or bad input; 3 a check failed;\n"
+    "4 an output could not be written; 5 the simulation became non-finite.";
+
+// An option whose text is understood later, together with those of the config file.
+void add_given(CLI::App& app, GivenOptions& given, std::string_view name, std::string_view placeholder,
+               std::string_view help, const char* group) {
+    const std::string key(name);
+    app.add_option_function<std::string>(
+           "--" + key, [&given, key](const std::string& text) { given.add(key, text, "--" + key); },
+           std::string(help))
+        ->type_name(std::string(placeholder))
+        ->group(group);
+}
+
+std::string preset_help() {
+    std::string help = "where the options start from";
+    for (const Preset& preset : presets()) help += fmt::format("; {}: {}", preset.name, preset.description);
+    return help;
+}
+
+// What the command line says, before the file that --config names has been read.
+struct Words {
+    Request request;
+    std::optional<std::string> config;
+};
+
+void add_simulation(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    add_given(app, request.given, "preset", "NAME", preset_help() + "; wins over what files say of these [default]",
+              "Simulation");
+    for (const SimulationOption& option : simulation_options()) {
+        add_given(app, request.given, option.name, option.placeholder, option.help, "Simulation");
+    }
+    std::set<std::string_view> seen;
+    for (const SceneEntry& entry : catalogue()) {
+        for (const Parameter& parameter : entry.parameters) {
+            if (!seen.insert(parameter.name).second) continue;
+            add_given(app, request.given, parameter.name, parameter.placeholder, parameter.help,
+                      "Scene parameters (see `pushfactor list` for which scene has which)");
+        }
+    }
+    app.add_option("--config", words.config, "read options from this JSON file; the command line comes first")
+        ->type_name("FILE")
+        ->group("Simulation");
+}
+
+void add_outputs(CLI::App& app, Request& request) {
+    const auto add = [&app](const char* name, std::optional<std::string>& path, const char* help) {
+        app.add_option(name, path, help)->type_name("FILE")->group(output_group);
+    };
+    add("--csv", request.files.csv, "one line a step: energies, speeds, penetration, residual, counts");
+    add("--trajectory", request.files.trajectory, "one line a body and step (a body and frame with --fps)");
+    add("--rows", request.files.rows, "one line a constraint row and step, with its force");
+    add("--summary", request.summary, "the summary as JSON [run: standard output]");
+    add("--save-state", request.files.save_state, "the state at the end, as a scene file that goes on from there");
+    app.add_flag("--timing", request.timing,
+                 "CPU time of the steps, taken by one thread, in the CSV and the summary")
+        ->group(output_group);
+}
+
+bool understand_switch(const char* option, const std::string& text) {
+    if (text != "on" && text != "off") throw UsageError(fmt::format("{} {}: must be on or off", option, text));
+    return text == "on";
+}
+
+void add_frames(CLI::App& app, Request& request) {
+    for (const FrameOption& option : frame_options()) {
+        add_given(app, request.given, option.name, option.placeholder, option.help, "Frames");
+    }
+    app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out/SCENE for each of several]")
+        ->type_name("DIR")
+        ->group("Frames");
+    app.add_option("--video", request.video,
+                   "also a video (.mp4, .webm or .gif), for which ffmpeg must be installed")
+        ->type_name("FILE")
+        ->group("Frames");
+    app.add_option_function<std::string>(
+           "--frames", [&request](const std::string& text) { request.png = understand_switch("--frames", text); },
+           "off: the video alone, no PNG files [on]")
+        ->type_name("on|off")
+        ->group("Frames");
+}
+
+void add_list(CLI::App& app, Words& words) {
+    app.add_flag("--names", words.request.names_only, "only the names, one a line");
+}
+
+void add_scene(CLI::App& app, Words& words) {
+    app.add_option("SCENE", words.request.scenes, "name of a scene, or a scene file");
+    add_simulation(app, words);
+}
+
+void add_family(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    app.add_option("NAME", request.families, "name of a family [all are listed]");
+    add_given(app, request.given, "seed", "N", "of what is drawn at random [1]", "Options");
+    std::set<std::string_view> seen;
+    for (const families::Family& family : families::families()) {
+        for (const families::FamilyParameter& parameter : family.parameters) {
+            const Parameter& range = parameter.range;
+            if (!seen.insert(range.name).second) continue;
+            add_given(app, request.given, range.name, range.placeholder, range.help,
+                      "Parameters (see `pushfactor family` for which family has which) [at random]");
+        }
+    }
+}
+
+void add_run(CLI::App& app, Words& words) {
+    add_scene(app, words);
+    add_outputs(app, words.request);
+    for (const FrameOption& option : frame_options()) {
+        if (option.name != "fps") continue;  // thins the trajectory; a run has no other use for frames
+        add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
+    }
+}
+
+void add_render(CLI::App& app, Words& words) {
+    app.add_option("SCENE", words.request.scenes, "names of scenes, or scene files");
+    add_simulation(app, words);
+    add_outputs(app, words.request);
+    add_frames(app, words.request);
+}
+
+void add_figures(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    app.add_option("FIGURE", request.figures, "names of figures [all]");
+    app.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")->type_name("DIR");
+    app.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
+        ->type_name("N")
+        ->check(CLI::Range(400, 4096));
+    app.add_option("--samples", request.figure_samples, "drawings that a picture is the mean of [8]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+}
+
+void add_report(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    app.add_option(
+           "REPORT", request.reports,
+           "error: error against work and run time, of every method and scene; stability: stiff and "
+           "extreme cases, each judged; cost: what a step of each scene does and takes; atlas: maps of how runs "
+           "end, over two parameters")
+        ->type_name("NAME");
+    app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
+        ->type_name("DIR");
+    app.add_flag("--quick", request.quick, "few values and short runs: under a minute");
+    app.add_option(
+           "--only", request.parts,
+           "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
+           "atlas: its maps [all]")
+        ->type_name("PART")
+        ->delimiter(',');
+    app.add_flag("--problems", request.problems,
+                 "error: also write the frozen problems as JSON, for other solvers");
+}
+
+struct CommandWords {
+    Request::Command command;
+    const char* name;
+    const char* description;
+    void (*add_options)(CLI::App&, Words&);
+};
+
+constexpr std::array commands{
+    CommandWords{Request::Command::list, "list", "the scenes: what happens, their parameters, what each is made of",
+                 add_list},
+    CommandWords{Request::Command::scene, "scene", "prints a scene as a JSON file that run and render accept",
+                 add_scene},
+    CommandWords{Request::Command::family, "family",
+                 "families of scenes; with a name prints a member, drawn at random, as a scene file", add_family},
+    CommandWords{Request::Command::run, "run", "physics only: CSV files and a summary", add_run},
+    CommandWords{Request::Command::render, "render", "PNG frames or stills, without a display", add_render},
+    CommandWords{Request::Command::figures, "figures",
+                 "the figures of the paper's sections 8, 10 and 12, and ours, as one page", add_figures},
+    CommandWords{Request::Command::report, "report", "measurements of many runs, as CSV files and a page of plots",
+                 add_report},
+};
+
+// CLI11 would list everything that it did not expect; one line with the nearest known name helps more.
+void refuse_extras(const CLI::App& app) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+    }
+    for (const std::string& extra : app.remaining()) {
+        const std::string word = extra.substr(0, extra.find('='));
+        if (extra.starts_with('-')) throw UsageError(word + ": unknown option" + suggestion(word, known));
+        throw UsageError(extra + ": not expected here");
+    }
+}
+
+[[noreturn]] void refuse_command(const CLI::App& app) {
+    std::vector<std::string> known;
+    for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+    const std::vector<std::string> words = app.remaining();
+    if (words.empty())
+        throw UsageError(fmt::format("a command is missing: one of {} (see --help)", fmt::join(known, ", ")));
+    throw UsageError(fmt::format("{}: no such command; there are {}{}", words.front(), fmt::join(known, ", "),
+                                 suggestion(words.front(), known)));
+}
+
+Request::Command command_of(const CLI::App& app) {
+    const auto named = [&](const CommandWords& words) { return app.get_name() == words.name; };
+    return std::ranges::find_if(commands, named)->command;
+}
+
+void check_scenes(const Request& request) {
+    using enum Request::Command;
+    const bool one = request.command == run || request.command == scene;
+    if (request.families.size() > 1) {
+        throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(request.families, " ")));
+    }
+    if ((one || request.command == render) && request.scenes.empty()) {
+        throw UsageError("a scene is missing (see `pushfactor list`)");
+    }
+    if (one && request.scenes.size() > 1) {
+        throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(request.scenes, " ")));
+    }
+}
+
+}  // namespace
+
+std::optional<Request> parse_command_line(int argc, char** argv) {
+    Words words;
+    CLI::App app("Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n",
+                 "pushfactor");
+    app.set_version_flag("--version", "pushfactor " + version_text(), "Print the version and the commit");
+    app.footer(exit_statuses);
+    app.require_subcommand(0, 1);
+    app.allow_extras();
+    for (const CommandWords& command : commands) {
+        CLI::App& added = *app.add_subcommand(command.name, command.description);
+        command.add_options(added, words);
+        added.allow_extras();
+        added.footer(exit_statuses);
+    }
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        app.exit(asked);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    if (app.get_subcommands().empty()) refuse_command(app);
+    const CLI::App& chosen = *app.get_subcommands().front();
+    refuse_extras(chosen);
+
+    Request& request = words.request;
+    request.command = command_of(chosen);
+    if (words.config) add_config(*words.config, request.given);
+    if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
+        request.scenes.push_back(named->text);
+    }
+    check_scenes(request);
+    return request;
+}
+
+}  // namespace pushfactor::demos

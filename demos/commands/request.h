@@ -1,0 +1,38 @@
+// What the command line asks for, before it is understood.
+#pragma once
+
+#include "demos/options/choices.h"
+#include "demos/runs/run_files.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos {
+
+struct Request {
+    enum class Command { list, scene, family, run, render, figures, report };
+
+    Command command = Command::list;
+    std::vector<std::string> scenes;
+    std::vector<std::string> families;  // names; all are listed when empty
+    GivenOptions given;                 // simulation, parameters of scene or family, and frames
+    RunFiles files;
+    std::optional<std::string> summary;  // path; "-" is standard output
+    std::optional<std::string> out;      // folder for frames, figures or reports
+    std::optional<std::string> video;    // path
+    bool png = true;                     // frames as files
+    bool timing = false;
+    bool names_only = false;  // list
+
+    std::vector<std::string> figures;  // names; all when empty
+    int figure_width = 1600;           // pixels
+    int figure_samples = 8;
+
+    std::vector<std::string> reports;  // names; one
+    std::vector<std::string> parts;    // of the report; all when empty
+    bool quick = false;
+    bool problems = false;  // the frozen problems of the report as files
+};
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,37 @@
+#include "demos/options/camera_choice.h"
+
+#include "demos/scenes/camera_file.h"
+#include "demos/text/comma_list.h"
+#include "demos/text/numbers.h"
+
+#include <numbers>
+
+namespace pushfactor::demos {
+
+std::optional<CameraChoice> parse_camera(std::string_view text) {
+    constexpr std::string_view orbit = "orbit:";
+    CameraChoice choice{.text = std::string(text)};
+    for (const std::string_view part : parts_of(text)) {
+        if (part == "fit") {
+            choice.fit = true;
+        } else if (part.starts_with(orbit)) {
+            const auto speed = parse_number(part.substr(orbit.size()));
+            if (!speed || std::abs(*speed) > 1e4) return std::nullopt;
+            choice.degrees_a_second = *speed;
+        } else if (choice.view || !(part.ends_with(".json") || std::filesystem::is_regular_file(part))) {
+            return std::nullopt;
+        } else {
+            choice.view = read_camera_file(part);
+        }
+    }
+    return choice;
+}
+
+View turned(const CameraChoice& choice, View view, double time) {
+    const double angle = choice.degrees_a_second * time * std::numbers::pi / 180.0;
+    const Eigen::AngleAxisd turn(angle, engine::Vector3::UnitY());
+    if (angle != 0.0) view.eye = view.target + turn * (view.eye - view.target);
+    return view;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,216 @@
+#include "demos/options/choices.h"
+
+#include "demos/options/simulation_options.h"
+#include "demos/scenes/scene_file.h"
+#include "demos/text/errors.h"
+#include "demos/text/json_file.h"
+#include "demos/text/numbers.h"
+#include "demos/text/suggest.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace pushfactor::demos {
+
+namespace {
+
+[[noreturn]] void refuse(const GivenOptions::Given& given, std::string_view allowed) {
+    throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, allowed));
+}
+
+std::string text_of(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+Settings understand_settings(const GivenOptions& given) {
+    std::string preset = "default";
+    if (const auto* chosen = given.find("preset")) {
+        std::vector<std::string> names;
+        for (const Preset& known : presets()) names.emplace_back(known.name);
+        if (std::find(names.begin(), names.end(), chosen->text) == names.end()) {
+            refuse(*chosen, fmt::format("one of {}", fmt::join(names, ", ")));
+        }
+        preset = chosen->text;
+    }
+    Settings settings = preset_settings(preset);
+    for (const SimulationOption& option : simulation_options()) {
+        const auto* chosen = given.find(option.name);
+        if (chosen && !option.set(settings, chosen->text)) refuse(*chosen, option.allowed);
+    }
+    return settings;
+}
+
+bool is_parameter_of(const SceneEntry& scene, std::string_view name) {
+    return std::any_of(scene.parameters.begin(), scene.parameters.end(),
+                       [name](const Parameter& parameter) { return parameter.name == name; });
+}
+
+std::string parameters_of(const SceneEntry* scene) {
+    std::string names;
+    if (!scene) return "none";
+    for (const Parameter& parameter : scene->parameters) {
+        names += (names.empty() ? "--" : ", --") + std::string(parameter.name);
+    }
+    return names;
+}
+
+// Parameters belong to the scenes of the catalogue; `own` is null for a scene file.
+void refuse_foreign_parameters(const std::string& scene, const SceneEntry* own, const GivenOptions& given) {
+    for (const SceneEntry& other : catalogue()) {
+        for (const Parameter& parameter : other.parameters) {
+            const auto* chosen = given.find(parameter.name);
+            if (!chosen || (own && is_parameter_of(*own, parameter.name))) continue;
+            throw UsageError(fmt::format("{} {}: scene {} has no such parameter; it has {}", chosen->field,
+                                         chosen->text, scene, parameters_of(own)));
+        }
+    }
+}
+
+ParameterValues understand_parameters(const SceneEntry& scene, const GivenOptions& given) {
+    ParameterValues values(scene.parameters);
+    for (const Parameter& parameter : scene.parameters) {
+        const auto* chosen = given.find(parameter.name);
+        if (chosen && !values.set(parameter, chosen->text)) refuse(*chosen, parameter.allowed());
+    }
+    return values;
+}
+
+// A name that is neither a scene nor looks like a file was meant as a scene.
+void require_scene(const std::string& name) {
+    if (find_scene(name) || name.ends_with(".json") || std::filesystem::exists(name)) return;
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
+    throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
+                                 fmt::join(names, ", "), suggestion(name, names)));
+}
+
+// Fills in scene, description and parameters.
+void understand_scene(const std::string& name, const GivenOptions& given, Choices& choices) {
+    require_scene(name);
+    choices.scene = name;
+    const SceneEntry* const entry = find_scene(name);
+    refuse_foreign_parameters(name, entry, given);
+    if (!entry) {
+        choices.description = read_scene_file(name);
+        return;
+    }
+    const ParameterValues values = understand_parameters(*entry, given);
+    for (const Parameter& parameter : entry->parameters) {
+        choices.parameters.emplace_back(parameter.name, to_text(values.number(parameter.name)));
+    }
+    choices.description = entry->describe(values);
+}
+
+FrameChoices understand_frames(const GivenOptions& given) {
+    FrameChoices choices;
+    for (const FrameOption& option : frame_options()) {
+        const auto* chosen = given.find(option.name);
+        if (chosen && !option.set(choices, chosen->text)) refuse(*chosen, option.allowed);
+    }
+    return choices;
+}
+
+std::vector<std::string> known_in_config() {
+    std::vector<std::string> names = simulation_option_names();
+    names.emplace_back("scene");
+    for (const FrameOption& option : frame_options()) names.emplace_back(option.name);
+    std::set<std::string> parameters;
+    for (const SceneEntry& scene : catalogue()) {
+        for (const Parameter& parameter : scene.parameters) parameters.emplace(parameter.name);
+    }
+    names.insert(names.end(), parameters.begin(), parameters.end());
+    return names;
+}
+
+}  // namespace
+
+void GivenOptions::add(const std::string& name, const std::string& text, const std::string& field) {
+    given_.try_emplace(name, Given{text, field});
+}
+
+bool GivenOptions::preset_decides(std::string_view option) const {
+    const Given* const compared = find("compare");
+    const bool given = find("preset") || (compared && compared->text.starts_with("preset="));
+    return given && is_of_preset(option);
+}
+
+const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
+    const auto found = given_.find(name);
+    return found == given_.end() ? nullptr : &found->second;
+}
+
+void add_config(const std::filesystem::path& file, GivenOptions& given) {
+    const Json config = read_json_file(file, "--config " + file.string());
+    if (!config.is_object()) {
+        throw UsageError(fmt::format("--config {}: must be an object of option names and values", file.string()));
+    }
+    const std::vector<std::string> known = known_in_config();
+    const GivenOptions above = given;
+    for (const auto& [name, value] : config.items()) {
+        const std::string field = fmt::format("{} in {}", name, file.string());
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            throw UsageError(field + ": unknown option" + suggestion(name, known));
+        }
+        if (!value.is_string() && !value.is_number()) {
+            throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
+        }
+        if (!above.preset_decides(name)) given.add(name, text_of(value), field);
+    }
+}
+
+Choices understand(const std::string& scene, GivenOptions given) {
+    Choices choices;
+    understand_scene(scene, given, choices);
+    const std::vector<std::string> known = simulation_option_names();
+    const GivenOptions above = given;
+    for (const auto& [name, text] : choices.description.options) {
+        const std::string field = fmt::format("{}: options.{}", scene, name);
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            throw UsageError(field + ": unknown key" + suggestion(name, known));
+        }
+        // A run that goes on has had its start, whatever a preset says of starts.
+        const bool is_over = choices.description.state && name == "start-kick";
+        if (above.preset_decides(name) && !is_over) continue;
+        given.add(name, text, field);
+    }
+    choices.settings = understand_settings(given);
+    choices.frames = understand_frames(given);
+    return choices;
+}
+
+SceneDescription spelled_out(const Choices& choices) {
+    SceneDescription description = choices.description;
+    description.options["preset"] = choices.settings.preset;
+    for (const SimulationOption& option : simulation_options()) {
+        const std::string text = option.get(choices.settings);
+        if (!text.empty()) description.options[std::string(option.name)] = text;
+    }
+    return description;
+}
+
+std::string config_text(const Choices& choices, const GivenOptions& given) {
+    Json config;
+    config["scene"] = choices.scene;
+    if (choices.frames.compare) {
+        for (const auto& [name, option] : given.all()) {
+            if (name != "scene") config[name] = json_of(option.text);
+        }
+        return config.dump(2) + "\n";
+    }
+    config["preset"] = choices.settings.preset;
+    for (const SimulationOption& option : simulation_options()) {
+        const std::string text = option.get(choices.settings);
+        if (!text.empty()) config[std::string(option.name)] = json_of(text);
+    }
+    for (const auto& [name, text] : choices.parameters) {
+        if (given.find(name)) config[name] = json_of(text);
+    }
+    for (const FrameOption& option : frame_options()) {
+        const std::string text = option.get(choices.frames);
+        if (!text.empty()) config[std::string(option.name)] = json_of(text);
+    }
+    return config.dump(2) + "\n";
+}
+
+}  // namespace pushfactor::demos

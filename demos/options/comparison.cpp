@@ -1,0 +1,47 @@
+#include "demos/options/comparison.h"
+
+#include "demos/options/simulation_options.h"
+#include "demos/text/errors.h"
+#include "demos/text/suggest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pushfactor::demos {
+
+namespace {
+
+// All that may differ between panels: they must show the same moments.
+std::vector<std::string> comparable(const Choices& choices) {
+    std::vector<std::string> names = simulation_option_names();
+    std::erase(names, "seconds");
+    for (const auto& [name, value] : choices.parameters) names.push_back(name);
+    return names;
+}
+
+}  // namespace
+
+std::vector<Panel> understand_panels(const std::string& scene, const GivenOptions& given) {
+    const Choices common = understand(scene, given);
+    const auto& comparison = common.frames.compare;
+    if (!comparison) return {{.label = "", .choices = common}};
+
+    const std::vector<std::string> names = comparable(common);
+    if (std::find(names.begin(), names.end(), comparison->option) == names.end()) {
+        const auto* chosen = given.find("compare");
+        throw UsageError(fmt::format("{} {}: cannot compare {}; it must be one of {}{}", chosen->field,
+                                     chosen->text, comparison->option, fmt::join(names, ", "),
+                                     suggestion(comparison->option, names)));
+    }
+    std::vector<Panel> panels;
+    for (const std::string& value : comparison->values) {
+        GivenOptions own;
+        own.add(comparison->option, value, fmt::format("--compare {}", comparison->option));
+        own.add_all(given);
+        panels.push_back({.label = comparison->option + " " + value, .choices = understand(scene, own)});
+    }
+    return panels;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,210 @@
+#include "demos/options/frame_options.h"
+
+#include "demos/text/comma_list.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pushfactor::demos {
+
+namespace {
+
+constexpr int max_side = 4096;
+constexpr int most_samples = 256;
+constexpr std::size_t most_panels = 16;
+
+bool set_size(FrameChoices& choices, std::string_view text) {
+    const auto x = text.find('x');
+    if (x == std::string_view::npos) return false;
+    const auto width = parse_integer(text.substr(0, x));
+    const auto height = parse_integer(text.substr(x + 1));
+    if (!width || !height || std::min(*width, *height) < 16 || std::max(*width, *height) > max_side) return false;
+    choices.width = *width;
+    choices.height = *height;
+    return true;
+}
+
+bool set_fps(FrameChoices& choices, std::string_view text) {
+    const auto fps = parse_rational(text);
+    if (!fps || fps->numerator <= 0 || fps->value() > 1e6) return false;
+    choices.fps = fps;
+    return true;
+}
+
+bool set_at(FrameChoices& choices, std::string_view text) {
+    std::vector<Rational> times;
+    for (const std::string_view part : parts_of(text)) {
+        const auto time = parse_rational(part);
+        if (!time || time->numerator < 0) return false;
+        times.push_back(*time);
+    }
+    choices.at = times;
+    return true;
+}
+
+std::string get_at(const FrameChoices& choices) {
+    std::string text;
+    for (const Rational& time : choices.at) text += (text.empty() ? "" : ",") + to_text(time);
+    return text;
+}
+
+bool set_samples(FrameChoices& choices, std::string_view text) {
+    const auto samples = parse_integer(text);
+    if (!samples || *samples < 1 || *samples > most_samples) return false;
+    choices.samples = *samples;
+    return true;
+}
+
+bool set_play_speed(FrameChoices& choices, std::string_view text) {
+    const auto speed = parse_rational(text);
+    if (!speed || speed->numerator <= 0 || speed->value() > 1e6) return false;
+    choices.play_speed = *speed;
+    return true;
+}
+
+bool set_camera(FrameChoices& choices, std::string_view text) {
+    const auto camera = parse_camera(text);
+    if (camera) choices.camera = *camera;
+    return camera.has_value();
+}
+
+bool set_caption(FrameChoices& choices, std::string_view text) {
+    choices.caption = text == "on";
+    return text == "on" || text == "off";
+}
+
+bool set_overlay(FrameChoices& choices, std::string_view text) {
+    const auto overlay = parse_overlay(text);
+    if (overlay) choices.overlay = *overlay;
+    return overlay.has_value();
+}
+
+bool set_compare(FrameChoices& choices, std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string_view::npos) return false;
+    Comparison comparison{.option = std::string(text.substr(0, equals)), .values = {}};
+    for (const std::string_view value : parts_of(text.substr(equals + 1))) comparison.values.emplace_back(value);
+    if (comparison.values.size() < 2 || comparison.values.size() > most_panels) return false;
+    choices.compare = comparison;
+    return true;
+}
+
+bool set_gl(FrameChoices& choices, std::string_view text) {
+    choices.gl = text;
+    return text == "osmesa" || text == "egl";
+}
+
+std::string get_compare(const FrameChoices& choices) {
+    if (!choices.compare) return {};
+    return fmt::format("{}={}", choices.compare->option, fmt::join(choices.compare->values, ","));
+}
+
+const std::array options{
+    FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
+                set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
+    FrameOption{"fps", "N", "frames (or trajectory lines) a second; each must fall on a step [60 for frames]",
+                "a number above 0", set_fps,
+                [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); }},
+    FrameOption{"play-speed", "X", "simulated seconds in a second of the film: below 1 is slow motion [1]",
+                "a number above 0", set_play_speed,
+                [](const FrameChoices& c) {
+                    return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
+                }},
+    FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
+                "times in s from 0, separated by commas, like 0,0.5,10", set_at, get_at},
+    FrameOption{"samples", "N",
+                "drawings that a picture is the mean of, each a little shifted: smoother edges and shadows [1]",
+                fmt::format("a whole number from 1 to {}", most_samples), set_samples,
+                [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
+    FrameOption{"camera", "WHAT",
+                "from where: a camera FILE (.json), fit (near, with all that moves in the picture) or "
+                "orbit:DEGREES_PER_SECOND; several with commas [the scene's own]",
+                "a camera file, fit or orbit:DEGREES_PER_SECOND, or several of them with commas", set_camera,
+                [](const FrameChoices& c) { return c.camera.text; }},
+    FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
+                [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
+    FrameOption{
+        "overlay", "WHAT",
+        "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
+        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; several with commas",
+        "some of contacts, forces, push, velocities, islands, rest with commas, forces, push and velocities also "
+        "with a scale like forces:50",
+        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
+    FrameOption{"compare", "OPTION=V1,V2,...",
+                "panels side by side that differ in this option: push=none,persistent,single-frame",
+                fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare},
+    FrameOption{"gl", "osmesa|egl", "the OpenGL that draws [osmesa, or egl where that is not installed]",
+                "osmesa or egl", set_gl, [](const FrameChoices& c) { return c.gl; }},
+};
+
+// The rates nearest to `fps` that fall on steps when the film runs at `speed`; whole ones where there are any.
+std::string rates_that_fit(const Rational& fps, const Rational& dt, const Rational& speed) {
+    const Rational steps_a_second = speed / dt;
+    std::vector<Rational> rates;
+    for (std::int64_t k = 1; k <= 10000; ++k) {
+        const Rational rate = steps_a_second / Rational{k, 1};
+        if (rate.is_whole() || k == 1) rates.push_back(rate);
+    }
+    std::stable_sort(rates.begin(), rates.end(), [&](const Rational& a, const Rational& b) {
+        return std::abs(a.value() - fps.value()) < std::abs(b.value() - fps.value());
+    });
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, rates.size()); ++i) {
+        text += (text.empty() ? "" : ", ") + to_text(rates[i]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::span<const FrameOption> frame_options() {
+    return options;
+}
+
+long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play_speed) {
+    const Rational steps = play_speed / (fps * dt);
+    if (!steps.is_whole()) {
+        const std::string at_speed =
+            play_speed == Rational{1, 1} ? "" : fmt::format(" at --play-speed {}", to_text(play_speed));
+        throw UsageError(
+            fmt::format("--fps {}{}: a frame must be a whole number of steps of {} s; rates that fit are {}",
+                        to_text(fps), at_speed, to_text(dt), rates_that_fit(fps, dt, play_speed)));
+    }
+    return static_cast<long>(steps.numerator);
+}
+
+std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, long steps) {
+    std::vector<Frame> frames;
+    if (choices.at.empty()) {
+        const long every = steps_a_frame(choices.film_rate(), dt, choices.play_speed);
+        for (long n = 0; n * every <= steps; ++n) frames.push_back({n * every, fmt::format("frame_{:06}.png", n)});
+        return frames;
+    }
+    for (const Rational& time : choices.at) {
+        const Rational step = time / dt;
+        if (!step.is_whole()) {
+            const long below = static_cast<long>(std::floor(step.value()));
+            throw UsageError(fmt::format(
+                "--at {}: must be a whole number of steps of {} s; the nearest are {} and {}", to_text(time),
+                to_text(dt), to_text(dt * Rational{below, 1}), to_text(dt * Rational{below + 1, 1})));
+        }
+        if (step.numerator > steps) {
+            throw UsageError(fmt::format("--at {}: must be within the {} s of the run", to_text(time),
+                                         to_text(dt * Rational{steps, 1})));
+        }
+        std::string name = to_text(time);
+        std::replace(name.begin(), name.end(), '/', '_');
+        frames.push_back({static_cast<long>(step.numerator), "at_" + name + "s.png"});
+    }
+    std::stable_sort(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.step < b.step; });
+    const auto same = [](const Frame& a, const Frame& b) { return a.step == b.step; };
+    frames.erase(std::unique(frames.begin(), frames.end(), same), frames.end());
+    return frames;
+}
+
+}  // namespace pushfactor::demos

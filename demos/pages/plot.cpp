@@ -1,0 +1,71 @@
+#include "demos/pages/plot.h"
+
+#include "demos/platform/assets.h"
+#include "demos/platform/child_process.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
+#include "demos/text/palette.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A string of gnuplot: in single quotes, where only the quote itself is special and doubled.
+std::string quoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+    return result + "'";
+}
+
+std::string hexadecimal(const Colour& colour) {
+    return fmt::format("#{:06x}", number_of(colour));
+}
+
+// The frames' colours under their names, so that plots have the same.
+std::string colours() {
+    std::string text;
+    for (const Colour& colour : palette) {
+        text += fmt::format("{} = {}; ", colour.name, quoted(hexadecimal(colour)));
+    }
+    return text;
+}
+
+std::string variables_of(const Plot& plot) {
+    std::string text;
+    for (const auto& [name, value] : plot.variables) {
+        const auto* number = std::get_if<double>(&value);
+        text += fmt::format("{} = {}; ", name, number ? to_text(*number) : quoted(std::get<std::string>(value)));
+    }
+    return text;
+}
+
+}  // namespace
+
+bool plots_can_be_drawn() {
+    return find_tool("gnuplot").has_value();
+}
+
+std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
+    const fs::path scripts = asset_folder("plots");
+    const int height = static_cast<int>(plot.width / plot.aspect);
+    std::vector<std::string> made;
+    for (const std::string format : {"png", "svg"}) {
+        made.push_back(plot.name + "." + format);
+        const std::string settings =
+            fmt::format("{}{}data = {}; made = {}; format = {}; width = {}; height = {}; style = {}", colours(),
+                        variables_of(plot), quoted(plot.data.string()), quoted((folder / made.back()).string()),
+                        quoted(format), plot.width, height, quoted((scripts / "style.gp").string()));
+        try {
+            Tool("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()}).finish();
+        } catch (const ToolError& error) {
+            throw OutputError(error.what());
+        }
+    }
+    return made;
+}
+
+}  // namespace pushfactor::demos

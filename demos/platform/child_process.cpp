@@ -1,0 +1,186 @@
+#include "demos/platform/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace pushfactor::demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void close_if_open(int& descriptor) {
+    if (descriptor >= 0) close(descriptor);
+    descriptor = -1;
+}
+
+// What waitpid() says of a child that has ended; -1 when the system kept no record of it.
+int wait_for(pid_t child) {
+    int status = -1;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) return -1;
+    }
+    return status;
+}
+
+std::string describe(int status) {
+    if (WIFEXITED(status)) return fmt::format("ended with status {}", WEXITSTATUS(status));
+    if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
+    return "ended in an unknown way";
+}
+
+// The last three lines of a file, as one.
+std::string last_lines(std::FILE* file) {
+    std::fseek(file, 0, SEEK_END);
+    std::fseek(file, std::max(std::ftell(file) - 4096, 0L), SEEK_SET);
+    std::string text(4096, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file));
+
+    std::string lines;
+    int count = 0;
+    for (std::size_t end = text.size(); end > 0 && count < 3;) {
+        const std::size_t newline = text.find_last_of("\r\n", end - 1);
+        const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+        if (begin < end) {
+            lines = text.substr(begin, end - begin) + (count > 0 ? "; " : "") + lines;
+            ++count;
+        }
+        end = begin > 0 ? begin - 1 : 0;
+    }
+    return lines;
+}
+
+}  // namespace
+
+// Searched as a shell does: an empty entry is the working folder.
+std::optional<fs::path> find_tool(const std::string& name) {
+    const char* const path = std::getenv("PATH");
+    std::string_view folders = path ? path : "/usr/bin:/bin";
+    for (bool more = true; more;) {
+        const auto colon = folders.find(':');
+        const fs::path candidate = fs::path(folders.substr(0, colon)) / name;
+        std::error_code ignored;
+        if (fs::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0) return candidate;
+        more = colon != std::string_view::npos;
+        if (more) folders.remove_prefix(colon + 1);
+    }
+    return std::nullopt;
+}
+
+Tool::Tool(const std::string& name, const std::string& package, std::vector<std::string> arguments) : name_(name) {
+    const auto program = find_tool(name);
+    if (!program) throw ToolError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
+
+    // What it says goes to a file: a pipe that nobody reads would fill up, and both would wait for ever.
+    said_ = std::tmpfile();
+    if (!said_) throw ToolError(fmt::format("no temporary file: {}", std::strerror(errno)));
+    arguments.insert(arguments.begin(), name);
+    try {
+        start(*program, std::move(arguments));
+    } catch (const ToolError&) {
+        close_if_open(input_);
+        std::fclose(said_);
+        throw;
+    }
+}
+
+Tool::~Tool() {
+    close_if_open(input_);
+    if (process_ != 0) {
+        // All of its group: some systems wrap a tool in a script.
+        kill(-process_, SIGKILL);
+        wait_for(process_);
+    }
+    std::fclose(said_);
+}
+
+void Tool::start(const fs::path& program, std::vector<std::string> words) {
+    // A socket and not a pipe, because send() can be told not to raise SIGPIPE. Close-on-exec, or a tool that is
+    // started later would hold it open and this one would never see its end.
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw ToolError(std::strerror(errno));
+    input_ = ends[0];
+
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, fileno(said_), STDERR_FILENO);
+    // A process group of its own, which the terminal's Ctrl-C does not reach.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    pid_t started = 0;
+    const int error = posix_spawn(&started, program.c_str(), &files, &attributes, pointers.data(), environ);
+
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    close(ends[1]);
+    if (error != 0) throw ToolError(fmt::format("{} does not start: {}", program.string(), std::strerror(error)));
+    process_ = started;
+}
+
+int Tool::wait_for_end() {
+    close_if_open(input_);
+    return wait_for(std::exchange(process_, 0));
+}
+
+void Tool::fail(int status) const {
+    const std::string words = last_lines(said_);
+    throw ToolError(fmt::format("{} {}{}{}", name_, describe(status), words.empty() ? "" : ": ", words));
+}
+
+void Tool::feed(std::span<const std::uint8_t> bytes) {
+    assert(input_ >= 0);
+    while (!bytes.empty()) {
+        const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent >= 0) {
+            bytes = bytes.subspan(static_cast<std::size_t>(sent));
+        } else if (errno == EPIPE || errno == ECONNRESET) {
+            fail(wait_for_end());
+        } else if (errno != EINTR) {
+            throw ToolError(std::strerror(errno));
+        }
+    }
+}
+
+void Tool::finish() {
+    assert(process_ != 0);
+    const int status = wait_for_end();
+    if (status != 0) fail(status);
+}
+
+bool Tool::has_ended() const {
+    assert(process_ != 0);
+    siginfo_t info{};
+    const int flags = WEXITED | WNOHANG | WNOWAIT;
+    return waitid(P_PID, static_cast<id_t>(process_), &info, flags) != 0 || info.si_pid == process_;
+}
+
+Ending Tool::ending() {
+    assert(process_ != 0);
+    const int status = wait_for_end();
+    const int reported =
+        WIFEXITED(status) ? WEXITSTATUS(status) : 128 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+    return {reported, last_lines(said_)};
+}
+
+}  // namespace pushfactor::demos

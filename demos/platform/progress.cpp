@@ -1,0 +1,60 @@
+#include "demos/platform/progress.h"
+
+#include "demos/text/errors.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+namespace pushfactor::demos {
+
+namespace {
+
+std::atomic<bool> interrupt_came = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set nothing else");
+
+}  // namespace
+
+ProgressBar::ProgressBar(std::string label, long total)
+    : label_(std::move(label)),
+      total_(total),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      next_(start_) {}
+
+ProgressBar::~ProgressBar() {
+    if (drawn_) std::fputc('\n', stderr);
+}
+
+void ProgressBar::show(long done) {
+    const auto now = Clock::now();
+    if (!terminal_ || total_ <= 0 || (now < next_ && done < total_)) return;
+    next_ = now + std::chrono::milliseconds(100);
+    drawn_ = true;
+
+    constexpr int width = 30;
+    const double share = static_cast<double>(done) / static_cast<double>(total_);
+    const int filled = static_cast<int>(share * width);
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
+    const double left = share > 0.0 ? elapsed * (1.0 - share) / share : 0.0;
+    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left ", label_, "", filled, "", width - filled, done,
+               total_, left);
+    std::fflush(stderr);
+}
+
+void note_interrupts() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupt_came = true; });
+}
+
+bool interrupted() {
+    return interrupt_came;
+}
+
+void stop_if_interrupted(const std::string& what_is_left) {
+    if (interrupted()) throw RunError("interrupted: " + what_is_left);
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,59 @@
+// What scenes of the stress list are put together from.
+#pragma once
+
+#include "demos/scenes/scene_description.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pushfactor::demos::reports::stability {
+
+constexpr double usual_gravity = 10.0;  // m/s^2
+
+inline BodyDescription ground() {
+    return {.name = "ground", .shape = PlaneShape{}};
+}
+
+inline BodyDescription ball(double radius, const engine::Vector3& position,
+                            const engine::Vector3& velocity = engine::Vector3::Zero()) {
+    return {.name = "ball", .shape = SphereShape{radius}, .mass = 1.0, .position = position, .velocity = velocity};
+}
+
+inline BodyDescription box(const std::string& name, const engine::Vector3& size, const engine::Vector3& position) {
+    return {.name = name, .shape = BoxShape{size}, .mass = 1.0, .position = position};
+}
+
+inline BodyDescription wall(const std::string& name, const engine::Vector3& size, const engine::Vector3& position) {
+    return {.name = name, .shape = BoxShape{size}, .position = position};
+}
+
+inline SceneDescription touching(const std::string& name, std::vector<BodyDescription> bodies) {
+    SceneDescription scene;
+    scene.name = name;
+    scene.bodies = std::move(bodies);
+    scene.contacts = true;
+    return scene;
+}
+
+// Turned by `angle` [rad] about the vertical.
+inline engine::Quaternion turned(double angle) {
+    return engine::Quaternion(Eigen::AngleAxisd(angle, engine::Vector3::UnitY()));
+}
+
+// A horizontal vector of this length, turned by `angle` [rad] about the vertical from the x axis.
+inline engine::Vector3 along(double angle, double length) {
+    return turned(angle) * engine::Vector3(length, 0, 0);
+}
+
+// Angular velocity [rad/s] with which a ball rolls on level ground at `velocity` [m/s].
+inline engine::Vector3 rolling(const engine::Vector3& velocity, double radius) {
+    return engine::Vector3::UnitY().cross(velocity) / radius;
+}
+
+// Looks at the origin from the right, as much from above as `height` says; pictures find their own distance.
+inline View seen_from(double height) {
+    return {.eye = 20.0 * engine::Vector3(0.45, height, 1.0).normalized(), .target = engine::Vector3::Zero()};
+}
+
+}  // namespace pushfactor::demos::reports::stability

@@ -1,0 +1,139 @@
+#include "demos/reports/stability/scenes/thin.h"
+
+#include "demos/reports/stability/scenes/pieces.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::reports::stability {
+
+namespace {
+
+using engine::Quaternion;
+using engine::Vector3;
+
+constexpr double height = 0.6;  // m, of a card that stands
+constexpr double rod_length = 1.0;
+constexpr double rod_thickness = 0.04;
+constexpr int links = 5;
+constexpr double link_length = 0.5;
+
+// Turned by `angle` [rad] about the z axis.
+Quaternion inclined(double angle) {
+    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+}
+
+// Standing on its long edge, leaning by `angle` towards +x (-x where it is negative): its lower edge is on the
+// ground, and `at` [m] is the x coordinate of the farthest point of its upper end.
+BodyDescription leaning_card(const std::string& name, double angle, double at) {
+    const double sine = std::sin(std::abs(angle));
+    const double cosine = std::cos(angle);
+    const double reach = 0.5 * (height * sine + card_thickness * cosine);
+    const double middle = 0.5 * (height * cosine + card_thickness * sine);
+    BodyDescription card =
+        box(name, {card_thickness, height, 1.0}, {angle > 0.0 ? at - reach : at + reach, middle, 0});
+    card.orientation = inclined(-angle);
+    return card;
+}
+
+// Of a rod whose upper end hangs at the origin, in the plane z = 0.
+Vector3 down_along(double angle) {
+    return {std::sin(angle), -std::cos(angle), 0};
+}
+
+}  // namespace
+
+SceneDescription card_lying() {
+    SceneDescription scene =
+        touching("card-lying", {ground(), box("card", {1, card_thickness, height}, {0, 0.5 * card_thickness, 0})});
+    scene.view = seen_from(0.5);
+    return scene;
+}
+
+SceneDescription card_upright() {
+    SceneDescription scene = touching("card-upright", {ground(), wall("box", {0.4, 0.4, 1.2}, {0.2, 0.2, 0}),
+                                                       leaning_card("card", 0.0, card_thickness)});
+    scene.bodies.back().position.x() = -0.5 * card_thickness;
+    scene.view = seen_from(0.5);
+    return scene;
+}
+
+SceneDescription card_leaning(double angle) {
+    SceneDescription scene = touching(
+        "card-leaning", {ground(), wall("box", {0.4, 0.4, 1.2}, {0.2, 0.2, 0}), leaning_card("card", angle, 0.0)});
+    // Until its face is at the edge of the box: there its surface is this far from the plane of symmetry.
+    BodyDescription& card = scene.bodies.back();
+    const Vector3 face = card.orientation * Vector3::UnitX();
+    const Vector3 point = card.position + 0.5 * card_thickness * face;
+    card.position.x() += face.dot(Vector3(0, 0.4, 0) - point) / face.x();
+    scene.view = {.eye = {-6, 5, 14}};
+    return scene;
+}
+
+SceneDescription card_house(double angle) {
+    SceneDescription scene =
+        touching("card-house", {ground(), leaning_card("left", angle, 0.0), leaning_card("right", -angle, 0.0)});
+    scene.view = seen_from(0.4);
+    return scene;
+}
+
+SceneDescription plank_on_supports() {
+    SceneDescription scene = touching(
+        "plank-on-supports",
+        {ground(), wall("left", {0.1, 0.3, 0.3}, {-0.8, 0.15, 0}), wall("right", {0.1, 0.3, 0.3}, {0.8, 0.15, 0}),
+         box("plank", {2, plank_thickness, 0.2}, {0, 0.3 + 0.5 * plank_thickness, 0})});
+    scene.view = seen_from(0.4);
+    return scene;
+}
+
+SceneDescription rod_lying() {
+    SceneDescription scene = touching(
+        "rod-lying", {ground(), box("rod", {1, card_thickness, card_thickness}, {0, 0.5 * card_thickness, 0})});
+    scene.bodies.back().orientation = turned(0.5);
+    scene.view = seen_from(0.5);
+    return scene;
+}
+
+SceneDescription rod_pendulum(double angle) {
+    BodyDescription rod =
+        box("rod", {rod_thickness, rod_length, rod_thickness}, 0.5 * rod_length * down_along(angle));
+    rod.orientation = inclined(angle);
+    SceneDescription scene;
+    scene.name = "rod-pendulum";
+    scene.bodies = {rod};
+    scene.distances = {{.a = {"world", Vector3::Zero()}, .b = {"rod", {0, 0.5 * rod_length, 0}}, .length = 0.0}};
+    scene.view = seen_from(0.1);
+    return scene;
+}
+
+double rod_pendulum_period(double angle) {
+    // Of a mass of 1 kg: g l / 2 over the moment of inertia about the end.
+    const double inertia = rod_length * rod_length / 3.0 + rod_thickness * rod_thickness / 12.0;  // m^2
+    const double rate = std::sqrt(usual_gravity * 0.5 * rod_length / inertia);                    // rad/s
+    return 4.0 * std::comp_ellint_1(std::sin(0.5 * angle)) / rate;
+}
+
+SceneDescription ball_joint_chain(double angle) {
+    SceneDescription scene;
+    scene.name = "ball-joint-chain";
+    const Vector3 up(0, 0.5 * link_length, 0);
+    std::string above = "world";
+    for (int i = 0; i < links; ++i) {
+        BodyDescription rod = box("rod " + std::to_string(i + 1), {rod_thickness, link_length, rod_thickness},
+                                  (i + 0.5) * link_length * down_along(angle));
+        rod.orientation = inclined(angle);
+        scene.distances.push_back(
+            {.a = {above, i == 0 ? Vector3(Vector3::Zero()) : Vector3(-up)}, .b = {rod.name, up}, .length = 0.0});
+        above = rod.name;
+        scene.bodies.push_back(rod);
+    }
+    scene.view = seen_from(0.1);
+    return scene;
+}
+
+double ball_joint_chain_swing(double angle) {
+    const double mass = links;  // kg
+    return mass * usual_gravity * 0.5 * links * link_length * (1.0 - std::cos(angle));
+}
+
+}  // namespace pushfactor::demos::reports::stability

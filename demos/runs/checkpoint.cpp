@@ -1,0 +1,39 @@
+#include "demos/runs/checkpoint.h"
+
+namespace pushfactor::demos {
+
+void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
+    into.bodies = scene.world.bodies;
+    into.state.time = scene.world.time();
+    scene.world.take_memory(into.state.warm_start);
+    into.state.substeps = substeps;
+    if (scene.distances) into.state.distance_forces = scene.distances->forces();
+    if (scene.contacts) scene.contacts->all_forces(into.state.contact_forces);
+    if (scene.world.rest) {
+        const auto rest = scene.world.rest->memory();
+        into.state.rest.assign(rest.begin(), rest.end());
+    }
+}
+
+SceneDescription resumed(SceneDescription description, const Scene& scene, const Checkpoint& checkpoint) {
+    for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+        const engine::Body& body = checkpoint.bodies[i];
+        BodyDescription& described = description.bodies[i];
+        described.position = body.position;
+        described.orientation = body.orientation;
+        if (body.is_static()) continue;
+        described.velocity.setZero();
+        described.angular_velocity.setZero();
+        described.linear_momentum = body.linear_momentum;
+        described.angular_momentum = body.angular_momentum;
+    }
+    // A length that the start decided would be another one now.
+    for (std::size_t i = 0; i < description.distances.size(); ++i) {
+        description.distances[i].length = scene.distances->distances()[i].length;
+    }
+    description.state = std::make_shared<RunState>(checkpoint.state);
+    description.options["start-kick"] = "off";
+    return description;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,199 @@
+#include "demos/runs/simulation.h"
+
+#include "demos/options/choices.h"
+#include "demos/text/errors.h"
+#include "engine/bodies/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pushfactor::demos {
+
+namespace {
+
+double max_length_error(std::span<const engine::ConstraintRow> rows) {
+    double largest = 0.0;
+    for (const engine::ConstraintRow& row : rows) {
+        if (row.label.kind == engine::RowKind::distance) largest = std::max(largest, std::abs(row.label.gap));
+    }
+    return largest;
+}
+
+bool wants_kick(const Scene& scene, const Settings& settings) {
+    const StartKick choice = settings.start_kick;
+    if (is_rattle(settings.scheme)) return false;
+    if (choice != StartKick::where_it_fits) return choice == StartKick::on;
+    const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
+        return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
+    });
+    return at_rest && !scene.contacts;
+}
+
+StepDivision division_of(const Scene& scene, const Settings& settings) {
+    if (settings.substeps) return StepDivision(*settings.substeps);
+    return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
+}
+
+// Of the body with the largest number in its state; the first of several.
+std::size_t most_extreme(std::span<const engine::Body> bodies) {
+    const auto extreme = [](const engine::Body& body) {
+        return std::max({body.position.cwiseAbs().maxCoeff(), body.linear_momentum.cwiseAbs().maxCoeff(),
+                         body.angular_momentum.cwiseAbs().maxCoeff()});
+    };
+    const auto found = std::max_element(bodies.begin(), bodies.end(),
+                                        [&](const auto& a, const auto& b) { return extreme(a) < extreme(b); });
+    return static_cast<std::size_t>(found - bodies.begin());
+}
+
+}  // namespace
+
+long whole_steps(const Settings& settings) {
+    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
+    return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
+}
+
+std::string_view body_name(const Scene& scene, int body) {
+    const auto index = static_cast<std::size_t>(body);
+    return index < scene.bodies.size() ? std::string_view(scene.bodies[index].name) : "world";
+}
+
+Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
+    : scene_(std::move(scene)),
+      settings_(settings),
+      division_(division_of(scene_, settings)),
+      clock_(clock),
+      energy_(scene_.gravity) {
+    start();
+    energy_.open(scene_.world.bodies, settings_.dt.value());
+    measure_state();
+}
+
+Simulation::Simulation(const Choices& choices, Clock clock)
+    : Simulation(build_scene(choices), choices.settings, clock) {}
+
+void Simulation::start() {
+    const double dt = settings_.dt.value();
+    // What the rules ask about is not known before the first solve.
+    if (!settings_.substeps && !scene_.substeps_before) scene_.world.prepare(dt);
+    if (!wants_kick(scene_, settings_)) return;
+    StepDivision first = division_;
+    scene_.world.kick_back_half(dt / first.divide(scene_.world, dt));
+}
+
+const Sample& Simulation::advance() {
+    const long step = sample_.step + 1;
+    sample_ = {};
+    sample_.step = step;
+    sample_.time = (settings_.dt * Rational{step, 1}).value();
+    if (clock_) sample_.cpu_us = 0.0;
+    take_checkpoint(scene_, division_.level(), before_);
+    divide_step();
+    measure_state();
+    require_finite_sample();
+    return sample_;
+}
+
+void Simulation::divide_step() {
+    const double dt = settings_.dt.value();
+    int parts = division_.divide(scene_.world, dt);
+    sample_.substeps = 0;
+    for (int done = 0; done < parts; ++done) {
+        if (done > 0) {
+            const int finer = division_.refine(scene_.world, dt, parts);
+            done *= finer;
+            parts *= finer;
+        }
+        step_engine(dt / parts);
+        require_finite_state();
+    }
+    sample_.substep_rule = division_.rule();
+    sample_.too_few_substeps = division_.is_short();
+}
+
+void Simulation::step_engine(double dt) {
+    energy_.begin(scene_.world.bodies);
+    const double before = clock_ ? clock_() : 0.0;
+    const engine::StepCount so_far = sample_.count;
+    sample_.count = scene_.step(scene_.world, dt);
+    if (clock_) *sample_.cpu_us += clock_() - before;
+    energy_.end(scene_.world, dt);
+    sample_.count.sweeps += so_far.sweeps;
+    sample_.count.row_updates += so_far.row_updates;
+    sample_.count.multiply_adds += so_far.multiply_adds;
+    const double residual = scene_.world.residual();
+    find_worst(residual);
+    sample_.count.islands_unsolved = std::max(sample_.count.islands_unsolved, so_far.islands_unsolved);
+    sample_.count.islands_contradicting =
+        std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
+    sample_.residual = std::max(sample_.residual, residual);
+    if (sample_.count.rows(engine::RowKind::distance) > 0) {
+        sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
+    }
+    ++sample_.substeps;
+}
+
+// While sample_.count is of the engine step that has just ended.
+void Simulation::find_worst(double residual) {
+    if (sample_.count.islands_unsolved > 0 && residual > largest_unsolved_) {
+        largest_unsolved_ = residual;
+        sample_.worst_unsolved = worst_unsolved(scene_.world);
+    }
+    if (sample_.count.islands_contradicting > 0 && !contradicted_) {
+        contradicted_ = true;
+        sample_.contradicting = worst_contradicting(scene_.world);
+    }
+}
+
+void Simulation::measure_state() {
+    const std::span<const engine::Body> bodies = scene_.world.bodies;
+    sample_.kinetic_energy = engine::kinetic_energy(bodies);
+    sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
+    sample_.energy_gain = energy_.gain();
+    sample_.max_speed = engine::max_speed(bodies);
+    if (!scene_.contacts) return;
+    engine::Threads* const threads = scene_.world.threads_worth_calling();
+    const auto measure = [&] {
+        sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_, threads);
+    };
+    if (threads) {
+        threads->keep_at_hand(measure);
+    } else {
+        measure();
+    }
+}
+
+Checkpoint Simulation::checkpoint() const {
+    Checkpoint now;
+    take_checkpoint(scene_, division_.level(), now);
+    return now;
+}
+
+void Simulation::require_finite_state() const {
+    if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
+}
+
+// A finite state may still be too large for the squares in what is measured of it.
+void Simulation::require_finite_sample() const {
+    const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
+                              std::pair{sample_.potential_energy, "potential energy"},
+                              std::pair{sample_.energy_gain, "energy gain"},
+                              std::pair{sample_.max_speed, "speed"},
+                              std::pair{sample_.penetration.max, "penetration"},
+                              std::pair{sample_.penetration.rms, "penetration"},
+                              std::pair{sample_.max_length_error, "length error"},
+                              std::pair{sample_.residual, "residual"}};
+    for (const auto& [value, quantity] : measured) {
+        if (!std::isfinite(value)) fail(most_extreme(scene_.world.bodies), quantity);
+    }
+}
+
+void Simulation::fail(std::size_t body, std::string_view quantity) const {
+    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
+                                     body_name(scene_, static_cast<int>(body)), quantity, sample_.step,
+                                     sample_.time));
+}
+
+}  // namespace pushfactor::demos

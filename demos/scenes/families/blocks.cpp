@@ -1,0 +1,142 @@
+// Cubes and blocks that are built up.
+#include "demos/scenes/families/all_families.h"
+#include "demos/scenes/families/pieces.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::families {
+
+namespace {
+
+using engine::Vector3;
+
+const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
+
+Prospect describe_pyramid(const ParameterValues& values, Random&) {
+    const double mu = values.number("friction");
+    const int rows = values.whole("rows");
+    SceneDescription scene = on_ground(mu);
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < rows - row; ++i) {
+            add_box(scene, "row " + std::to_string(row + 1) + " cube " + std::to_string(i + 1), Vector3::Ones(),
+                    row == rows - 1 ? values.number("mass-ratio") : 1.0, {i - 0.5 * (rows - 1 - row), row + 0.5, 0},
+                    mu);
+        }
+    }
+    look_at_all(scene);
+    return {.scene = std::move(scene)};
+}
+
+Prospect describe_stacks(const ParameterValues& values, Random& random) {
+    const double mu = values.number("friction");
+    const int stacks = values.whole("stacks");
+    SceneDescription scene = on_ground(mu);
+    const int across = static_cast<int>(std::ceil(std::sqrt(stacks)));
+    for (int k = 0; k < stacks; ++k) {
+        const double side = random.in(0.3, 1.0);
+        const double cubes = std::floor(random.in(2.0, 6.0));
+        const int line = k / across;
+        const Vector3 corner(2.0 * (k % across), 0, 2.0 * line);
+        for (int i = 0; i < static_cast<int>(cubes); ++i) {
+            const double x = side * random.in(-0.1, 0.1);
+            const double z = side * random.in(-0.1, 0.1);
+            const double angle = random.in(-0.2, 0.2);
+            add_box(scene, "stack " + std::to_string(k + 1) + " cube " + std::to_string(i + 1),
+                    Vector3::Constant(side), 1.0, corner + Vector3(x, (i + 0.5) * side, z), mu)
+                .orientation = turned(angle);
+        }
+    }
+    look_at_all(scene);
+    return {.scene = std::move(scene)};
+}
+
+// An even number of cubes a side meets under the ball, which sinks in between them by their gap.
+Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
+    constexpr double side = 0.3, radius = 0.4;  // m
+    const double gap = values.number("gap"), mu = values.number("friction"), step = side + gap;
+    const int n = values.whole("side");
+    SceneDescription scene = on_ground(mu);
+    const double middle = 0.5 * (n - 1);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            for (int k = 0; k < n; ++k) {
+                add_box(scene, "cube " + std::to_string(scene.bodies.size()), Vector3::Constant(side), 1.0,
+                        {(i - middle) * step, 0.5 * side + j * step, (k - middle) * step}, mu);
+            }
+        }
+    }
+    const double top = side + (n - 1) * step;
+    const double beside = n % 2 == 0 ? 0.5 * gap * std::numbers::sqrt2 : 0.0;
+    add_ball(scene, "ball", radius, values.number("mass"),
+             {0, top + std::sqrt(radius * radius - beside * beside), 0}, mu);
+    look_at_all(scene);
+    return {.scene = std::move(scene)};
+}
+
+// The k blocks on top of another have their common centre over its edge where the k-th of them lies L / (2 k)
+// farther out than the one below it: the harmonic overhang, all blocks at their limit together.
+Prospect describe_overhang(const ParameterValues& values, Random&) {
+    const Vector3 block(1.0, 0.25, 0.5);  // m
+    const double mu = values.number("friction");
+    const bool inside = values.whole("inside") == 1;
+    const double share = inside ? 1.0 - values.number("beyond") : 1.0 + values.number("beyond");
+    const int n = values.whole("blocks");
+    SceneDescription scene = on_ground(mu);
+    double x = 0.0;
+    for (int i = 0; i < n; ++i) {
+        if (i > 0) x += share * block.x() / (2.0 * (n - i));
+        add_box(scene, "block " + std::to_string(i + 1), block, 1.0, {x, (i + 0.5) * block.y(), 0}, mu);
+    }
+    look_at_all(scene);
+    if (inside) return {.scene = std::move(scene)};
+    return {.scene = std::move(scene),
+            .ends = Ends::topples,
+            .rest_by = 8.0,
+            .leaving = {"block " + std::to_string(n)}};
+}
+
+}  // namespace
+
+Family pyramid() {
+    return {"pyramid",
+            "A pyramid of cubes of 1 m and 1 kg in one plane, the topmost heavier.",
+            "Stands: every cube lies on two others under its own middle, whatever it weighs.",
+            {{{"rows", "N", "number of rows", 0, 2, 20, true}, 2, 5},
+             {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, 1, 1000, Draw::by_decades},
+             friction},
+            describe_pyramid};
+}
+
+Family stacks() {
+    return {
+        "stacks",
+        "Independent stacks of two to five cubes, each a little off its axis.",
+        "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
+        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction},
+        describe_stacks};
+}
+
+Family ball_on_cubes() {
+    return {"ball-on-cubes",
+            "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
+            "Stands: the ball presses straight down on columns of cubes.",
+            {{{"side", "N", "cubes a side", 0, 2, 4, true}, 2, 3},
+             {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, 50, 5000, Draw::by_decades},
+             {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
+             friction},
+            describe_ball_on_cubes};
+}
+
+Family overhang() {
+    return {"overhang",
+            "Blocks that overhang as far as they can, less or more by a share.",
+            "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
+            {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
+             {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},
+             {{"beyond", "X", "share of the limit that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
+             friction},
+            describe_overhang};
+}
+
+}  // namespace pushfactor::demos::families

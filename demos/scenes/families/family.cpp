@@ -1,0 +1,118 @@
+#include "demos/scenes/families/family.h"
+
+#include "demos/scenes/families/all_families.h"
+#include "demos/text/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace pushfactor::demos::families {
+
+namespace {
+
+constexpr int most_draws = 1000;  // until a member is small enough
+
+// A seed of its own for each parameter of each family (FNV-1a and splitmix64), so that none depends on what is
+// drawn for another one.
+int seed_of(int seed, std::string_view family, std::string_view parameter, int attempt) {
+    std::uint64_t z = 0xcbf29ce484222325U;
+    for (const std::string_view text : {family, parameter}) {
+        for (const char c : text) z = (z ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    }
+    z += static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
+         static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return static_cast<int>((z ^ (z >> 31)) & 0x7fffffffU);
+}
+
+// To three digits, so that one can read it.
+double rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return parse_number(text).value_or(value);
+}
+
+double drawn(const FamilyParameter& parameter, bool small, int seed) {
+    const double low = small ? parameter.small_low : parameter.range.low;
+    const double high = small ? parameter.small_high : parameter.range.high;
+    Random random(seed);
+    const double share = random.in(0.0, 1.0);
+    if (parameter.range.whole && parameter.draw == Draw::evenly)
+        return std::floor(low + share * (high - low + 1.0));
+    double value = low + share * (high - low);
+    if (parameter.draw == Draw::by_decades) value = low * std::pow(high / low, share);
+    return std::clamp(parameter.range.whole ? std::round(value) : rounded(value), low, high);
+}
+
+Member draw(const Family& family, const Choice& choice, int attempt) {
+    Member member{.family = &family, .seed = choice.seed, .values = {}, .prospect = {}};
+    ParameterValues values{std::span<const Parameter>()};
+    for (const FamilyParameter& parameter : family.parameters) {
+        const auto given = std::find_if(choice.given.begin(), choice.given.end(),
+                                        [&](const auto& pair) { return pair.first == parameter.range.name; });
+        const int seed = seed_of(choice.seed, family.name, parameter.range.name, attempt);
+        const std::string text =
+            given != choice.given.end() ? given->second : to_text(drawn(parameter, choice.small, seed));
+        if (!values.set(parameter.range, text)) {
+            throw std::invalid_argument(std::string(parameter.range.name) + " " + text + ": must be " +
+                                        parameter.range.allowed());
+        }
+        member.values.emplace_back(parameter.range.name, to_text(values.number(parameter.range.name)));
+    }
+    Random random(seed_of(choice.seed, family.name, "", 0));
+    member.prospect = family.describe(values, random);
+    member.prospect.scene.name = std::string(family.name) + "-" + std::to_string(choice.seed);
+    member.prospect.scene.contacts = true;
+    member.prospect.scene.options["seconds"] = to_text(member.prospect.rest_by + 1.0);
+    return member;
+}
+
+}  // namespace
+
+std::string_view name_of(Ends ends) {
+    switch (ends) {
+        case Ends::rests:
+            return "rests";
+        case Ends::slides:
+            return "slides";
+        case Ends::topples:
+            return "topples";
+        case Ends::stands:
+            break;
+    }
+    return "stands";
+}
+
+std::span<const Family> families() {
+    static const std::vector<Family> all{cubes(),       boxes(),        mixed(),         rods(),     funnel(),
+                                         round_tower(), square_tower(), crossed(),       wall(),     wall_hit(),
+                                         pyramid(),     card_house(),   ball_on_cubes(), dominoes(), leaning_slab(),
+                                         stacks(),      overhang()};
+    return all;
+}
+
+const Family* find_family(std::string_view name) {
+    const auto all = families();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [name](const Family& family) { return family.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string Member::command() const {
+    std::string text = "pushfactor family " + std::string(family->name);
+    for (const auto& [name, value] : values) text += " --" + name + " " + value;
+    return text + " --seed " + std::to_string(seed);
+}
+
+Member draw_member(const Family& family, const Choice& choice) {
+    for (int attempt = 0;; ++attempt) {
+        Member member = draw(family, choice, attempt);
+        const std::size_t bodies = member.prospect.scene.bodies.size();
+        if (!choice.most_bodies || bodies <= *choice.most_bodies || attempt == most_draws) return member;
+    }
+}
+
+}  // namespace pushfactor::demos::families

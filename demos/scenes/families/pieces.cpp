@@ -1,0 +1,64 @@
+#include "demos/scenes/families/pieces.h"
+
+#include "demos/scenes/named/view.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::families {
+
+using engine::Quaternion;
+using engine::Vector3;
+
+SceneDescription on_ground(double friction) {
+    SceneDescription scene;
+    scene.gravity = Vector3(0, -gravity, 0);
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = friction});
+    return scene;
+}
+
+BodyDescription& add_box(SceneDescription& scene, const std::string& name, const Vector3& size, double mass,
+                         const Vector3& position, double friction) {
+    scene.bodies.push_back(
+        {.name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = friction});
+    return scene.bodies.back();
+}
+
+BodyDescription& add_ball(SceneDescription& scene, const std::string& name, double radius, double mass,
+                          const Vector3& position, double friction) {
+    scene.bodies.push_back(
+        {.name = name, .shape = SphereShape{radius}, .mass = mass, .position = position, .friction = friction});
+    return scene.bodies.back();
+}
+
+Quaternion turned(double angle) {
+    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitY()));
+}
+
+Quaternion inclined(double angle) {
+    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+}
+
+Quaternion random_orientation(scenes::Random& random) {
+    Quaternion q;
+    do {
+        for (double& component : q.coeffs()) component = random.in(-1.0, 1.0);
+    } while (q.squaredNorm() > 1.0 || q.squaredNorm() < 0.01);
+    return q.normalized();
+}
+
+double rest_by(double height, double friction, double speed) {
+    const double falls = std::sqrt(2.0 * height / gravity);
+    return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / friction;
+}
+
+void look_at_all(SceneDescription& scene) {
+    Eigen::AlignedBox3d around;
+    for (const BodyDescription& body : scene.bodies) {
+        const Vector3 reach = Vector3::Constant(bounding_radius(body));
+        if (body.mass) around.extend(Eigen::AlignedBox3d(body.position - reach, body.position + reach));
+    }
+    const Vector3 extent = around.sizes();
+    scene.view = scenes::view_of(around.center(), std::max({extent.y(), 0.6 * extent.x(), 0.6 * extent.z()}));
+}
+
+}  // namespace pushfactor::demos::families

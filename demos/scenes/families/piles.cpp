@@ -1,0 +1,184 @@
+// Piles: what is dropped comes to rest somewhere, because every contact takes energy and none gives any.
+#include "demos/scenes/families/all_families.h"
+#include "demos/scenes/families/pieces.h"
+#include "demos/scenes/named/funnel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::demos::families {
+
+namespace {
+
+using engine::Vector3;
+
+constexpr double pitch = 0.75;  // m between the centres of what is dropped; nothing in a pile is larger
+constexpr double cube = 0.4;    // m
+
+const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, 10, 24, Draw::by_decades};
+const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}, 2, 4};
+const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.1, 1.0}, 0.1, 1.0};
+
+// Places layer by layer, the lowest centre 0.6 m above the ground.
+class Places {
+  public:
+    explicit Places(const ParameterValues& values)
+        : across_(static_cast<int>(std::ceil(std::sqrt(values.number("count") / values.number("layers"))))) {}
+
+    Vector3 operator()(int i) const {
+        const double middle = 0.5 * (across_ - 1);
+        const int in_layer = i % (across_ * across_);
+        const int row = in_layer / across_;
+        const int layer = i / (across_ * across_);
+        return {(in_layer % across_ - middle) * pitch, 0.6 + layer * pitch, (row - middle) * pitch};
+    }
+
+  private:
+    int across_;
+};
+
+std::string name_of_body(int i) {
+    return "body " + std::to_string(i + 1);
+}
+
+Vector3 random_size(Random& random, double low, double high) {
+    Vector3 size;
+    for (double& edge : size) edge = random.in(low, high);
+    return size;
+}
+
+void add_cube(SceneDescription& scene, int i, const Places& place, double mass, double mu, Random& random) {
+    add_box(scene, name_of_body(i), Vector3::Constant(cube), mass, place(i), mu).orientation =
+        random_orientation(random);
+}
+
+void add_mixed_box(SceneDescription& scene, int i, const Places& place, double mu, Random& random) {
+    const Vector3 size = random_size(random, 0.1, 0.5);
+    const double mass = random.in(0.5, 5.0);
+    add_box(scene, name_of_body(i), size, mass, place(i), mu).orientation = random_orientation(random);
+}
+
+Prospect dropped(SceneDescription scene, double rest_by) {
+    look_at_all(scene);
+    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rest_by};
+}
+
+// A body for each place, by what `add` makes of its number.
+template <typename Add>
+Prospect pile(const ParameterValues& values, const Add& add) {
+    SceneDescription scene = on_ground(values.number("friction"));
+    const Places place(values);
+    const int bodies = values.whole("count");
+    for (int i = 0; i < bodies; ++i) add(scene, i, place, values.number("friction"));
+    return dropped(std::move(scene), rest_by(place(bodies - 1).y(), values.number("friction")));
+}
+
+Prospect describe_cubes(const ParameterValues& values, Random& random) {
+    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+        add_cube(scene, i, place, 1.0, mu, random);
+    });
+}
+
+Prospect describe_boxes(const ParameterValues& values, Random& random) {
+    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+        add_mixed_box(scene, i, place, mu, random);
+    });
+}
+
+Prospect describe_mixed(const ParameterValues& values, Random& random) {
+    Prospect prospect = pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+        if (i % 3 == 1) return add_mixed_box(scene, i, place, mu, random);
+        const double mass = random.in(0.5, 5.0);
+        if (i % 3 == 2) return add_cube(scene, i, place, mass, mu, random);
+        const double radius = random.in(0.15, 0.3);
+        add_ball(scene, name_of_body(i), radius, mass, place(i), mu);
+    });
+    prospect.stirred = true;
+    return prospect;
+}
+
+// Cubes below, and rods above them that come down with a speed.
+Prospect describe_rods(const ParameterValues& values, Random& random) {
+    const double mu = values.number("friction"), speed = values.number("speed");
+    SceneDescription scene = on_ground(mu);
+    const Places place(values);
+    const int bodies = values.whole("count");
+    for (int i = 0; i < bodies; ++i) add_cube(scene, i, place, 1.0, mu, random);
+    const double above = place(bodies - 1).y() + 1.0;
+    for (int i = 0; i < values.whole("rods"); ++i) {
+        const double length = random.in(0.5, 1.5);
+        const double thickness = random.in(0.04, 0.1);
+        const double x = random.in(-0.5, 0.5);
+        const double z = random.in(-0.5, 0.5);
+        BodyDescription& rod = add_box(scene, "rod " + std::to_string(i + 1), {length, thickness, thickness},
+                                       100.0 * length * thickness, {x, above + 0.3 * i, z}, mu);
+        rod.orientation = turned(random.in(0.0, 6.0)) * inclined(random.in(-0.1, 0.1));
+        rod.velocity = Vector3(0, -speed, 0);
+    }
+    const double height = scene.bodies.back().position.y();
+    return dropped(std::move(scene), rest_by(height, mu, speed));
+}
+
+Prospect describe_funnel(const ParameterValues& values, Random& random) {
+    ParameterValues of_scene(scenes::funnel_parameters());
+    const int seed = static_cast<int>(random.in(0.0, 1e6));
+    for (const Parameter& parameter : scenes::funnel_parameters()) {
+        of_scene.set(parameter, std::to_string(parameter.name == "seed" ? seed : values.whole("count")));
+    }
+    SceneDescription scene = scenes::funnel(of_scene);
+    double top = 0.0;  // m
+    for (BodyDescription& body : scene.bodies) {
+        body.friction = values.number("friction");
+        top = std::max(top, body.position.y());
+    }
+    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = 10.0 + 3.0 * std::sqrt(2.0 * top / gravity)};
+}
+
+}  // namespace
+
+Family cubes() {
+    return {"cubes",
+            "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
+            "Comes to rest: every impact takes energy and nothing gives any.",
+            {count, layers, friction},
+            describe_cubes};
+}
+
+Family boxes() {
+    return {"boxes",
+            "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
+            "Comes to rest: every impact takes energy and nothing gives any.",
+            {count, layers, friction},
+            describe_boxes};
+}
+
+Family mixed() {
+    return {"mixed",
+            "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
+            "Comes to rest but for balls, which may roll for ever and push boxes.",
+            {count, layers, friction},
+            describe_mixed};
+}
+
+Family rods() {
+    return {"rods",
+            "Rods are thrown down on cubes that are dropped.",
+            "Comes to rest: every impact takes energy and nothing gives any.",
+            {{{"count", "N", "number of cubes", 0, 5, 1000, true}, 5, 12, Draw::by_decades},
+             layers,
+             {{"rods", "N", "number of rods", 0, 3, 500, true}, 3, 8, Draw::by_decades},
+             {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}, 0, 10},
+             friction},
+            describe_rods};
+}
+
+Family funnel() {
+    return {"funnel",
+            "Balls of 0.5 m fall into a funnel of four planes.",
+            "Comes to rest: no ball can roll anywhere but down.",
+            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades},
+             {{"friction", "MU", "friction coefficient", 0, 0.2, 0.8}, 0.2, 0.8}},
+            describe_funnel};
+}
+
+}  // namespace pushfactor::demos::families

@@ -1,0 +1,53 @@
+// Balls on bars of 1 m, one after the other from a point in space, released from the horizontal. Under a heavy end
+// the bars are stiff sideways, which a time step has to resolve.
+#include "demos/scenes/named/chain.h"
+
+#include "demos/scenes/named/view.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::scenes {
+
+using engine::Vector3;
+
+std::span<const Parameter> chain_parameters() {
+    static constexpr std::array table{
+        Parameter{"links", "N", "number of bars [20]", 20, 1, 10000, true},
+        Parameter{"end-mass", "KG", "mass of the last ball in kg, the others have 1 [1]", 1, 1e-6, 1e9},
+        Parameter{"angle", "DEG", "where it starts, degrees from hanging straight down [90]", 90, -180, 180},
+    };
+    return table;
+}
+
+SceneDescription chain(const ParameterValues& parameters) {
+    constexpr double length = 1.0;  // m
+    constexpr double radius = 0.2;  // m, to be seen; the bars hold the centres
+    const int links = parameters.whole("links");
+    const double end_mass = parameters.number("end-mass");
+    const double angle = parameters.number("angle") * std::numbers::pi / 180.0;
+    const Vector3 along(std::sin(angle), -std::cos(angle), 0.0);
+
+    SceneDescription scene;
+    scene.name = "chain";
+    for (int i = 1; i <= links; ++i) {
+        const bool end = i == links;
+        BodyDescription ball{
+            .name = "ball " + std::to_string(i),
+            .shape = SphereShape{end ? radius * std::clamp(std::cbrt(end_mass), 1.0, 8.0) : radius},
+            .mass = end ? end_mass : 1.0,
+            .position = (i * length) * along};
+        ball.colour = end ? "vermilion" : "ivory";
+        scene.distances.push_back({.a = {i == 1 ? "world" : scene.bodies.back().name, Vector3::Zero()},
+                                   .b = {ball.name, Vector3::Zero()},
+                                   .length = length});
+        scene.bodies.push_back(ball);
+    }
+    const double reach = links * length;
+    scene.view = view_of({0, -0.42 * reach, 0}, 1.12 * reach);
+    scene.view.floor = -1.15 * reach;
+    return scene;
+}
+
+}  // namespace pushfactor::demos::scenes

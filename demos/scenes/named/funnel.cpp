@@ -1,0 +1,99 @@
+// Paper section 10.3: "20 balls in a pyramid funnel created out of 4 infinite planes". The paper gives no numbers:
+// here the planes are inclined by 45 degrees and meet at the origin, and the balls have 0.5 m radius and 1 kg.
+#include "demos/scenes/named/funnel.h"
+
+#include "demos/scenes/named/random.h"
+#include "demos/scenes/named/view.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::scenes {
+
+using engine::Quaternion;
+using engine::Vector3;
+
+namespace {
+
+constexpr double radius = 0.5;  // m
+constexpr double friction = 0.3;
+constexpr double spacing = 1.1;      // m between balls at the start
+constexpr double first_layer = 4.0;  // m above the tip
+constexpr int in_the_tower = 20;     // more balls than this start in layers
+
+void add_planes(SceneDescription& scene) {
+    for (int k = 0; k < 4; ++k) {
+        const Quaternion turn(Eigen::AngleAxisd(0.5 * std::numbers::pi * k, Vector3::UnitY()));
+        const Quaternion tilt(Eigen::AngleAxisd(-0.25 * std::numbers::pi, Vector3::UnitZ()));
+        scene.bodies.push_back({.name = "plane " + std::to_string(k + 1),
+                                .shape = PlaneShape{},
+                                .orientation = turn * tilt,
+                                .friction = friction});
+    }
+}
+
+void add_ball(SceneDescription& scene, const Vector3& position) {
+    BodyDescription ball{
+        .name = "ball " + std::to_string(scene.bodies.size() - 3), .shape = SphereShape{radius}, .mass = 1.0};
+    ball.position = position;
+    ball.friction = friction;
+    scene.bodies.push_back(ball);
+}
+
+void add_tower(SceneDescription& scene, int count, Random& random) {
+    for (int k = 0; k < count; ++k) {
+        const double x = random.in(-0.4, 0.4);
+        const double z = random.in(-0.4, 0.4);
+        add_ball(scene, {x, first_layer + spacing * k, z});
+    }
+}
+
+// Square layers as wide as the funnel at their height, each ball a little off its place.
+void add_layers(SceneDescription& scene, int count, Random& random) {
+    int left = count;
+    for (double height = first_layer; left > 0; height += spacing) {
+        // At 45 degrees a ball clears the plane while |x| <= height - radius sqrt(2).
+        const double reach = height - std::numbers::sqrt2 * radius - 0.1;
+        const int side = 1 + static_cast<int>(std::floor(2.0 * reach / spacing));
+        const double corner = -0.5 * spacing * (side - 1);
+        for (int cell = 0; cell < side * side && left > 0; ++cell, --left) {
+            const double x = corner + spacing * (cell % side) + random.in(-0.04, 0.04);
+            const int row = cell / side;
+            const double z = corner + spacing * row + random.in(-0.04, 0.04);
+            add_ball(scene, {x, height, z});
+        }
+    }
+}
+
+}  // namespace
+
+std::span<const Parameter> funnel_parameters() {
+    static constexpr std::array table{
+        Parameter{"count", "N", "number of balls, above 20 in layers [20]", 20, 1, 100000, true},
+        Parameter{"seed", "N", "seed of the places at the start [1]", 1, 0, 1e9, true},
+    };
+    return table;
+}
+
+SceneDescription funnel(const ParameterValues& parameters) {
+    SceneDescription scene;
+    scene.name = "funnel";
+    scene.contacts = true;
+    add_planes(scene);
+
+    const int count = parameters.whole("count");
+    Random random(parameters.whole("seed"));
+    if (count <= in_the_tower) {
+        add_tower(scene, count, random);
+    } else {
+        add_layers(scene, count, random);
+    }
+    // The balls fill a pyramid: its volume 4/3 h^3 holds them at a packing of about 0.6.
+    const double heap = std::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
+    scene.view = view_of({0, 0.65 * heap, 0}, 1.4 * heap);
+    scene.view.eye.y() += 0.6 * heap;
+    return scene;
+}
+
+}  // namespace pushfactor::demos::scenes

@@ -1,0 +1,75 @@
+#include "demos/scenes/named/side_by_side.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::scenes {
+
+namespace {
+
+bool same_shape(const BodyDescription& a, const BodyDescription& b) {
+    const auto* box = std::get_if<BoxShape>(&a.shape);
+    const auto* sphere = std::get_if<SphereShape>(&a.shape);
+    return a.shape.index() == b.shape.index() && (!box || box->size == std::get<BoxShape>(b.shape).size) &&
+           (!sphere || sphere->radius == std::get<SphereShape>(b.shape).radius);
+}
+
+bool same_static_body(const BodyDescription& a, const BodyDescription& b) {
+    return !a.mass && !b.mass && same_shape(a, b) && a.position == b.position &&
+           a.orientation.coeffs() == b.orientation.coeffs() && a.friction == b.friction &&
+           a.restitution == b.restitution && a.surface_velocity == b.surface_velocity &&
+           a.surface_from == b.surface_from;
+}
+
+class Together {
+  public:
+    void add(const SceneDescription& scene) {
+        ++number_;
+        names_.clear();
+        const auto before = static_cast<std::ptrdiff_t>(all.bodies.size());
+        for (const BodyDescription& body : scene.bodies) {
+            const auto end = all.bodies.begin() + before;
+            const auto known = std::find_if(all.bodies.begin(), end,
+                                            [&](const auto& other) { return same_static_body(body, other); });
+            if (known != end) {
+                names_[body.name] = known->name;
+                continue;
+            }
+            names_[body.name] = std::to_string(number_) + " " + body.name;
+            all.bodies.push_back(body);
+            all.bodies.back().name = names_[body.name];
+        }
+        for (DistanceDescription distance : scene.distances) {
+            for (DistanceDescription::End* end : {&distance.a, &distance.b}) {
+                if (end->body != "world") end->body = names_.at(end->body);
+            }
+            all.distances.push_back(distance);
+        }
+        for (ForceDescription force : scene.forces) {
+            force.body = names_.at(force.body);
+            all.forces.push_back(force);
+        }
+        all.contacts = all.contacts || scene.contacts;
+    }
+
+    SceneDescription all;
+
+  private:
+    int number_ = 0;
+    std::map<std::string, std::string> names_;  // in the scene at hand, and in all
+};
+
+}  // namespace
+
+SceneDescription side_by_side(const std::string& name, std::span<const SceneDescription> scenes) {
+    Together together;
+    together.all.name = name;
+    if (!scenes.empty()) {
+        together.all.gravity = scenes.front().gravity;
+        together.all.view = scenes.front().view;
+        together.all.has_camera = scenes.front().has_camera;
+    }
+    for (const SceneDescription& scene : scenes) together.add(scene);
+    return together.all;
+}
+
+}  // namespace pushfactor::demos::scenes

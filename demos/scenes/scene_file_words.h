@@ -1,0 +1,19 @@
+// What reading and writing a scene file share.
+#pragma once
+
+#include "demos/scenes/scene_description.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace pushfactor::demos {
+
+inline constexpr int scene_file_version = 1;
+
+inline constexpr std::array<std::pair<std::string_view, engine::Distance::Acts>, 3> act_names{
+    {{"both", engine::Distance::Acts::both},
+     {"pulls", engine::Distance::Acts::pulls},
+     {"pushes", engine::Distance::Acts::pushes}}};
+
+}  // namespace pushfactor::demos

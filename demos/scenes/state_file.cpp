@@ -1,0 +1,304 @@
+#include "demos/scenes/state_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::ContactCache;
+using engine::DistanceForce;
+using engine::IslandSolver;
+using engine::Lambda;
+using engine::Rest;
+using engine::Vector3;
+using engine::collision::Pair;
+
+using Keys = std::vector<std::string>;
+// Of the state itself, solved_exactly and kept_steps are from the time before each body had its own.
+const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
+                      "places", "at_rest",    "solved_exactly", "kept_steps"};
+const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
+const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
+const Keys contact_keys{"a", "b", "points"};
+const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
+
+double whole_number(const JsonReader& json, double low, double high) {
+    const double number = json.number(low, high);
+    if (number != std::floor(number)) json.refuse("a whole number");
+    return number;
+}
+
+Lambda read_lambda(const JsonReader& json) {
+    const std::vector<double> columns = json.numbers(2, "two numbers [first column, last column]");
+    return {columns[0], columns[1]};
+}
+
+// Two numbers of a bar; three times two of a ball joint, of which files from the time when it was one row with a
+// direction of rounding hold two.
+DistanceForce read_distance_force(const JsonReader& json, const DistanceDescription& distance) {
+    const bool joint = distance.length == 0.0;
+    if (!json.json().is_array() || json.json().empty() || !json.json().front().is_array()) {
+        const Lambda along_bar = read_lambda(json);
+        return joint ? DistanceForce{} : DistanceForce{along_bar};
+    }
+    const std::vector<JsonReader> axes = json.elements();
+    if (axes.size() != 3) json.refuse("two numbers, or three times two of a ball joint");
+    return {read_lambda(axes[0]), read_lambda(axes[1]), read_lambda(axes[2])};
+}
+
+std::vector<DistanceForce> read_distance_forces(const JsonReader& json, const SceneDescription& scene) {
+    const std::vector<JsonReader> entries = json.elements();
+    std::vector<DistanceForce> forces;
+    for (std::size_t i = 0; i < entries.size() && i < scene.distances.size(); ++i) {
+        forces.push_back(read_distance_force(entries[i], scene.distances[i]));
+    }
+    if (entries.size() != scene.distances.size()) {
+        json.refuse(fmt::format("an array of {} forces, one a distance constraint", scene.distances.size()));
+    }
+    return forces;
+}
+
+ContactCache::Point read_point(const JsonReader& json) {
+    json.require_object(point_keys);
+    ContactCache::Point point;
+    point.feature = static_cast<std::uint32_t>(
+        whole_number(json.at("feature"), 0.0, std::numeric_limits<std::uint32_t>::max()));
+    point.position = json.at("position_m").vector();
+    point.force.normal = read_lambda(json.at("normal_n"));
+    point.force.friction_first = json.at("friction_first_n").vector();
+    point.force.friction_last = json.at("friction_last_n").vector();
+    return point;
+}
+
+// Bodies by their names.
+class BodyIndex {
+  public:
+    explicit BodyIndex(const SceneDescription& scene) {
+        for (const BodyDescription& body : scene.bodies) {
+            indices_.emplace(body.name, static_cast<int>(indices_.size()));
+        }
+    }
+    int of(const JsonReader& name) const {
+        const auto found = indices_.find(name.string());
+        if (found == indices_.end()) name.refuse("the name of a body");
+        return found->second;
+    }
+
+  private:
+    std::map<std::string, int, std::less<>> indices_;
+};
+
+// What `json` says, of the bodies that it is about.
+IslandSolver::Memory read_memory(const JsonReader& json) {
+    IslandSolver::Memory memory;
+    if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();
+    if (json.has("kept_steps")) {
+        memory.forces.kept = static_cast<int>(whole_number(json.at("kept_steps"), 0.0, 1e9));
+    }
+    if (json.has("exact_debt_multiply_adds")) {
+        memory.debt.work = json.at("exact_debt_multiply_adds").number(0.0, 1e15);
+    }
+    if (json.has("exact_failures")) memory.debt.failures = json.at("exact_failures").number(0.0, 1e3);
+    return memory;
+}
+
+std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
+    std::vector<IslandSolver::Memory> memory(scene.bodies.size());
+    for (const JsonReader& entry : json.elements()) {
+        entry.require_object(warm_start_keys);
+        const IslandSolver::Memory common = read_memory(entry);
+        for (const JsonReader& name : entry.at("bodies").elements()) {
+            memory[static_cast<std::size_t>(indices.of(name))] = common;
+        }
+    }
+    return memory;
+}
+
+// A place without position and orientation is where the body is.
+std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
+    std::vector<Rest::Memory> memory(scene.bodies.size());
+    for (const JsonReader& entry : json.elements()) {
+        entry.require_object(place_keys);
+        const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
+        const BodyDescription& body = scene.bodies[index];
+        const bool wide = entry.has("wide") && entry.at("wide").boolean();
+        Rest::Stay& stay = memory[index].stays[wide ? 1 : 0];
+        stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
+        if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
+        if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
+        if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
+        if (entry.has("angular_momentum_kg_m2_per_s")) {
+            stay.spin = entry.at("angular_momentum_kg_m2_per_s").vector();
+        }
+    }
+    return memory;
+}
+
+bool moves(const BodyDescription& body) {
+    return !body.linear_momentum.value_or(body.velocity).isZero(0.0) ||
+           !body.angular_momentum.value_or(body.angular_velocity).isZero(0.0);
+}
+
+// Groups of bodies that came to rest together.
+void read_at_rest(const JsonReader& json, const SceneDescription& scene, std::vector<Rest::Memory>& memory) {
+    const BodyIndex indices(scene);
+    memory.resize(scene.bodies.size());
+    for (const JsonReader& group : json.elements()) {
+        int first = -1;
+        for (const JsonReader& name : group.elements()) {
+            const int body = indices.of(name);
+            const BodyDescription& described = scene.bodies[static_cast<std::size_t>(body)];
+            if (!described.mass) name.refuse("the name of a movable body");
+            if (moves(described)) name.refuse("a body without velocity and momentum");
+            if (first < 0) first = body;
+            memory[static_cast<std::size_t>(body)].group = first;
+        }
+    }
+}
+
+ContactCache read_contact_forces(const JsonReader& json, const SceneDescription& scene) {
+    const BodyIndex indices(scene);
+    ContactCache cache;
+    for (const JsonReader& entry : json.elements()) {
+        entry.require_object(contact_keys);
+        const Pair pair{indices.of(entry.at("a")), indices.of(entry.at("b"))};
+        if (pair.a >= pair.b) entry.at("b").refuse("a body that is listed after a");
+        if (!cache.entries().empty() && !(cache.entries().back().pair < pair)) {
+            entry.refuse("a pair that comes after the one before, in the order of the bodies");
+        }
+        std::vector<ContactCache::Point> points;
+        for (const JsonReader& point : entry.at("points").elements()) points.push_back(read_point(point));
+        cache.add(pair, points);
+    }
+    return cache;
+}
+
+Json to_json(const Vector3& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json to_json(const Lambda& lambda) {
+    return Json::array({lambda.first, lambda.last});
+}
+
+Json to_json(const DistanceForce& force, bool joint) {
+    if (!joint) return to_json(force[0]);
+    return Json::array({to_json(force[0]), to_json(force[1]), to_json(force[2])});
+}
+
+Json to_json(const ContactCache::Point& point) {
+    return {{"feature", point.feature},
+            {"position_m", to_json(point.position)},
+            {"normal_n", to_json(point.force.normal)},
+            {"friction_first_n", to_json(point.force.friction_first)},
+            {"friction_last_n", to_json(point.force.friction_last)}};
+}
+
+Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const SceneDescription& scene) {
+    const auto name = [&](int index) { return scene.bodies[static_cast<std::size_t>(index)].name; };
+    Json json{{"a", name(entry.pair.a)}, {"b", name(entry.pair.b)}, {"points", Json::array()}};
+    for (const auto& point : cache.points().subspan(entry.first, static_cast<std::size_t>(entry.count))) {
+        json["points"].push_back(to_json(point));
+    }
+    return json;
+}
+
+// Bodies that have the same to remember stand together; those that have nothing are left out.
+Json warm_start_json(const RunState& state, const SceneDescription& scene) {
+    std::map<std::tuple<bool, int, double, double>, Json> names;
+    const std::tuple<bool, int, double, double> nothing{};
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.warm_start.size(); ++i) {
+        const auto& [forces, debt] = state.warm_start[i];
+        const std::tuple memory{forces.exact, forces.kept, debt.work, debt.failures};
+        if (memory != nothing) names[memory].push_back(scene.bodies[i].name);
+    }
+    Json json = Json::array();
+    for (const auto& [memory, bodies] : names) {
+        const auto& [exact, kept, debt, failures] = memory;
+        Json& group = json.emplace_back(Json{{"bodies", bodies}, {"solved_exactly", exact}, {"kept_steps", kept}});
+        if (debt > 0.0) group["exact_debt_multiply_adds"] = debt;
+        if (failures > 0.0) group["exact_failures"] = failures;
+    }
+    return json;
+}
+
+Json places_json(const RunState& state, const SceneDescription& scene) {
+    Json json = Json::array();
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        if (!body.mass) continue;
+        for (const Rest::Stay& stay : state.rest[i].stays) {
+            const engine::Quaternion& q = stay.orientation;
+            Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
+            if (&stay != &state.rest[i].stays.front()) place["wide"] = true;
+            if (stay.position != body.position) place["position_m"] = to_json(stay.position);
+            if (q.coeffs() != body.orientation.coeffs()) {
+                place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
+            }
+            if (!stay.spin.isZero(0.0)) place["angular_momentum_kg_m2_per_s"] = to_json(stay.spin);
+        }
+    }
+    return json;
+}
+
+Json at_rest_json(const RunState& state, const SceneDescription& scene) {
+    std::map<int, Json> groups;
+    for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
+        if (state.rest[i].group >= 0) groups[state.rest[i].group].push_back(scene.bodies[i].name);
+    }
+    Json json = Json::array();
+    for (const auto& [number, names] : groups) json.push_back(names);
+    return json;
+}
+
+}  // namespace
+
+const std::map<std::string, std::vector<std::string>>& state_file_keys() {
+    static const std::map<std::string, std::vector<std::string>> keys{{"state", state_keys},
+                                                                      {"warm_start", warm_start_keys},
+                                                                      {"place", place_keys},
+                                                                      {"contact_force", contact_keys},
+                                                                      {"contact_force_point", point_keys}};
+    return keys;
+}
+
+RunState read_state(const JsonReader& json, const SceneDescription& scene) {
+    json.require_object(state_keys);
+    RunState state;
+    if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
+    state.warm_start.assign(scene.bodies.size(), read_memory(json));
+    if (json.has("warm_start")) state.warm_start = read_warm_start(json.at("warm_start"), scene);
+    if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
+    state.distance_forces.resize(scene.distances.size());
+    if (json.has("distance_forces_n")) {
+        state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
+    }
+    if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
+    if (json.has("places")) state.rest = read_places(json.at("places"), scene);
+    if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
+    return state;
+}
+
+Json state_json(const RunState& state, const SceneDescription& scene) {
+    Json json{{"time_s", state.time}, {"substeps", state.substeps}};
+    if (Json warm_start = warm_start_json(state, scene); !warm_start.empty()) json["warm_start"] = warm_start;
+    for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
+        const bool joint = scene.distances[i].length == 0.0;
+        json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
+    }
+    for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
+        json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));
+    }
+    if (Json places = places_json(state, scene); !places.empty()) json["places"] = places;
+    if (Json at_rest = at_rest_json(state, scene); !at_rest.empty()) json["at_rest"] = at_rest;
+    return json;
+}
+
+}  // namespace pushfactor::demos

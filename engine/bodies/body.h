@@ -1,0 +1,60 @@
+// Rigid bodies, paper section 3.1.
+//
+// Symbols: m mass [kg], I inertia tensor [kg m^2], x position of the centre of mass [m], o orientation [1],
+// p linear momentum [kg m/s], l angular momentum [kg m^2/s], f force [N], tau torque [N m].
+//
+// Deviations from the text: "at least a non-zero diagonal" is not enough for I: it is positive definite, and kept
+// as its three principal moments, so the axes of the body frame are the principal axes. [l] = [p] x [r] is about
+// units; the angular momentum of a point is r x p.
+#pragma once
+
+#include "engine/base/math.h"
+
+#include <span>
+
+namespace pushfactor::engine {
+
+struct Body {
+    // Constants. A static body has both inverses zero and never moves.
+    double inverse_mass = 0.0;                  // 1/kg
+    Vector3 inverse_inertia = Vector3::Zero();  // 1/(kg m^2), principal moments, body frame
+
+    // State, world frame.
+    Vector3 position = Vector3::Zero();               // m
+    Quaternion orientation = Quaternion::Identity();  // body to world, unit length
+    Vector3 linear_momentum = Vector3::Zero();        // kg m/s
+    Vector3 angular_momentum = Vector3::Zero();       // kg m^2/s, about the centre of mass
+
+    // What the force sources have added in this step, world frame.
+    Vector3 force = Vector3::Zero();   // N, at the centre of mass
+    Vector3 torque = Vector3::Zero();  // N m, about the centre of mass
+
+    bool is_static() const { return inverse_mass == 0.0; }
+    double mass() const { return 1.0 / inverse_mass; }  // kg, infinite for a static body
+};
+
+// A body that never moves.
+Body static_body(const Vector3& position, const Quaternion& orientation = Quaternion::Identity());
+
+// What masses [kg] and lengths [m] of movable bodies may be: their moments of inertia, and the inverses of those,
+// are numbers then.
+inline constexpr double least_mass = 1e-100, greatest_mass = 1e100;
+inline constexpr double least_length = 1e-50, greatest_length = 1e50;
+
+// A movable homogeneous ball of `mass` [kg] and `radius` [m]. Throws InvalidInput as box_body does.
+Body ball_body(double mass, double radius, const Vector3& position,
+               const Quaternion& orientation = Quaternion::Identity());
+
+// A movable homogeneous box of `mass` [kg] and edge lengths `size` [m].
+// Throws InvalidInput for what lies outside the limits above.
+Body box_body(double mass, const Vector3& size, const Vector3& position,
+              const Quaternion& orientation = Quaternion::Identity());
+
+Vector3 velocity(const Body& body);               // m/s, world frame: p / m
+Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l
+Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T
+
+// Velocity [m/s] of the material point of `body` that is at `point` [m], both in the world frame.
+Vector3 velocity_at(const Body& body, const Vector3& point);
+
+}  // namespace pushfactor::engine

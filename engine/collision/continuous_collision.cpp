@@ -1,0 +1,316 @@
+#include "engine/collision/continuous_collision.h"
+
+#include "engine/collision/pair_table.h"
+
+#include <algorithm>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+double margin_of(const Collider& collider, const Sweep::Step& step) {
+    return step.detection.margin * size_of(collider.shape);
+}
+
+// By the velocities before the step: what rests on something is not fast because of its weight. The largest inverse
+// moment bounds the rate of turning.
+double free_path(const Collider& collider, const Body& body, const Sweep::Step& step) {
+    const double rate = body.angular_momentum.norm() * body.inverse_inertia.maxCoeff();
+    return path_of(collider, velocity(body).norm(), rate, step.dt);
+}
+
+// Whether the external forces of the step bring the collider into that danger.
+bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity, const Sweep::Step& step) {
+    const double rate = (body.angular_momentum + step.dt * body.torque).norm() * body.inverse_inertia.maxCoeff();
+    return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
+}
+
+// What is_pressed() asks of a body that its velocity alone takes so far [m], for certain where the answer is no. In
+// squares, because every body is asked in every step.
+bool could_be_pressed(const Collider& collider, const Body& body, double path, const Sweep::Step& step) {
+    double acceleration =
+        body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // squared, of any point
+    if (const auto* box = std::get_if<Box>(&collider.shape)) {
+        const double turning = body.inverse_inertia.maxCoeff();
+        acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
+    }
+    const double room = (dangerous * size_of(collider.shape) - path) / (step.dt * step.dt);
+    return room <= 0.0 || 2.0 * acceleration > room * room;  // (x + y)^2 <= 2 (x^2 + y^2)
+}
+
+Vector3 velocity_with_forces(const Body& body, double dt) {
+    return body.inverse_mass * (body.linear_momentum + dt * body.force);
+}
+
+// Takes from the velocity of a body what would bring it closer along `normal` than the touch allows; the other body
+// has its velocity of before, because something holds its weight in turn.
+void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double margin, double dt,
+             Vector3& velocity_of_body) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& point : touch.points) gap = std::min(gap, point.gap);
+    if (gap > margin) return;
+    const double excess = normal.dot(velocity_of_body - velocity(other)) - std::max(gap, 0.0) / dt;
+    if (excess > 0.0) velocity_of_body -= excess * normal;
+}
+
+// The share of its size by which small steps may move a body otherwise than foreseen.
+constexpr double loose = 0.1;
+
+// Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
+// more than that where it comes from small steps.
+bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
+               const Sweep::Step& step) {
+    if (kind == NewForce::none) return false;
+    const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
+    const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
+    const double limit =
+        kind == NewForce::of_small_steps ? loose * size_of(collider.shape) : margin_of(collider, step);
+    if (path_of(collider, speed, rate, step.dt) <= limit) return false;
+    const Motion motion = motion_of(body, step.dt, force);
+    return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
+}
+
+bool bounces(const Collider& collider) {
+    return collider.restitution > 0.0;
+}
+
+// How near two bodies have to come for having met, as a fraction of the size.
+constexpr double met = 1e-4;
+
+// By how much deeper a pair with rows may end the step, as a fraction of the size.
+constexpr double deep = 0.05;
+
+bool before(const Touch& touch, const Pair& pair) {
+    return touch.pair < pair;
+}
+
+double smallest_gap(std::span<const ContactPoint> points) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& point : points) gap = std::min(gap, point.gap);
+    return gap;
+}
+
+// Whether the free motion may take a touching pair beyond what its manifold knows: into contact by a way that the
+// margin's normal does not foresee, or with corners that the margin does not reach.
+bool has_more(const Touch& touch, const Moving& a, const Moving& b, double dt, double margin) {
+    const double gap = smallest_gap(touch.points);
+    return approach(a, b, touch.normal, dt) > (gap > 0.0 ? gap : margin);
+}
+
+// How fast the bodies close the gap at `point` of their meeting, m/s.
+double closing_speed(const Meeting& meeting, const Moving& a, const Moving& b, const Vector3& point) {
+    const auto velocity = [&point](const Motion& motion, const Pose& pose) -> Vector3 {
+        return motion.velocity + motion.angular_velocity.cross(point - pose.position);
+    };
+    const Vector3 relative = velocity(a.motion, meeting.pose_a) - velocity(b.motion, meeting.pose_b);
+    return relative.dot(meeting.manifold.normal);
+}
+
+// What is thrown back is so at the points that meet of themselves. One that only the throw brings down would be
+// stopped in this step; left out, it is thrown back in its turn.
+void keep_meeting_points(Meeting& meeting, const Moving& a, const Moving& b, double rest) {
+    Manifold kept;
+    kept.normal = meeting.manifold.normal;
+    for (const ContactPoint& point : meeting.manifold.points()) {
+        if (point.gap < rest * closing_speed(meeting, a, b, point.position)) kept.add(point);
+    }
+    if (kept.count > 0) meeting.manifold = kept;
+}
+
+// From the gaps at the meeting to those that the motion so far has been closing. A point that was opening meanwhile
+// keeps its gap, which leaves it more room than it has, but never pushes it.
+void wind_back(Meeting& meeting, const Moving& a, const Moving& b) {
+    for (int i = 0; i < meeting.manifold.count; ++i) {
+        ContactPoint& point = meeting.manifold.storage[static_cast<std::size_t>(i)];
+        point.gap = std::max(0.0, point.gap + meeting.time * closing_speed(meeting, a, b, point.position));
+    }
+}
+
+// The body with its momenta as they are, where its centre will be.
+Body moved_to(const Body& body, const Pose& pose) {
+    Body moved = body;
+    moved.position = pose.position;
+    return moved;
+}
+
+}  // namespace
+
+Moving Sweep::moving(int collider, const Step& step) const {
+    const Collider& which = step.colliders[static_cast<std::size_t>(collider)];
+    const auto body = static_cast<std::size_t>(which.body);
+    return {which.shape, pose_of(step.bodies[body]), fast_pairs_.motion_of(collider)};
+}
+
+bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
+    fast_.assign(step.colliders.size(), false);
+    dangerous_.assign(step.colliders.size(), false);
+    bool any = false, any_pressed = false;
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
+        const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        const double path = free_path(collider, body, step);
+        dangerous_[i] = path > dangerous * size_of(collider.shape);
+        fast_[i] = dangerous_[i] || (step.any_bounces && path > margin_of(collider, step));
+        any = any || fast_[i];
+        if (any_pressed || dangerous_[i]) continue;
+        any_pressed = could_be_pressed(collider, body, path, step) &&
+                      is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
+    }
+    if (!any_pressed) return any;
+    find_pressed(touches, step);
+    return std::find(fast_.begin(), fast_.end(), true) != fast_.end();
+}
+
+// What lies on something is held and not fast, however it is pressed.
+void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
+    freely_.resize(step.bodies.size());
+    for (const int index : step.awake) {
+        const auto body = static_cast<std::size_t>(step.colliders[static_cast<std::size_t>(index)].body);
+        freely_[body] = velocity_with_forces(step.bodies[body], step.dt);
+    }
+    for (const Touch& touch : touches) {
+        const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
+        const double margin = step.detection.margin * touch.size;
+        if (!step.bodies[a].is_static()) stop_at(touch, touch.normal, step.bodies[b], margin, step.dt, freely_[a]);
+        if (!step.bodies[b].is_static()) stop_at(touch, -touch.normal, step.bodies[a], margin, step.dt, freely_[b]);
+    }
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
+        const auto body = static_cast<std::size_t>(collider.body);
+        if (dangerous_[i] || !is_pressed(collider, step.bodies[body], freely_[body], step)) continue;
+        fast_[i] = dangerous_[i] = true;
+    }
+}
+
+bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step) {
+    fast_.assign(step.colliders.size(), false);
+    bool any = false;
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
+        const auto body = static_cast<std::size_t>(collider.body);
+        fast_[i] = is_thrown(collider, step.bodies[body], forces[body], changed[body], step);
+        any = any || fast_[i];
+    }
+    return any;
+}
+
+bool Sweep::is_swept(const Pair& pair, const Step& step) const {
+    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
+}
+
+// Adds the touch of a pair that meets, with the motions of the moment.
+Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches) {
+    const Moving a = moving(pair.a, step);
+    const Moving b = moving(pair.b, step);
+    Touch touch;
+    name_pair(pair, step.colliders, step.bodies, touch);
+    combine_surfaces(step.colliders, touch);
+    const double permitted = step.detection.permitted * touch.size;
+    Course course = follow(
+        a, b, step.dt,
+        {.tolerance = met * touch.size, .margin = step.detection.margin * touch.size, .permitted = permitted});
+    std::optional<Meeting>& meeting = course.meeting;
+    if (!meeting) return course.decided ? Outcome::passes : Outcome::undecided;
+    if (touch.restitution > 0.0) keep_meeting_points(*meeting, a, b, step.dt - meeting->time);
+    const bool doubtful = permitted > 0.0 && meeting->manifold.other_gap + permitted >= 0.0;
+    if (meeting->time > 0.0) wind_back(*meeting, a, b);
+    if (meeting->time > 0.0 || doubtful) keep_bodies(*meeting, step, touch);  // what keeps them apart is looked for
+    keep_points(meeting->manifold, a, step, touch);
+    touches.push_back(touch);
+    return Outcome::meets;
+}
+
+void Sweep::keep_bodies(const Meeting& meeting, const Step& step, Touch& touch) {
+    const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
+    const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
+    found_.bodies.push_back({moved_to(body_a, meeting.pose_a), moved_to(body_b, meeting.pose_b), meeting.time});
+    touch.meeting = &found_.bodies.back();
+}
+
+void Sweep::keep_points(Manifold& manifold, const Moving& a, const Step& step, Touch& touch) {
+    if (step.detection.reduce_to_four_points) reduce_to_four(manifold, a.start.rotation);
+    touch.normal = manifold.normal;
+    touch.points = found_.keep(manifold.points());
+}
+
+// Adds another touch of a pair that has one, but is turned by its rows so that it ends the step deep in each other
+// all the same: with the points and the normal of that end.
+void Sweep::add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches) {
+    if (first.restitution > 0.0) return;
+    const Moving a = moving(first.pair.a, step);
+    const Moving b = moving(first.pair.b, step);
+    Touch touch = first;
+    Meeting end{.time = step.dt, .pose_a = pose_at(a, step.dt), .pose_b = pose_at(b, step.dt), .manifold = {}};
+    collide(a.shape, end.pose_a, b.shape, end.pose_b, step.detection.margin * touch.size, end.manifold);
+    const double before = std::min(0.0, smallest_gap(first.points));
+    if (end.manifold.count == 0 || smallest_gap(end.manifold.points()) >= before - deep * touch.size) return;
+    wind_back(end, a, b);
+    keep_bodies(end, step, touch);
+    keep_points(end.manifold, a, step, touch);
+    touches.push_back(touch);
+}
+
+void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector) {
+    auto touch = touches.begin();
+    const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
+    const std::span<const Pair> beside = detector.beside();
+    for (const Pair& pair : fast_pairs_.find(outlook, step.awake, fast_, beside, detector.broad_phase())) {
+        if (!is_swept(pair, step) && !std::binary_search(beside.begin(), beside.end(), pair)) continue;
+        for (; touch != touches.end() && touch->pair < pair; ++touch) refined_.push_back(*touch);
+        const bool touching = touch != touches.end() && touch->pair == pair;
+        const double margin = touching ? step.detection.margin * touch->size : 0.0;
+        if (touching && !has_more(*touch, moving(pair.a, step), moving(pair.b, step), step.dt, margin)) {
+            refined_.push_back(*touch);
+        } else {
+            const Outcome outcome = add_meeting(pair, step, refined_);
+            const bool stays = outcome == Outcome::undecided ||
+                               (outcome == Outcome::passes && touching && smallest_gap(touch->points) <= 0.0);
+            if (touching && stays) refined_.push_back(*touch);
+        }
+        if (touching) ++touch;
+    }
+    refined_.insert(refined_.end(), touch, touches.end());
+    passing_.take_out_held(refined_, step);
+}
+
+std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step, Detector& detector) {
+    found_.clear();
+    seen_.clear();
+    fast_pairs_.begin(step.colliders.size());
+    known_ = touches;
+    if (!any_fast(touches, step) && detector.beside().empty()) return known_;
+    refined_.clear();
+    refine_fast(touches, step, detector);
+    known_ = refined_;
+    return known_;
+}
+
+const Touch* Sweep::known(const Pair& pair) const {
+    const auto touch = std::lower_bound(known_.begin(), known_.end(), pair, before);
+    return touch != known_.end() && touch->pair == pair ? &*touch : nullptr;
+}
+
+std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
+                                   const Step& step, Detector& detector) {
+    unforeseen_.clear();
+    if (!any_thrown(forces, changed, step)) return unforeseen_;
+    const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};
+    for (const Pair& pair : fast_pairs_.find(outlook, step.awake, fast_, detector.broad_phase())) {
+        if (std::binary_search(seen_.begin(), seen_.end(), pair)) continue;
+        if (const Touch* touch = known(pair)) {
+            add_turned(*touch, step, unforeseen_);
+        } else {
+            add_meeting(pair, step, unforeseen_);
+        }
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
+    for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);
+    std::inplace_merge(seen_.begin(), seen_.begin() + middle, seen_.end());
+    return unforeseen_;
+}
+
+}  // namespace pushfactor::engine::collision

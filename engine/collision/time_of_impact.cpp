@@ -1,0 +1,153 @@
+#include "engine/collision/time_of_impact.h"
+
+#include "engine/collision/pair_table.h"
+#include "engine/collision/separations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+constexpr int most_waits = 400;         // a box that spins by hundreds of radians in a step takes many
+constexpr double same_direction = 0.9;  // cosine of the angle between two normals of one face or edge
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// A pair in the course of its motion.
+struct Placed {
+    const Moving& a;
+    const Moving& b;
+    Pose pose_a, pose_b;
+};
+
+// The first two terms of how far a shape reaches along a direction as time goes by.
+struct Reach {
+    double speed = 0.0;         // m/s, of its fastest point
+    double acceleration = 0.0;  // m/s^2, the most by which turning can add to it
+};
+
+Reach operator+(const Reach& p, const Reach& q) {
+    return {p.speed + q.speed, p.acceleration + q.acceleration};
+}
+
+Reach reach_along(const Moving& moving, const Pose& pose, const Vector3& direction) {
+    Reach reach{.speed = moving.motion.velocity.dot(direction)};
+    const auto* box = std::get_if<Box>(&moving.shape);
+    if (!box) return reach;  // turning moves nothing of a sphere, and planes stand still
+    // direction . (w x r) = r . across, and its rate of change is (w x r) . -across.
+    const Vector3 across = direction.cross(moving.motion.angular_velocity);
+    reach.speed += (pose.rotation.transpose() * across).cwiseAbs().dot(box->half_size);
+    reach.acceleration = across.norm() * moving.motion.angular_velocity.norm() * box->half_size.norm();
+    return reach;
+}
+
+Reach closing(const Placed& pair, const Vector3& normal) {
+    return reach_along(pair.a, pair.pose_a, normal) + reach_along(pair.b, pair.pose_b, -normal);
+}
+
+// The root of gap = speed t + acceleration t^2 / 2.
+double time_to_close(double gap, const Reach& reach) {
+    if (gap <= 0.0) return 0.0;
+    if (reach.acceleration <= 0.0) return reach.speed > 0.0 ? gap / reach.speed : never;
+    const double root = std::sqrt(reach.speed * reach.speed + 2.0 * reach.acceleration * gap);
+    return reach.speed > 0.0 ? 2.0 * gap / (reach.speed + root) : (root - reach.speed) / reach.acceleration;
+}
+
+template <typename Visit>
+void visit_separations(const Placed& pair, Visit visit) {
+    const auto* box_a = std::get_if<Box>(&pair.a.shape);
+    const auto* box_b = std::get_if<Box>(&pair.b.shape);
+    if (box_a && box_b) {
+        const Separations separations(*box_a, pair.pose_a, *box_b, pair.pose_b);
+        for (const Separation& axis : separations.all()) visit(axis);
+        return;
+    }
+    Manifold nearest;
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, never, nearest);
+    double gap = never;
+    for (const ContactPoint& point : nearest.points()) gap = std::min(gap, point.gap);
+    visit(Separation{nearest.normal, gap});
+}
+
+// Until the shapes can meet, and how far apart they are before.
+struct Wait {
+    double time = 0.0;     // s
+    double gap = -never;   // m, the largest
+    double fastest = 0.0;  // m/s, of all directions
+};
+
+// `permitted`: the overlap with which they still count as apart [m].
+Wait wait_of(const Placed& pair, double permitted) {
+    Wait wait;
+    visit_separations(pair, [&](const Separation& separation) {
+        const Reach reach = closing(pair, separation.normal);
+        const double gap = separation.gap + permitted;
+        wait.time = std::max(wait.time, time_to_close(gap, reach));
+        wait.gap = std::max(wait.gap, gap);
+        wait.fastest = std::max(wait.fastest, reach.speed);
+    });
+    return wait;
+}
+
+double path(const Reach& reach, double time) {
+    return std::max(0.0, (reach.speed + 0.5 * reach.acceleration * time) * time);
+}
+
+// The points of a pair that has just met, also those that are to meet in the `rest` [s] of the step.
+Manifold manifold_of(const Placed& pair, double rest, double margin) {
+    Manifold manifold;
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, margin, manifold);
+    if (manifold.count == 0) return manifold;
+    const double reach = margin + path(closing(pair, manifold.normal), rest);
+    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, reach, manifold);
+    return manifold;
+}
+
+}  // namespace
+
+Pose pose_at(const Moving& moving, double time) {
+    Pose pose = moving.start;
+    pose.position += time * moving.motion.velocity;
+    const double rate = moving.motion.angular_velocity.norm();
+    if (rate * time > 0.0) {
+        pose.rotation = Eigen::AngleAxisd(rate * time, moving.motion.angular_velocity / rate) * pose.rotation;
+    }
+    return pose;
+}
+
+double approach(const Moving& a, const Moving& b, const Vector3& normal, double time) {
+    return path(closing({a, b, a.start, b.start}, normal), time);
+}
+
+Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearness) {
+    const double tolerance = nearness.tolerance;
+    double time = 0.0;
+    double overlap = 0.0;
+    std::optional<Meeting> graze;
+    int i = 0;
+    for (; i < most_waits && time < dt; ++i) {
+        const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
+        Wait wait = wait_of(pair, overlap);
+        if (wait.gap <= tolerance) {
+            const Manifold manifold = manifold_of(pair, dt - time, std::max(nearness.margin, 2.0 * tolerance));
+            const bool grazes = manifold.count > 0 && overlap < nearness.permitted &&
+                                manifold.other_gap + nearness.permitted > tolerance;
+            const Meeting here{time, pair.pose_a, pair.pose_b, manifold};
+            if (grazes) {
+                graze = here;
+                overlap = nearness.permitted;
+                continue;
+            }
+            // What they grazed first is what they meet, unless they went on to another face.
+            const bool same = graze && graze->manifold.normal.dot(manifold.normal) > same_direction;
+            if (manifold.count > 0) return {same ? *graze : here};
+            // Close along every axis and yet beside each other, corner to corner: a little later they are past.
+            wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
+        }
+        time += wait.time;
+    }
+    return {.meeting = std::nullopt, .decided = i < most_waits};
+}
+
+}  // namespace pushfactor::engine::collision

@@ -1,0 +1,25 @@
+// The contact constraint, paper section 5.3: one row a contact point.
+//
+//   j_c = [-n, -r_a x n, n, r_b x n],   v = beta d / dt (5.3.1),   0 <= lambda < inf
+//
+// Symbols: n normal, unit length, from body a to body b; r_i offset of the point from the centre of mass of
+// body i [m]; d penetration depth [m]; v push factor [m/s]; lambda contact force [N]. World frame.
+//
+// Deviations: the text does not say which way n points; from a to b makes lambda >= 0 push the bodies apart.
+// Three choices that the text does not have: up to `slop` of penetration nothing is corrected, so that resting
+// contacts stay contacts; a point that is still apart by g > 0 (it came in through the margin) may close that gap
+// within the step and no faster, which is v = -g/dt in both columns (up to a thousandth of the slop it touches and
+// aims at rest, instead of following gaps of rounding size); and the simplification for a static body b is used for
+// a static body a as well.
+#pragma once
+
+#include "engine/constraints/constraint_row.h"
+#include "engine/constraints/point_jacobian.h"
+
+namespace pushfactor::engine {
+
+// Writes it into `row`, which is as it was made. `gap` and `slop` in metres.
+void write_contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
+                       double slop, double dt, ConstraintRow& row);
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,81 @@
+#include "engine/constraints/contact_order.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Heights that differ by less than a two hundredth of the size, or a little more, are equal: of a layer rounding
+// would decide the order, and another one after each step. They are rounded to a power of two, so that scaled
+// lengths have the same order; neither tenths nor halves of it are near where it rounds up.
+constexpr double quanta_a_size = 256.0;
+constexpr double rounds_up_at = 0.54;
+
+// What a thread takes at a time.
+constexpr std::size_t keys_of_a_part = 500;
+
+// The largest power of two that is not above a positive number.
+double power_of_two(double number) {
+    constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & exponent);
+}
+
+double rounded(double height, double size) {
+    const double quantum = power_of_two(size) / quanta_a_size;
+    if (!(quantum > 0.0) || !std::isfinite(size)) return height;
+    return quantum * std::floor(height / quantum + (1.0 - rounds_up_at));
+}
+
+double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const int index : {touch.body_a, touch.body_b}) {
+        const Body& body = bodies[static_cast<std::size_t>(index)];
+        if (!body.is_static()) lowest = std::min(lowest, body.position.y());
+    }
+    return rounded(lowest, touch.size);
+}
+
+// A static partner is below whatever stands on it, so at equal height its pair comes first.
+bool rests_on_static(const collision::Touch& touch, std::span<const Body> bodies) {
+    return bodies[static_cast<std::size_t>(touch.body_a)].is_static() ||
+           bodies[static_cast<std::size_t>(touch.body_b)].is_static();
+}
+
+}  // namespace
+
+bool ContactOrder::before(const Key& a, const Key& b) {
+    if (a.height != b.height) return a.height < b.height;
+    return a.on_movable != b.on_movable ? b.on_movable : a.touch < b.touch;
+}
+
+std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
+                                                std::span<const Body> bodies, Threads* threads) {
+    const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
+    // Begins with the order of the last call, from which little changes while bodies rest.
+    if (keys_.size() != touches.size()) {
+        keys_.resize(touches.size());
+        for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].touch = static_cast<int>(i);
+    }
+    share(threads, keys_.size(), keys_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (Key& key : std::span(keys_).subspan(begin, end - begin)) {
+            const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
+            key.height = by_height ? height_of(touch, bodies) : 0.0;
+            key.on_movable = by_height && !rests_on_static(touch, bodies);
+        }
+    });
+    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) sort_distinct(threads, std::span(keys_), before);
+
+    contacts_.clear();
+    for (const Key& key : keys_) {
+        const auto points = static_cast<int>(touches[static_cast<std::size_t>(key.touch)].points.size());
+        for (int p = 0; p < points; ++p) contacts_.push_back({key.touch, p});
+    }
+    if (order == RowOrder::reverse) std::reverse(contacts_.begin(), contacts_.end());
+    return contacts_;
+}
+
+}  // namespace pushfactor::engine

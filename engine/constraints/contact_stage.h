@@ -1,0 +1,138 @@
+// Contacts as a part of the world: colliders -> pairs -> manifolds -> rows (paper sections 4, 5.3, 5.4), and the
+// cache of their forces (6.2.3). A scene whose bodies never touch does not have this part.
+#pragma once
+
+#include "engine/collision/continuous_collision.h"
+#include "engine/collision/detector.h"
+#include "engine/collision/passing.h"
+#include "engine/constraints/constraint_source.h"
+#include "engine/constraints/contact_cache.h"
+#include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/contact_order.h"
+#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/restitution.h"
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pushfactor::engine {
+
+struct ContactChoices {
+    Correction correction;           // how penetration is corrected (5.3.1, 8.1)
+    double slop = 0.002;             // penetration that is left alone, fraction of the size, >= 0
+    collision::Detection detection;  // margin, points of a manifold
+    RowOrder order = RowOrder::bottom_up;
+};
+
+// A contact point of the last step, for whoever wants to show it, and its rows among those of the step.
+struct ContactSite {
+    int body_a = 0;
+    int body_b = 0;
+    Vector3 position = Vector3::Zero();  // m, world frame
+    Vector3 normal = Vector3::UnitY();   // unit length, from a to b
+    std::size_t normal_row = 0;
+    std::optional<std::size_t> friction_row{};  // the first of two
+    std::array<Vector3, 2> tangents{Vector3::Zero(), Vector3::Zero()};
+    bool swept = false;  // found by the sweep: its rows act where the bodies meet within the step
+};
+
+class ContactStage : public ConstraintSource {
+  public:
+    ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices);
+
+    // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
+    void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
+    void set_restitution(RestitutionRule rule) { restitution_ = rule; }
+    // Without a sweep a fast body is not noticed before it is in the margin, or past it.
+    void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
+    void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
+
+    void append_rows(const StepStart& step, RowList& rows) override;
+    void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
+                           std::span<const NewForce> changed, RowList& rows) override;
+    void remember(std::span<const Lambda> answers) override;
+    bool turns_unseen(int body) const override;
+    SomeBodies changed_anew(double from, double until) const override;
+    bool can_leave_out() const override { return true; }
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+
+    std::span<const collision::Collider> colliders() const { return colliders_; }
+    // Null without.
+    const FrictionRule* friction() const { return friction_.get(); }
+    RestitutionRule restitution() const { return restitution_; }
+    const collision::Sweep* sweep() const { return sweep_.get(); }
+    const ContactCache* cache() const { return cache_.get(); }  // without the contacts of bodies at rest
+    // Overwrites `into` with those of all contacts, bodies at rest included; nothing without a cache.
+    void all_forces(ContactCache& into) const;
+
+    // In the order of the rows; empty before the first step.
+    std::vector<ContactSite> sites() const;
+
+  private:
+    // One contact point of this step: where its answers will be, and along which directions.
+    struct Contact {
+        // Not defaulted: a vector would fill all of it with zeros before its members get their values.
+        Contact() {}  // NOLINT(modernize-use-equals-default)
+
+        const collision::Touch* touch;
+        int point;          // of the touch
+        std::size_t force;  // into forces_
+        int normal_row;     // of the rows of the step
+        int friction_row;   // the first of two; below zero without friction, which has no tangents
+        int foreign_rows;   // how many rows before these are not the stage's
+        std::array<Vector3, 2> tangents;
+    };
+    struct TouchFriction;
+
+    void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
+                        RowList& rows);
+    std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
+                                    Threads* threads);
+    void number_rows(std::span<Contact> contacts, std::size_t first_row);
+    void find_motions(const StepStart& step);
+    void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
+                    std::span<ConstraintRow> rows) const;
+    void write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
+                      ConstraintRow& row) const;
+    void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
+                        std::span<ConstraintRow> rows) const;
+    void wake_all(std::size_t bodies);
+    collision::Sweep::Step collision_step(const StepStart& step) const;
+    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
+    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
+    void store_forces();
+
+    std::vector<collision::Collider> colliders_;
+    ContactChoices choices_;
+    std::unique_ptr<const FrictionRule> friction_;
+    RestitutionRule restitution_ = nullptr;
+    std::unique_ptr<ContactCache> cache_;
+    std::unique_ptr<collision::Sweep> sweep_;
+    ContactCache at_rest_;  // the forces between bodies at rest
+    bool any_bounces_ = false;
+
+    // Whose rows are appended, and whether they are others than in the last step.
+    Awake awake_bodies_, awake_colliders_, all_bodies_, all_colliders_;
+    bool awake_anew_ = true;
+
+    // Of the current step.
+    collision::Foresight foresight_;
+    collision::Detector detector_;
+    collision::Passing passing_;
+    std::span<const collision::Touch> touches_;
+    Threads* threads_ = nullptr;
+    std::deque<collision::Touch> unforeseen_;
+    // By body, at the start of the step, for friction:
+    std::vector<Motion> motions_;
+    std::vector<double> accelerations_;  // m/s^2, by the external forces; 0 of a static body
+    ContactOrder order_, unforeseen_order_;
+    std::vector<Contact> contacts_;         // in the order of their rows
+    std::vector<ContactForce> forces_;      // in the order of touches_ and then of unforeseen_, and of their points
+    std::vector<std::size_t> first_force_;  // of each touch at hand, into forces_
+    int own_rows_ = 0;
+};
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,129 @@
+#include "engine/constraints/distance_constraint.h"
+
+#include "engine/constraints/point_jacobian.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// `error` = |p_ab| - l.
+bool is_loose(const Distance& distance, double error) {
+    return (distance.acts == Distance::Acts::pulls && error < 0.0) ||
+           (distance.acts == Distance::Acts::pushes && error > 0.0);
+}
+
+// A rope that hangs loose may tighten within the step, in both columns, as a contact point in the margin may close
+// its gap; a strut likewise.
+PushFactor distance_push(const Distance& distance, double error, const Correction& correction, double dt) {
+    if (is_loose(distance, error)) return {.correcting = 0.0, .lasting = -error / dt};
+    return correct(correction, -error, dt);
+}
+
+Bounds distance_bounds(const Distance& distance) {
+    const bool pushes = distance.acts != Distance::Acts::pulls;
+    const bool pulls = distance.acts != Distance::Acts::pushes;
+    return {.c_min = pulls ? -distance.max_force : 0.0, .c_max = pushes ? distance.max_force : 0.0};
+}
+
+BodyPair pair_of(const Distance& distance, std::span<const Body> bodies) {
+    return {distance.body_a, distance.body_b, bodies[static_cast<std::size_t>(distance.body_a)],
+            bodies[static_cast<std::size_t>(distance.body_b)]};
+}
+
+}  // namespace
+
+Span span_of(const Distance& distance, std::span<const Body> bodies) {
+    const Body& a = bodies[static_cast<std::size_t>(distance.body_a)];
+    const Body& b = bodies[static_cast<std::size_t>(distance.body_b)];
+    return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
+}
+
+DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached)
+    : distances_(std::move(distances)),
+      correction_(correction),
+      cached_(cached),
+      forces_(distances_.size()),
+      acting_(distances_.size()) {
+    std::iota(acting_.begin(), acting_.end(), 0);
+    for ([[maybe_unused]] const Distance& distance : distances_) {
+        assert(!is_ball_joint(distance) ||
+               (distance.acts == Distance::Acts::both && std::isinf(distance.max_force)));
+    }
+}
+
+void DistanceConstraints::append_rows(const StepStart& step, RowList& rows) {
+    for (const std::size_t i : acting_) {
+        if (is_ball_joint(distances_[i])) {
+            append_joint(i, step.bodies, step.dt, rows);
+        } else {
+            append_bar(i, step.bodies, step.dt, rows);
+        }
+    }
+}
+
+void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
+    const Distance& distance = distances_[index];
+    const auto [p_a, p_b] = span_of(distance, bodies);
+    const Vector3 p_ab = p_b - p_a;
+    const double length = p_ab.norm();
+    const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
+    const double error = length - distance.length;
+
+    ConstraintRow& row = rows.emplace_back();
+    PairPoint(pair_of(distance, bodies), p_a, p_b).place(row, n);
+    row.push = distance_push(distance, error, correction_, dt);
+    row.bounds = distance_bounds(distance);
+    row.error = error;
+    row.label = {.kind = RowKind::distance,
+                 .point = static_cast<int>(index),
+                 .gap = is_loose(distance, error) ? 0.0 : error};
+    if (cached_) row.guess = forces_[index][0];
+}
+
+void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
+    const Distance& distance = distances_[index];
+    const auto [p_a, p_b] = span_of(distance, bodies);
+    const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);
+    const PairPoint points(pair_of(distance, bodies), middle);
+    for (int axis = 0; axis < 3; ++axis) {
+        ConstraintRow& row = rows.emplace_back();
+        points.place(row, Vector3::Unit(axis));
+        row.push = correct(correction_, -p_ab[axis], dt);
+        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = p_ab.norm()};
+        if (cached_) row.guess = forces_[index][static_cast<std::size_t>(axis)];
+    }
+}
+
+bool DistanceConstraints::turns_unseen(int body) const {
+    return std::none_of(distances_.begin(), distances_.end(), [body](const Distance& distance) {
+        return (distance.body_a == body && !distance.point_a.isZero(0.0)) ||
+               (distance.body_b == body && !distance.point_b.isZero(0.0));
+    });
+}
+
+void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+    acting_.clear();
+    for (std::size_t i = 0; i < distances_.size(); ++i) {
+        if (is_any_moving(bodies, awake, distances_[i].body_a, distances_[i].body_b)) acting_.push_back(i);
+    }
+}
+
+void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {
+    assert(forces.size() == distances_.size());
+    forces_ = std::move(forces);
+}
+
+void DistanceConstraints::remember(std::span<const Lambda> answers) {
+    for (const std::size_t i : acting_) {
+        const std::size_t rows = is_ball_joint(distances_[i]) ? 3 : 1;
+        std::copy_n(answers.begin(), rows, forces_[i].begin());
+        answers = answers.subspan(rows);
+    }
+}
+
+}  // namespace pushfactor::engine

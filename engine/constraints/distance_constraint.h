@@ -1,0 +1,91 @@
+// The distance constraint, paper section 5.2: point p_a of body a and point p_b of body b stay at distance l. With
+// l = 0 it is a ball joint: the points stay together.
+//
+//   c = |p_ab| - l,   j_c = [-n, -r_a x n, n, r_b x n] with n = p_ab / |p_ab|,   v = -beta (|p_ab| - l) / dt
+//
+// and with l = 0 three rows, along the world's x, y and z:
+//
+//   c_k = p_ab . e_k,   j_c = [-e_k, -r_a x e_k, e_k, r_b x e_k],   v_k = -beta c_k / dt
+//
+// with the levers r_i = (p_a + p_b) / 2 - x_i: while a joint is open, force and counterforce act at one point, or
+// they would turn the pair; |p_ab| closes at the same rate, as the turning of the bodies moves p_ab only sideways.
+//
+// Symbols: p_ab = p_b - p_a [m]; r_i = p_i - x_i offset from the centre of mass [m]; l length [m]; v push factor
+// [m/s]; lambda force along n [N], above zero pushes the points apart. World frame.
+//
+// Deviations: 5.2.2 and 5.2.3 print v without the minus, which drives the points apart ever faster. 5.2.1 uses
+// p_ab unnormalised, so that its v is in m^2/s while 5.2.3 gives m/s; with the unit vector both are in m/s, as
+// section 9.2 asks for. Where p_ab is zero and l is not, n is the world's y axis. With l = 0 the direction of p_ab
+// is rounding and one row holds one direction of three, so there are three. 5.1 allows rows that "only act in one
+// direction" and rows with a force limit: ropes, struts and bars that yield.
+#pragma once
+
+#include "engine/constraints/constraint_source.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace pushfactor::engine {
+
+struct Distance {
+    enum class Acts {
+        both,    // a bar
+        pulls,   // a rope: holds the points at most l apart
+        pushes,  // a strut: holds them at least l apart
+    };
+
+    int body_a = 0;  // indices into the bodies of the world; a static body stands for the world itself
+    int body_b = 0;
+    Vector3 point_a = Vector3::Zero();  // m, body frame, from the centre of mass
+    Vector3 point_b = Vector3::Zero();
+    double length = 1.0;  // m, >= 0; 0 is a ball joint, which acts both ways and without limit
+    Acts acts = Acts::both;
+    double max_force = std::numeric_limits<double>::infinity();  // N, > 0
+};
+
+inline bool is_ball_joint(const Distance& distance) {
+    return distance.length == 0.0;
+}
+
+// The answers for a distance [N]: along the bar and two zeros, or along the world's x, y and z for a ball joint.
+using DistanceForce = std::array<Lambda, 3>;
+
+// The two points in the world frame [m].
+struct Span {
+    Vector3 from, to;
+};
+Span span_of(const Distance& distance, std::span<const Body> bodies);
+
+class DistanceConstraints : public ConstraintSource {
+  public:
+    // `cached`: start from the forces of the step before (6.2.3).
+    DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached);
+
+    void append_rows(const StepStart& step, RowList& rows) override;
+    void remember(std::span<const Lambda> answers) override;
+    bool turns_unseen(int body) const override;
+    bool can_leave_out() const override { return true; }
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+
+    std::span<const Distance> distances() const { return distances_; }
+    // The numbers of those that have rows, in the order of the rows: not those of bodies at rest.
+    std::span<const std::size_t> acting() const { return acting_; }
+
+    // The answers of the last step, one a distance [N]; zero before the first. A restored run begins with those of
+    // the run that was saved.
+    const std::vector<DistanceForce>& forces() const { return forces_; }
+    void set_forces(std::vector<DistanceForce> forces);
+
+  private:
+    void append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
+    void append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
+
+    std::vector<Distance> distances_;
+    Correction correction_;
+    bool cached_;
+    std::vector<DistanceForce> forces_;
+    std::vector<std::size_t> acting_;
+};
+
+}  // namespace pushfactor::engine

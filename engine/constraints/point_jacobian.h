@@ -1,0 +1,65 @@
+// j_c of rows that act at a point (paper 5.2.1, 5.3, 5.4).
+#pragma once
+
+#include "engine/bodies/body.h"
+#include "engine/constraints/constraint_row.h"
+
+namespace pushfactor::engine {
+
+// Writes [d, r x d] for the direction d = (x, y, z) [1], r the offset from the centre of mass [m], world frame.
+// Number by number: read back as packets, what was written as numbers would have to be waited for.
+inline void place_axis(double x, double y, double z, const Vector3& r, Vector6& axis) {
+    axis[0] = x;
+    axis[1] = y;
+    axis[2] = z;
+    axis[3] = r.y() * z - r.z() * y;
+    axis[4] = r.z() * x - r.x() * z;
+    axis[5] = r.x() * y - r.y() * x;
+}
+
+// The bodies of a row with their indices.
+struct BodyPair {
+    int a = 0;
+    int b = 0;
+    const Body& body_a;
+    const Body& body_b;
+};
+
+// Where the bodies of a pair act on each other. The rows of a contact share it.
+class PairPoint {
+  public:
+    // At one point [m, world frame].
+    PairPoint(const BodyPair& bodies, const Vector3& position) : PairPoint(bodies, position, position) {}
+
+    // At a point of each body [m, world frame].
+    PairPoint(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b)
+        : a_(bodies.a),
+          b_(bodies.b),
+          r_a_(on_a - bodies.body_a.position),
+          r_b_(on_b - bodies.body_b.position),
+          a_moves_(!bodies.body_a.is_static()),
+          b_moves_(!bodies.body_b.is_static()) {}
+
+    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero (the
+    // simplification at the end of 5.3).
+    Jacobian along(const Vector3& direction) const {
+        ConstraintRow row;
+        place(row, direction);
+        return row.jacobian;
+    }
+
+    // Gives a new row its bodies and its axis along `direction`.
+    void place(ConstraintRow& row, const Vector3& direction) const {
+        row.body_a = a_;
+        row.body_b = b_;
+        if (a_moves_) place_axis(-direction.x(), -direction.y(), -direction.z(), r_a_, row.jacobian.a);
+        if (b_moves_) place_axis(direction.x(), direction.y(), direction.z(), r_b_, row.jacobian.b);
+    }
+
+  private:
+    int a_, b_;          // indices of the bodies
+    Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
+    bool a_moves_, b_moves_;
+};
+
+}  // namespace pushfactor::engine

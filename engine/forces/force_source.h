@@ -1,0 +1,57 @@
+// What pushes the bodies of a world: external forces, as parts that a scene has or has not.
+#pragma once
+
+#include "engine/bodies/awake.h"
+#include "engine/bodies/body.h"
+
+#include <span>
+
+namespace pushfactor::engine {
+
+// The bodies of a world as a force source sees them: a loop goes through those that are not at rest (rest.h).
+class ForcedBodies {
+  public:
+    ForcedBodies(std::span<Body> bodies, const Awake& awake) : bodies_(bodies), awake_(awake) {}
+
+    class Iterator {
+      public:
+        Iterator(std::span<Body> bodies, std::span<const int>::iterator at) : bodies_(bodies), at_(at) {}
+        Body& operator*() const { return bodies_[static_cast<std::size_t>(*at_)]; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+      private:
+        std::span<Body> bodies_;
+        std::span<const int>::iterator at_;
+    };
+    Iterator begin() const { return {bodies_, awake_.members().begin()}; }
+    Iterator end() const { return {bodies_, awake_.members().end()}; }
+
+    // By number; of one at rest a copy, good until the next call, because what is added to it does not count.
+    Body& operator[](std::size_t body) const {
+        if (awake_.has(static_cast<int>(body))) return bodies_[body];
+        return at_rest_ = bodies_[body];
+    }
+    std::size_t size() const { return bodies_.size(); }
+
+  private:
+    std::span<Body> bodies_;
+    const Awake& awake_;
+    mutable Body at_rest_;
+};
+
+// Adds external forces to the bodies at the start of a step (3.1: "keeps track of all the forces applied").
+class ForceSource {
+  public:
+    virtual ~ForceSource() = default;
+    virtual void add_forces(const ForcedBodies& bodies, double time) = 0;  // s since the start of the world
+
+    // Which bodies may get another force at `until` than at `from` [s] although they have not moved. These cannot
+    // rest; all of them, unless a source says better.
+    virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
+};
+
+}  // namespace pushfactor::engine

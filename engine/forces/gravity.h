@@ -1,0 +1,18 @@
+// Uniform gravity, the external force of paper section 6.1.5.
+#pragma once
+
+#include "engine/forces/force_source.h"
+
+namespace pushfactor::engine {
+
+class Gravity : public ForceSource {
+  public:
+    explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
+    void add_forces(const ForcedBodies& bodies, double time) override;
+    SomeBodies pushed_anew(double, double) const override { return {}; }
+
+  private:
+    Vector3 acceleration_;
+};
+
+}  // namespace pushfactor::engine

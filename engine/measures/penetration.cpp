@@ -1,0 +1,31 @@
+#include "engine/measures/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders) {
+    collision::Detector detector;
+    return penetration(bodies, colliders, detector);
+}
+
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
+                        collision::Detector& detector, Threads* threads) {
+    const Awake all_colliders(colliders.size()), all_bodies(bodies.size());
+    Penetration result;
+    double sum_of_squares = 0.0;
+    for (const collision::Touch& touch :
+         detector.detect(colliders, bodies, {.margin = 0.0, .reduce_to_four_points = false}, nullptr,
+                         {all_colliders, all_colliders.members(), all_bodies.members()}, threads)) {
+        for (const collision::ContactPoint& point : touch.points) {
+            result.max = std::max(result.max, -point.gap);
+            sum_of_squares += point.gap * point.gap;
+            ++result.points;
+        }
+    }
+    if (result.points > 0) result.rms = std::sqrt(sum_of_squares / result.points);
+    return result;
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,25 @@
+// How deep the bodies of a state are inside each other.
+#pragma once
+
+#include "engine/bodies/body.h"
+#include "engine/collision/collider.h"
+#include "engine/collision/detector.h"
+
+#include <span>
+
+namespace pushfactor::engine {
+
+// Penetration d = -gap over all contact points of the state as it is.
+struct Penetration {
+    double max = 0.0;  // m, 0 without contact
+    double rms = 0.0;  // m, over the contact points (measures M4, before the division by a length)
+    int points = 0;
+};
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
+
+// The same with a detector that is kept from state to state: it finds what is near faster, where little has moved.
+// `threads` share the work; null: one thread.
+Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
+                        collision::Detector& detector, Threads* threads = nullptr);
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,232 @@
+#include "engine/solvers/exact/active_set.h"
+
+namespace pushfactor::engine::solvers {
+
+namespace {
+
+using Row = UnitProblem::Row;
+
+constexpr double greatest_rho = 1e9;
+// With discs, whose map is not linear between its bounds, a step may have to stay near where the map was taken:
+// where one leads farther away rho shrinks, to this or less, and the next starts from the best again; where one
+// leads nearer it grows.
+constexpr double careful_rho = 1e3, least_rho = 1e-3;
+constexpr double rho_gain = 10.0, rho_loss = 0.1;
+// Changes that improve nothing before the method gives up; one that leads this much farther away is the last.
+constexpr int most_without_gain = 3;
+constexpr double diverged = 1e3;
+
+}  // namespace
+
+// The free rows are judged by a Jacobi step: judged with rho_, every small residual would look like a change of the
+// active set. A row whose leader acts on other bodies is set to where its bound is now.
+void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double>& y) {
+    states_.resize(y.size());
+    slides_.clear();
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        const double scale = bound_scale(row, y);
+        const double moved = y[j] + r_[j];
+        states_[j] = State::set;
+        if (!(row.scale > 0.0)) continue;
+        const bool may_follow = row.leader >= 0 && states_[static_cast<std::size_t>(row.leader)] == State::free &&
+                                act_on_the_same(row, problem.rows[static_cast<std::size_t>(row.leader)]);
+        if (row.disc != Disc::none) {
+            if (row.disc == Disc::second) find_disc_state(problem, y, j, may_follow);
+        } else if (moved > row.low * scale && moved < row.high * scale) {
+            states_[j] = State::free;
+        } else if (may_follow) {
+            states_[j] = moved <= row.low * scale ? State::follows_low : State::follows_high;
+        }
+    }
+}
+
+// Of both rows of the disc whose second row is `j`. On the circle, with w = y + r and radius R, the answer is
+// R w / |w|; to first order in the changes of w and R this is a force along d = w / |w| that follows R, and across
+// it a damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a).
+void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
+                                bool may_follow) {
+    const Row &first = problem.rows[j - 1], &second = problem.rows[j];
+    const double w_1 = y[j - 1] + r_[j - 1], w_2 = y[j] + r_[j];
+    const double length = std::sqrt(w_1 * w_1 + w_2 * w_2);
+    const double radius = second.high * bound_scale(second, y);
+    if (length < radius) {
+        states_[j - 1] = states_[j] = State::free;
+        return;
+    }
+    states_[j - 1] = states_[j] = State::slides;
+    Slide slide{.second = j, .follows = may_follow, .d_1 = w_1 / length, .d_2 = w_2 / length};
+    if (!(length > 0.0)) slide.d_1 = 1.0, slide.d_2 = 0.0;
+    const double a = length > 0.0 ? radius / length : 0.0;
+    slide.k = std::min(a / (1.0 - a), rho_);
+    slide.along = between(first, slide.d_1, second, slide.d_2);
+    slide.across = between(first, -slide.d_2, second, slide.d_1);
+    slides_.push_back(slide);
+}
+
+double ActiveSet::factor_of(const Row& row, State state) const {
+    return state == State::follows_low ? row.low : row.high;
+}
+
+void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Effort& effort, SolveCount& count) {
+    if (states_ == factored_ && slides_.empty()) return;
+    matrix_.begin(order);
+    pushed_.resize(problem.rows.size());
+    bool any_follows = false;
+    const auto follow_leader = [&](const Row& row, double factor, const Jacobian& unit) {
+        Jacobian& pushed = pushed_[static_cast<std::size_t>(row.leader)];
+        pushed.a += factor * unit.a;
+        pushed.b += factor * unit.b;
+        any_follows = true;
+    };
+    for (std::size_t j = 0; j < states_.size(); ++j) {
+        const Row& row = problem.rows[j];
+        if (states_[j] == State::free) pushed_[j] = *row.unit;
+        if (states_[j] != State::follows_low && states_[j] != State::follows_high) continue;
+        follow_leader(row, factor_of(row, states_[j]), *row.unit);
+    }
+    for (const Slide& slide : slides_) {
+        const Row& row = problem.rows[slide.second];
+        if (slide.follows) follow_leader(row, row.high, slide.along);
+    }
+    double work = 0.0;
+    for (std::size_t j = 0; j < states_.size(); ++j) {
+        if (states_[j] != State::free) continue;
+        const Row& row = problem.rows[j];
+        if (any_follows) {
+            matrix_.add_product(row.a, rho_ * pushed_[j].a, row.unit->a, row.b, rho_ * pushed_[j].b, row.unit->b);
+        } else {
+            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho_);
+        }
+        work += any_follows ? 180.0 : 108.0;
+    }
+    for (const Slide& slide : slides_) {
+        const Row& row = problem.rows[slide.second];
+        matrix_.add(row.a, slide.across.a, row.b, slide.across.b, slide.k);
+        work += 108.0;
+    }
+    work += matrix_.factor_work();
+    matrix_.factor();
+    effort.spend_factorisation(work);
+    count.multiply_adds += work;
+    ++count.iterations;
+    factored_ = states_;
+}
+
+// One change. Returns whether the rows are in the states of the change before.
+bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
+                       SolveCount& count) {
+    find_states(problem, y);
+    const bool stayed = states_ == factored_ && slides_.empty();
+    factor(order, problem, effort, count);
+
+    // Where rows go that are not solved for; before their leader has moved, if they follow.
+    moved_.resize(y.size());
+    d_.assign(problem.bodies, Vector6::Zero());
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        switch (states_[j]) {
+            case State::free:
+                for (const auto& [body, axis] :
+                     {std::pair{row.a, &pushed_[j].a}, std::pair{row.b, &pushed_[j].b}}) {
+                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho_ * r_[j]);
+                }
+                continue;
+            case State::slides:
+                continue;
+            case State::set:
+                moved_[j] = y[j] + r_[j];
+                clamp(problem, row.leader < 0 ? y : moved_, j, moved_);
+                break;
+            default:
+                moved_[j] = factor_of(row, states_[j]) * bound_scale(row, y);
+        }
+        push(row, moved_[j] - y[j], d_);
+    }
+    for (const Slide& slide : slides_) start_slide(problem, slide, y);
+    matrix_.solve(d_);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        if (states_[j] == State::free) moved_[j] = y[j] + rho_ * (r_[j] - along(row, d_));
+    }
+    auto slide = slides_.begin();
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const Row& row = problem.rows[j];
+        const double scale = bound_scale(row, y);  // of the leader where it has moved to
+        if (states_[j] == State::slides) {
+            if (row.disc == Disc::second) end_slide(problem, *slide++, y);
+            continue;
+        }
+        const bool follows = states_[j] == State::follows_low || states_[j] == State::follows_high;
+        y[j] = follows ? factor_of(row, states_[j]) * scale : moved_[j];
+        clamp(problem, y, j, y);
+    }
+    const double work = 2.0 * problem.look_work() + matrix_.solve_work();
+    effort.spend(work);
+    count.multiply_adds += work;
+    return stayed;
+}
+
+// Pushes the bodies by what a sliding point changes of its force before its leader and they have moved.
+void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y) {
+    const Row& row = problem.rows[slide.second];
+    const double y_1 = y[slide.second - 1], y_2 = y[slide.second];
+    const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
+    const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
+    push(row, slide.along, radius - along, d_);
+    push(row, slide.across, -(1.0 + slide.k) * across, d_);
+}
+
+// Writes its forces, on the circle.
+void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::vector<double>& y) {
+    const Row& row = problem.rows[slide.second];
+    double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
+    const double radius = row.high * bound_scale(row, y);
+    const double before = slide.d_1 * y_2 - slide.d_2 * y_1;
+    const double across = -slide.k * (before + along(row, slide.across, d_));
+    const double length = std::sqrt(radius * radius + across * across);
+    const double share = length > 0.0 ? radius / length : 0.0;
+    y_1 = share * (radius * slide.d_1 - across * slide.d_2);
+    y_2 = share * (radius * slide.d_2 + across * slide.d_1);
+}
+
+double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
+                        int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
+    follow(problem, y, x_, r_);
+    best_.start(problem, y, x_, r_);
+    const int before = count.iterations;
+    const double most = order.general_work() + problem.assembly_work();
+    int without_gain = 0;
+    const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
+    if (rho_ != begin) factored_.clear();
+    rho_ = begin;
+    // One change more than the tolerance asks for: it has its factor already and takes the rest down to rounding,
+    // which a stack that is not solved again for a minute would add up to a motion.
+    for (bool enough = false; !enough && count.iterations - before < changes && without_gain < most_without_gain &&
+                              effort.affords(most);) {
+        enough = best_.residual() <= tolerance;
+        const bool stayed = change(order, problem, y, effort, count);
+        follow(problem, y, x_, r_);
+        effort.spend(2.0 * problem.look_work());
+        count.multiply_adds += 2.0 * problem.look_work();
+        const bool better = best_.look(problem, y, x_, r_);
+        without_gain = better ? 0 : without_gain + 1;
+        if (pace == Pace::careful) {
+            if (!better) {
+                y = best_.y();
+                follow(problem, y, x_, r_);
+                without_gain = 0;
+            }
+            const double next = std::min(better ? rho_ * rho_gain : rho_ * rho_loss, greatest_rho);
+            if (next < least_rho) break;
+            if (next != rho_) factored_.clear();
+            rho_ = next;
+            continue;
+        }
+        if (!better && (stayed || residual(problem, y, r_) > diverged * best_.residual())) break;
+    }
+    y = best_.y();
+    return best_.residual();
+}
+
+}  // namespace pushfactor::engine::solvers

@@ -1,0 +1,113 @@
+// The exact answer to a system in unit rows, column by column: changes of the active set, and where those do not
+// settle, the interior point method. An inner matter of the solvers.
+#pragma once
+
+#include "engine/solvers/exact/active_set.h"
+#include "engine/solvers/exact/effort.h"
+#include "engine/solvers/exact/interior_point.h"
+#include "engine/solvers/exact/structures.h"
+#include "engine/solvers/unit_rows.h"
+
+#include <limits>
+
+namespace pushfactor::engine::solvers {
+
+// The largest speed that a row of the problem asks for while there are no forces [m/s].
+double asked_speed(const UnitProblem& problem);
+
+class ExactAnswer {
+  public:
+    ExactAnswer() = default;
+    ExactAnswer(const ExactAnswer&) = delete;  // structure_ points into structures_
+    ExactAnswer& operator=(const ExactAnswer&) = delete;
+
+    // Finds out which bodies the rows connect. Comes first.
+    void take(const Island& island) { structure_ = &structures_.of(island); }
+    int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // static partners included
+    // Whether several movable bodies are connected without a cycle, so that the factor has no fill-in.
+    bool is_tree() const {
+        const auto pairs = static_cast<int>(structure_->movable_pairs.size());
+        return pairs > 0 && pairs < structure_->movable;
+    }
+
+    // Plans the factorisation, if it takes at most this many multiply-adds. Comes second.
+    void plan(double most_work = std::numeric_limits<double>::infinity()) {
+        structures_.plan(*structure_, most_work);
+    }
+
+    // Multiply-adds of one factorisation, rows included; may be infinite where that is more than was asked for.
+    // Needs the plan.
+    template <int columns>
+    double factorisation(const UnitRows<columns>& rows) const {
+        const Elimination& order = structure_->order;
+        return (rows.bounds_follow() ? order.general_work() : order.symmetric_work()) + rows.factor_rows_work();
+    }
+
+    // Improves the forces until the natural residual is at most `tolerance` [m/s], falls no further, or the effort
+    // is used up; what slides on discs, and takes long to get there, until it is at most `will_do` [m/s]. Never
+    // leaves a column worse than it was. Returns whether all columns got to the tolerance, or to rounding; where
+    // not, count.contradicts may say why.
+    template <int columns>
+    bool solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort, SolveCount& count);
+
+  private:
+    template <int columns>
+    void take_column(const UnitRows<columns>& rows, int column);
+    // The column that was taken.
+    bool settle(double tolerance, double will_do, Effort& effort, SolveCount& count);
+    bool contradicts();
+    void solve_without_contradiction(double tolerance, Effort& effort, SolveCount& count);
+
+    Structures structures_;
+    Structure* structure_ = nullptr;  // of the island at hand
+    ActiveSet active_set_;
+    InteriorPoint interior_;
+    UnitProblem problem_;
+    std::vector<double> y_, r_, p_;
+    BodyVelocities x_;
+};
+
+template <int columns>
+void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
+    const std::size_t c = rows.at(column);
+    problem_.bodies = rows.velocity.size();
+    problem_.bounds_follow = rows.bounds_follow();
+    problem_.has_discs = rows.has_discs();
+    problem_.rows.resize(rows.rows.size());
+    y_.resize(rows.rows.size());
+    for (std::size_t j = 0; j < rows.rows.size(); ++j) {
+        const auto& row = rows.rows[j];
+        problem_.rows[j] = {.a = row.a,
+                            .b = row.b,
+                            .unit = row.unit,
+                            .t = row.t[c],
+                            .low = row.low[c],
+                            .high = row.high[c],
+                            .leader = row.of_row,
+                            .disc = row.disc,
+                            .scale = row.scale};
+        y_[j] = row.y[c];
+    }
+    clamp(problem_, y_);
+}
+
+template <int columns>
+bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort,
+                        SolveCount& count) {
+    const double before = effort.spent();
+    const int iterations_before = count.iterations;
+    active_set_.start();
+    bool solved = true;
+    for (int c = 0; c < columns; ++c) {
+        take_column(rows, c);
+        effort.begin_column(columns - c);
+        solved = settle(tolerance, will_do, effort, count) && solved;
+        for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
+    }
+    rows.follow();
+    count.exact_work += effort.spent() - before;
+    count.exact_iterations += count.iterations - iterations_before;
+    return solved;
+}
+
+}  // namespace pushfactor::engine::solvers

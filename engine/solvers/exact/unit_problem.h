@@ -1,0 +1,180 @@
+// One column of the system in unit rows (unit_rows.h), as the exact methods take it. An inner matter of the
+// solvers.
+//
+// Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
+// what the rows still miss.
+#pragma once
+
+#include "engine/system/system_equation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pushfactor::engine::solvers {
+
+struct UnitProblem {
+    struct Row {
+        int a = 0, b = 0;                // bodies
+        const Jacobian* unit = nullptr;  // u_j
+        double t = 0.0;
+        double low = 0.0, high = 0.0;  // bounds of y, or factors of the leader's y
+        int leader = -1;               // a row before this one that its bounds follow
+        Disc disc = Disc::none;
+        double scale = 0.0;  // m/s of a row for one unit of y; 0 for a row that cannot move anything
+    };
+    std::vector<Row> rows;
+    std::size_t bodies = 0;
+    bool bounds_follow = false;  // whether some row has a leader
+    bool has_discs = false;
+
+    // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
+    // matrix that is to be factorised.
+    double look_work() const { return 12.0 * static_cast<double>(rows.size()); }
+    double pass_work() const { return 2.0 * look_work(); }
+    double assembly_work() const { return (bounds_follow ? 180.0 : 108.0) * static_cast<double>(rows.size()); }
+};
+
+using BodyVelocities = std::vector<Vector6>;
+
+// What a row's bounds are to be multiplied with while the forces are `y`.
+inline double bound_scale(const UnitProblem::Row& row, const std::vector<double>& y) {
+    return row.leader < 0 ? 1.0 : y[static_cast<std::size_t>(row.leader)];
+}
+
+// `value` between the bounds of a row without a disc, multiplied with `scale`.
+inline double clamped(const UnitProblem::Row& row, double value, double scale) {
+    return std::max(std::min(value, row.high * scale), row.low * scale);
+}
+
+// Puts the force `value[j]` within the bounds that it has while the others are `y`; both forces of a disc when `j`
+// is its second row, nothing when it is the first.
+inline void clamp(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
+                  std::vector<double>& value) {
+    const UnitProblem::Row& row = problem.rows[j];
+    const double scale = bound_scale(row, y);
+    if (row.disc == Disc::none) value[j] = clamped(row, value[j], scale);
+    if (row.disc != Disc::second) return;
+    const double share = share_in_disc(value[j - 1] * value[j - 1] + value[j] * value[j], row.high * scale);
+    value[j - 1] *= share;
+    value[j] *= share;
+}
+
+// Puts all forces within their bounds, those of leaders first.
+inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
+    for (std::size_t j = 0; j < y.size(); ++j) clamp(problem, y, j, y);
+}
+
+inline bool act_on_the_same(const UnitProblem::Row& a, const UnitProblem::Row& b) {
+    return a.a == b.a && a.b == b.b;
+}
+
+// An axis between the two tangents of a disc.
+inline Jacobian between(const UnitProblem::Row& first, double share_1, const UnitProblem::Row& second,
+                        double share_2) {
+    return {share_1 * first.unit->a + share_2 * second.unit->a, share_1 * first.unit->b + share_2 * second.unit->b};
+}
+
+// u . v of an axis u between the bodies of the row, and of its own.
+inline double along(const UnitProblem::Row& row, const Jacobian& u, const BodyVelocities& v) {
+    return u.a.dot(v[static_cast<std::size_t>(row.a)]) + u.b.dot(v[static_cast<std::size_t>(row.b)]);
+}
+inline double along(const UnitProblem::Row& row, const BodyVelocities& v) {
+    return along(row, *row.unit, v);
+}
+
+// v += u y, likewise.
+inline void push(const UnitProblem::Row& row, const Jacobian& u, double y, BodyVelocities& v) {
+    v[static_cast<std::size_t>(row.a)].noalias() += u.a * y;
+    v[static_cast<std::size_t>(row.b)].noalias() += u.b * y;
+}
+inline void push(const UnitProblem::Row& row, double y, BodyVelocities& v) {
+    push(row, *row.unit, y, v);
+}
+
+// Writes x and r.
+inline void follow(const UnitProblem& problem, const std::vector<double>& y, BodyVelocities& x,
+                   std::vector<double>& r) {
+    x.assign(problem.bodies, Vector6::Zero());
+    for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
+    r.resize(y.size());
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+}
+
+// What the natural map changes of a force: of row `j`, or of both rows of a disc when `j` is its second.
+struct Change {
+    double of_first = 0.0, of_row = 0.0;
+
+    double squared() const { return of_first * of_first + of_row * of_row; }
+};
+inline Change natural_change(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r,
+                             std::size_t j) {
+    const UnitProblem::Row& row = problem.rows[j];
+    const double scale = bound_scale(row, y);
+    if (row.disc == Disc::none) return {0.0, clamped(row, y[j] + r[j], scale) - y[j]};
+    if (row.disc == Disc::first) return {};
+    const double first = y[j - 1] + r[j - 1], second = y[j] + r[j];
+    const double share = share_in_disc(first * first + second * second, row.high * scale);
+    return {share * first - y[j - 1], share * second - y[j]};
+}
+
+// Natural residual [m/s] of a y with this r; not finite where one of them is not.
+inline double residual(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const double change = std::sqrt(natural_change(problem, y, r, j).squared());
+        if (std::isnan(change)) return change;
+        largest = std::max(largest, problem.rows[j].scale * change);
+    }
+    return largest;
+}
+
+// q = 1/2 |x|^2 - t . y [J], which the answer minimises: the energy that the forces give the bodies beyond what
+// they are asked for, less what roundings make of it. On the way to an answer the residual may be small while the
+// forces do more work than none would.
+inline double objective(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x) {
+    double q = 0.0;
+    for (const Vector6& velocity : x) q += 0.5 * velocity.squaredNorm();
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const double work = problem.rows[j].t * y[j];
+        q -= work + 1e-13 * std::abs(work);
+    }
+    return q;
+}
+
+// The best y that was seen on the way: of those that give the bodies no more energy than the first one or no force
+// at all, the one with the smallest residual.
+class BestForces {
+  public:
+    // Begins with `y`, whose x and r follow() has written.
+    void start(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
+               const std::vector<double>& r) {
+        y_ = y;
+        residual_ = solvers::residual(problem, y, r);
+        if (!std::isfinite(residual_)) residual_ = std::numeric_limits<double>::infinity();
+        allowed_ = std::max(0.0, objective(problem, y, x));
+    }
+
+    // Whether `y` is the best so far.
+    bool look(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x,
+              const std::vector<double>& r) {
+        const double now = solvers::residual(problem, y, r);
+        // Written so that a y that is not finite, whose residual may look small, is none.
+        const bool better = now < residual_ && objective(problem, y, x) <= allowed_;
+        if (!better) return false;
+        y_ = y;
+        residual_ = now;
+        return true;
+    }
+
+    const std::vector<double>& y() const { return y_; }
+    double residual() const { return residual_; }  // m/s
+
+  private:
+    std::vector<double> y_;
+    double residual_ = 0.0;
+    double allowed_ = 0.0;  // J
+};
+
+}  // namespace pushfactor::engine::solvers

@@ -1,0 +1,294 @@
+#include "engine/system/system_equation.h"
+
+#include "engine/bodies/awake.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// `result` is what it was in the last step, or zero.
+void find_inverse_mass(const Body& body, InverseMass& result) {
+    if (body.is_static()) {
+        if (result.linear > 0.0) result = {};
+        return;
+    }
+    const Vector3& moments = body.inverse_inertia;
+    const bool turns_alike = moments.x() == moments.y() && moments.y() == moments.z();
+    const bool as_before = turns_alike && result.turns_alike && result.linear == body.inverse_mass &&
+                           result.angular(0, 0) == moments.x();
+    if (as_before) return;
+    result.turns_alike = turns_alike;
+    result.linear = body.inverse_mass;
+    result.linear_root = std::sqrt(body.inverse_mass);
+    if (turns_alike) {
+        result.angular = moments.asDiagonal();
+        result.angular_root = moments.cwiseSqrt().asDiagonal();
+        return;
+    }
+    const Matrix3 rotation = body.orientation.toRotationMatrix();
+    result.angular = rotation * moments.asDiagonal() * rotation.transpose();
+    result.angular_root = rotation * moments.cwiseSqrt().asDiagonal();
+}
+
+// v1/dt + M^-1 f_ext of one body.
+void find_free_acceleration(const Body& body, const InverseMass& inverse_mass, double dt, Vector6& result) {
+    if (body.is_static()) {
+        result.setZero();
+        return;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis] = inverse_mass.linear * (body.linear_momentum[axis] / dt + body.force[axis]);
+    }
+    const Vector3 torque = body.angular_momentum / dt + body.torque;
+    const Matrix3& angular = inverse_mass.angular;
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis + 3] =
+            angular(axis, 0) * torque[0] + angular(axis, 1) * torque[1] + angular(axis, 2) * torque[2];
+    }
+}
+
+// M^(-1/2)^T j for one body, number by number: read back as packets, what was written as numbers would have to be
+// waited for.
+struct WeightedAxis {
+    WeightedAxis(const InverseMass& inverse_mass, const Vector6& j)
+        : x(inverse_mass.linear_root * j[0]),
+          y(inverse_mass.linear_root * j[1]),
+          z(inverse_mass.linear_root * j[2]),
+          u(turned(inverse_mass.angular_root, 0, j)),
+          v(turned(inverse_mass.angular_root, 1, j)),
+          w(turned(inverse_mass.angular_root, 2, j)) {}
+
+    static double turned(const Matrix3& root, int axis, const Vector6& j) {
+        return root(0, axis) * j[3] + root(1, axis) * j[4] + root(2, axis) * j[5];
+    }
+
+    // Of a body that no force moves.
+    WeightedAxis() : x(0), y(0), z(0), u(0), v(0), w(0) {}
+
+    double squared() const { return (x * x + y * y + z * z) + (u * u + v * v + w * w); }
+    double dot(const WeightedAxis& other) const {
+        return (x * other.x + y * other.y + z * other.z) + (u * other.u + v * other.v + w * other.w);
+    }
+    void write(double factor, Vector6& axis) const {
+        axis[0] = factor * x;
+        axis[1] = factor * y;
+        axis[2] = factor * z;
+        axis[3] = factor * u;
+        axis[4] = factor * v;
+        axis[5] = factor * w;
+    }
+
+    double x, y, z, u, v, w;
+};
+
+// Both halves of a row's axis.
+struct WeightedRow {
+    [[gnu::always_inline]] WeightedRow(const ConstraintRow& row, const SystemEquation& system)
+        : a(half(row.body_a, row.jacobian.a, system)), b(half(row.body_b, row.jacobian.b, system)) {}
+
+    [[gnu::always_inline]] static WeightedAxis half(int body, const Vector6& axis, const SystemEquation& system) {
+        const InverseMass& inverse_mass = system.inverse_mass[static_cast<std::size_t>(body)];
+        return inverse_mass.linear > 0.0 ? WeightedAxis(inverse_mass, axis) : WeightedAxis();
+    }
+    double squared() const { return a.squared() + b.squared(); }
+
+    WeightedAxis a, b;
+};
+
+// A_jj of row j; of both rows of a disc when it is the second of them. These have the same step, the largest
+// eigenvalue of their block [a c; c b], so that a sweep of both at once does not go too far.
+inline void weigh(std::size_t j, SystemEquation& system) {
+    const Disc disc = system.rows[j].bounds.disc;
+    if (disc == Disc::first) return;
+    const WeightedRow row(system.rows[j], system);
+    const double b = row.squared();
+    const auto index = static_cast<Eigen::Index>(j);
+    if (disc == Disc::none) {
+        system.diagonal[index] = b;
+        return;
+    }
+    const WeightedRow first(system.rows[j - 1], system);
+    const double a = first.squared();
+    const double c = first.a.dot(row.a) + first.b.dot(row.b);
+    const double step = 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c);
+    system.diagonal[index - 1] = system.diagonal[index] = step;
+}
+
+inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const ConstraintRow& row = rows[j];
+    const Bounds& bounds = row.bounds;
+    int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
+    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
+    if (bounds.of_row >= 0) {
+        traits |= RowDigest::limited;
+        // Those of a contact point are side by side.
+        const auto leader = static_cast<std::size_t>(bounds.of_row);
+        const auto acts_on_same = [&](const ConstraintRow& other) {
+            return other.body_a == row.body_a && other.body_b == row.body_b;
+        };
+        if (j - leader > 2 || !acts_on_same(rows[leader]) || !acts_on_same(rows[j - 1]))
+            traits |= RowDigest::follows;
+    } else {
+        const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
+        traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
+        if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
+            traits |= RowDigest::rebounds;
+        }
+    }
+    return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint8_t>(traits)};
+}
+
+// Keeps what is there.
+void size_rows(SystemEquation& system) {
+    const auto count = static_cast<Eigen::Index>(system.rows.size());
+    system.digests.resize(system.rows.size());
+    if (system.diagonal.size() == count) return;  // Eigen would ask for memory all the same
+    system.diagonal.conservativeResize(count);
+}
+
+bool corrects(const ConstraintRow& row) {
+    return row.push.correcting != 0.0 || !row.bounds.in_momenta;
+}
+
+}  // namespace
+
+void weigh_rows(SystemEquation& system) {
+    size_rows(system);
+    for (std::size_t j = 0; j < system.rows.size(); ++j) {
+        weigh(j, system);
+        system.digests[j] = digest_of(system.rows, j);
+    }
+}
+
+Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale) {
+    const WeightedRow weighted(system.rows[static_cast<std::size_t>(row)], system);
+    const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
+    Jacobian unit;
+    weighted.a.write(to_unit, unit.a);
+    weighted.b.write(to_unit, unit.b);
+    return unit;
+}
+
+namespace {
+
+constexpr std::size_t rows_of_a_part = 1000;  // that a thread takes
+
+// The axes and right sides of the rows from `first` on, in as many columns as b has. Returns whether some of them
+// correct for a single frame.
+bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
+    const std::vector<Vector6>& free = system.free_acceleration;
+    const bool two_columns = system.column_count() == 2;
+    std::atomic<bool> any_corrects = false;
+    share(threads, rows.size() - first, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
+        bool some_correct = false;
+        for (std::size_t j = first + begin; j < first + end; ++j) {
+            const ConstraintRow& row = rows[j];
+            weigh(j, system);
+            system.digests[j] = digest_of(rows, j);
+            const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                         row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            const auto index = static_cast<Eigen::Index>(j);
+            system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
+            if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
+            some_correct = some_correct || corrects(row);
+        }
+        if (some_correct) any_corrects.store(true, std::memory_order_relaxed);
+    });
+    return any_corrects;
+}
+
+// Starts with the column count of the last step and corrects it if the rows need another: one pass in nearly all
+// steps.
+void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
+                      Threads* threads) {
+    system.rows = rows;
+    size_rows(system);
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    const Eigen::Index before = std::max<Eigen::Index>(1, system.column_count());
+    if (first == 0) {
+        system.b.resize(count, before);
+    } else {
+        system.b.conservativeResize(count, before);
+    }
+    const bool two_columns = write_rows(rows, first, system, threads) || (first > 0 && before == 2);
+    if (two_columns && before == 1) {
+        system.b.conservativeResize(count, 2);
+        system.b.col(1) = system.b.col(0);
+        write_rows(rows, first, system, threads);
+    } else if (!two_columns && before == 2) {
+        system.b.conservativeResize(count, 1);
+    }
+}
+
+}  // namespace
+
+void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
+                  SystemEquation& system) {
+    build_system(bodies, Awake(bodies.size()).members(), rows, dt, system);
+}
+
+void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
+                  double dt, SystemEquation& system, Threads* threads) {
+    system.dt = dt;
+    std::vector<Vector6>& free = system.free_acceleration;
+    if (awake.size() < bodies.size() && !std::ranges::equal(system.awake, awake)) {
+        // What is left out is as if it were static.
+        system.inverse_mass.clear();
+        free.clear();
+    }
+    system.awake.assign(awake.begin(), awake.end());
+    system.inverse_mass.resize(bodies.size());
+    free.resize(bodies.size(), Vector6::Zero());
+    for (const int index : awake) {
+        const auto i = static_cast<std::size_t>(index);
+        find_inverse_mass(bodies[i], system.inverse_mass[i]);
+        find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
+    }
+
+    append_to_system(rows, 0, system, threads);
+}
+
+void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system) {
+    append_to_system(rows, system.rows.size(), system, nullptr);
+}
+
+void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                       std::vector<Vector6>& forces) {
+    forces.assign(system.inverse_mass.size(), Vector6::Zero());
+    for (Eigen::Index begin = 0, end = 0; begin < system.row_count(); begin = end) {
+        const ConstraintRow& first = system.rows[static_cast<std::size_t>(begin)];
+        const auto acts_on_these = [&](Eigen::Index j) {
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            return row.body_a == first.body_a && row.body_b == first.body_b;
+        };
+        while (end < system.row_count() && acts_on_these(end)) ++end;
+        add_forces_of_rows(system, lambda, column, begin, end, forces[static_cast<std::size_t>(first.body_a)],
+                           forces[static_cast<std::size_t>(first.body_b)]);
+    }
+}
+
+double natural_residual(const SystemEquation& system, const Columns& lambda) {
+    double largest = 0.0;
+    std::vector<Vector6> forces;
+    for (Eigen::Index column = 0; column < system.column_count(); ++column) {
+        constraint_forces(system, lambda, column, forces);
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            forces[i] = accelerate(system.inverse_mass[i], forces[i]);
+        }
+        RowResiduals residuals(system, lambda, column);
+        for (Eigen::Index j = 0; j < system.row_count(); ++j) {
+            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+            const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
+                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
+            largest = std::max(largest, residuals.next(j, w));
+        }
+    }
+    return largest;
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,199 @@
+// The system equation, paper section 6: everything about one step that a solver may know.
+//
+//   A lambda = b,   A = J M^-1 J^T,   b = v/dt - J (v1/dt + M^-1 f_ext)          6.2.9
+//
+// Symbols: J the axes of all rows (6.1.2), M^-1 system inverse mass (6.1.2 in 6.1.3, 1/kg and 1/(kg m^2)),
+// v1 system velocity before the step (6.1.1, m/s and rad/s), f_ext external forces (6.1.3, N and N m),
+// v push factors (6.1.4, m/s), lambda [N], b [m/s^2], A [1/kg].
+//
+// Deviations: with the bounds of 5.1 it is not an equation but a box-constrained problem: A lambda - b is zero
+// between the bounds, >= 0 at c_min and <= 0 at c_max; for the two rows of a disc that is bounded by their length
+// it is zero inside, and points against lambda on the circle. b has two columns when some row has a correcting push
+// (8.1): column 0 with the whole push, the last column with the lasting part alone; otherwise it has one.
+//
+// Both rows of a disc have the same step, the largest eigenvalue of their 2 x 2 block of A: with a step for each,
+// A_11 and A_22, the disc would be an ellipse and sliding friction would not point against the sliding.
+#pragma once
+
+#include "engine/base/math.h"
+#include "engine/base/threads.h"
+#include "engine/bodies/body.h"
+#include "engine/constraints/constraint_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+// The block of M^-1 of one body, and a square root of it: M^-1 = M^(-1/2) M^(-1/2)^T.
+struct InverseMass {
+    double linear = 0.0;                     // 1/kg
+    double linear_root = 0.0;                // its root
+    Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
+    Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
+    bool turns_alike = false;                // the same about every axis, however the body is turned
+};
+
+// The properties of a row that every step reads, in a compact array of their own: one cache line holds four rows of
+// it, where a ConstraintRow takes three lines.
+struct RowDigest {
+    enum Trait : std::uint8_t {
+        follows = 1,          // its bounds follow a row that may have other bodies
+        acts_both_ways = 2,   // without limit
+        rebounds = 4,         // pushes its bodies beyond the step, the way that it acts
+        drives = 8,           // friction that aims at a speed, as that of a belt does
+        not_in_momenta = 16,  // as in Bounds
+        limited = 32,         // its force has a bound of some kind
+    };
+
+    int body_a = 0, body_b = 0;
+    RowKind kind = RowKind::contact;
+    std::uint8_t traits = 0;
+
+    bool has(Trait trait) const { return (traits & trait) != 0; }
+};
+
+struct SystemEquation {
+    double dt = 0.0;                         // s
+    std::span<const ConstraintRow> rows;     // J, bounds, guesses
+    std::vector<int> awake;                  // bodies that take part, ascending; rows move no others
+    std::vector<InverseMass> inverse_mass;   // M^-1, one block a body
+    std::vector<Vector6> free_acceleration;  // v1/dt + M^-1 f_ext, m/s^2 and rad/s^2, one block a body
+    VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; of a disc see above
+    Columns b;                       // m/s^2, rows x columns
+    std::vector<RowDigest> digests;  // by row
+
+    Eigen::Index row_count() const { return b.rows(); }
+    Eigen::Index column_count() const { return b.cols(); }
+};
+
+// Writes 6.2.9 for the bodies with their forces and these rows into `system`, whose memory is reused.
+// `rows` must outlive its use. Bodies take part that are among those `awake` (ascending), or all; the others are as
+// if they were static.
+// `threads` share the work; null: one thread.
+void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
+                  double dt, SystemEquation& system, Threads* threads = nullptr);
+void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
+                  SystemEquation& system);
+
+// Adds to a system that was built the rows that have come behind its own: `rows` are all of them. The bodies are as
+// they were.
+void extend_system(std::span<const ConstraintRow> rows, SystemEquation& system);
+
+// The part of build_system that depends on the rows and M^-1 alone: `diagonal` and `digests`.
+void weigh_rows(SystemEquation& system);
+
+// J M^(-1/2) / `scale` of a row, in body axes: with the root of its A_jj as `scale` of unit length, or of a disc at
+// most. Only who solves needs it: forces that are kept do not.
+Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale);
+
+// M^-1 f for one body: acceleration from force and torque (6.1.3).
+inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
+    return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());
+}
+
+// 6.2.1: f_c = J^T lambda for column `column` of `lambda`, one force and torque a body (written to `forces`).
+void constraint_forces(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                       std::vector<Vector6>& forces);
+
+// Adds what the rows from `begin` up to `end`, which act on the same two bodies, do to these.
+inline void add_forces_of_rows(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                               Eigen::Index begin, Eigen::Index end, Vector6& on_a, Vector6& on_b) {
+    // In variables of their own, so that the sums are not written to memory and read back row by row.
+    Vector6 sum_a = on_a, sum_b = on_b;
+    for (Eigen::Index j = begin; j < end; ++j) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        sum_a += row.jacobian.a * lambda(j, column);
+        sum_b += row.jacobian.b * lambda(j, column);
+    }
+    on_a = sum_a;
+    on_b = sum_b;
+}
+
+// The bounds [N] of row `row` while column `column` of `lambda` is as it is; of a row of a disc, those that it has
+// while the other row is zero.
+struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+};
+inline Interval bounds_of(const ConstraintRow& row, const Columns& lambda, Eigen::Index column) {
+    if (column > 0 && !row.bounds.in_momenta) return {};
+    if (row.bounds.of_row < 0) return {row.bounds.c_min, row.bounds.c_max};
+    const double other = lambda(row.bounds.of_row, column);
+    return {row.bounds.c_min * other, row.bounds.c_max * other};
+}
+
+// What a vector of this squared length has to be multiplied with to lie in the disc.
+inline double share_in_disc(double squared_length, double radius) {
+    return squared_length > radius * radius ? radius / std::sqrt(squared_length) : 1.0;
+}
+
+// Puts the force of row `j` within its bounds, and those of both rows of a disc when it is the second of them.
+// Returns whether one was not.
+inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eigen::Index column, Columns& lambda) {
+    const ConstraintRow& row = rows[static_cast<std::size_t>(j)];
+    if (row.bounds.disc == Disc::first) return false;
+    const auto [low, high] = bounds_of(row, lambda, column);
+    double& force = lambda(j, column);
+    if (row.bounds.disc == Disc::none) {
+        const double before = force;
+        force = std::max(std::min(force, high), low);
+        return force != before;
+    }
+    double& other = lambda(j - 1, column);
+    const double share = share_in_disc(force * force + other * other, high);
+    if (share == 1.0) return false;
+    force *= share;
+    other *= share;
+    return true;
+}
+
+// The velocity that rows still get wrong in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))|
+// with w = A lambda - b [m/s^2]; infinite where something is not a number. Rows are asked for in the order of the
+// step.
+class RowResiduals {
+  public:
+    RowResiduals(const SystemEquation& system, const Columns& lambda, Eigen::Index column)
+        : system_(system), lambda_(lambda), column_(column) {}
+
+    // Of row `j`; of both rows of a disc when it is the second of them, and zero when it is the first.
+    [[gnu::always_inline]] double next(Eigen::Index j, double w) {
+        const ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
+        const double diagonal = system_.diagonal[j];
+        if (diagonal <= 0.0) return 0.0;
+        const double force = lambda_(j, column_);
+        const double wanted = force - w / diagonal;
+        if (row.bounds.disc == Disc::first) {
+            wanted_by_first_ = wanted;
+            return 0.0;
+        }
+        const auto [low, high] = bounds_of(row, lambda_, column_);
+        if (row.bounds.disc == Disc::none) {
+            return in_metres_per_second(diagonal, force - std::min(std::max(wanted, low), high));
+        }
+        const double share = share_in_disc(wanted_by_first_ * wanted_by_first_ + wanted * wanted, high);
+        const double by_first = lambda_(j - 1, column_) - share * wanted_by_first_;
+        const double by_second = force - share * wanted;
+        return in_metres_per_second(diagonal, std::sqrt(by_first * by_first + by_second * by_second));
+    }
+
+  private:
+    double in_metres_per_second(double diagonal, double force) const {
+        const double miss = system_.dt * diagonal * std::abs(force);
+        return std::isnan(miss) ? std::numeric_limits<double>::infinity() : miss;
+    }
+
+    const SystemEquation& system_;
+    const Columns& lambda_;
+    Eigen::Index column_;
+    double wanted_by_first_ = 0.0;  // N
+};
+
+// Natural-map residual [m/s]: the largest of RowResiduals, over all columns.
+double natural_residual(const SystemEquation& system, const Columns& lambda);
+
+}  // namespace pushfactor::engine

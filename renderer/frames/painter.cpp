@@ -1,0 +1,292 @@
+#include "renderer/frames/painter.h"
+
+#include "renderer/frames/frame_checks.h"
+#include "renderer/meshes/meshes.h"
+#include "renderer/picture/instances.h"
+#include "renderer/picture/panels.h"
+
+#include <glm/gtc/color_space.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace pushfactor::renderer {
+
+const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0.90f));
+
+namespace {
+
+// In units of the picture's scale: with a squared exponential haze the ground has the background's colour to
+// within a level of 8 bits well before it ends.
+constexpr float haze = 5.0f;
+
+// The least width of a bar, so that it does not break into dots: in pixels, and in the shadow map's texels.
+constexpr float least_bar_width = 1.2f;
+
+// From 0.1 m upwards by tens, so that lines stay some pixels apart at the camera's target.
+float line_spacing(float scale) {
+    return std::pow(10.0f, std::floor(std::log10(scale / 6.0f)));
+}
+
+// Clip space reaches from -1 to 1, a texture and its depth from 0 to 1.
+glm::mat4 texture_from_clip() {
+    return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)), glm::vec3(0.5f));
+}
+
+// The smallest area that holds all of the areas, of which there is one at least.
+PixelArea bounds_of(const std::vector<PixelArea>& areas) {
+    PixelArea bounds = areas.front();
+    for (const PixelArea& area : areas) {
+        const int end_x = std::max(bounds.x + bounds.width, area.x + area.width);
+        const int end_y = std::max(bounds.y + bounds.height, area.y + area.height);
+        bounds.x = std::min(bounds.x, area.x);
+        bounds.y = std::min(bounds.y, area.y);
+        bounds.width = end_x - bounds.x;
+        bounds.height = end_y - bounds.y;
+    }
+    return bounds;
+}
+
+// The bodies of which something is seen in the tiles.
+std::vector<Instance> seen_in(const Tiles& tiles, const FrameView& view, std::vector<Instance> bodies) {
+    std::erase_if(bodies, [&](const Instance& body) {
+        return !tiles.show_ball(view.world_to_clip, body.position, bounding_radius(body));
+    });
+    return bodies;
+}
+
+bool reaches_below(const Ground& ground, const Scene& scene) {
+    const auto is_below = [&](const glm::vec3& point, float radius) { return point.y - radius < ground.height; };
+    const std::vector<Instance> bodies = scene.bodies.all();
+    return std::ranges::any_of(
+               bodies, [&](const Instance& body) { return is_below(body.position, bounding_radius(body)); }) ||
+           std::ranges::any_of(scene.picture.panels, [&](const Panel& panel) {
+               return std::ranges::any_of(panel.corners,
+                                          [&](const glm::vec3& corner) { return is_below(corner, 0.0f); });
+           });
+}
+
+}  // namespace
+
+Painter::Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages)
+    : gl_(gl),
+      stages_(stages),
+      backdrop_(gl, width, height),
+      shadow_map_(gl),
+      shadow_program_(gl, shaders, {"body.vert"}),
+      sphere_shadow_program_(gl, shaders, {"sphere.vert"}),
+      bar_shadow_program_(gl, shaders, {"bar.vert"}),
+      ground_program_(gl, shaders,
+                      {"body.vert", "ground.frag", "lines.frag", "light.frag", "no_shadow.frag", "haze.frag"}),
+      shadowed_ground_program_(
+          gl, shaders, {"body.vert", "ground.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      contact_program_(gl, shaders, {"contact.vert", "contact.frag", "haze.frag"}),
+      body_program_(gl, shaders, {"body.vert", "body.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      sphere_program_(gl, shaders, {"sphere.vert", "sphere.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      bar_program_(gl, shaders, {"bar.vert", "bar.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      panel_program_(gl, shaders,
+                     {"panel.vert", "panel.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      boxes_(gl, box_mesh()),
+      spheres_(gl),
+      bars_(gl, square_mesh()),
+      ground_(gl, square_mesh()),
+      contacts_(gl, square_mesh()),
+      panels_(gl) {
+    gl.Enable(GL_CULL_FACE);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Enable(GL_FRAMEBUFFER_SRGB);
+    check_gl_errors(gl);
+}
+
+void Painter::end(Stage stage) const {
+    if (!stages_) return;
+    gl_.Finish();
+    stages_->end(stage);
+}
+
+void Painter::draw_shadow(const Scene& scene) {
+    boxes_.set_instances(scene.bodies.boxes);
+    spheres_.set_instances(scene.bodies.spheres, scene.picture.camera.eye, scene.view.pixel);
+    bars_.set_instances(scene.bodies.bars);
+    const auto use_for_sun = [&](const ShaderProgram& program) {
+        program.use();
+        program.set("world_to_clip", scene.sun.world_to_clip);
+        program.set("viewer", scene.view.towards_sun);
+        program.set("parallel", 1);
+    };
+
+    shadow_map_.begin(scene.sun.width, scene.sun.height);
+    use_for_sun(shadow_program_);
+    boxes_.draw();
+    use_for_sun(sphere_shadow_program_);
+    spheres_.draw();
+    use_for_sun(bar_shadow_program_);
+    bar_shadow_program_.set("least_radius", 0.5f * least_bar_width * scene.sun.texel);
+    bar_shadow_program_.set("margin", 0.0f);
+    gl_.Disable(GL_CULL_FACE);
+    bars_.draw();
+    gl_.Enable(GL_CULL_FACE);
+    end(Stage::shadow);
+}
+
+void Painter::draw(const Scene& scene, const Tiles& tiles, const RenderTarget& target) {
+    draw_shadow(scene);
+    shadow_map_.bind_texture();
+    draw_floor(scene, tiles, target);
+    end(Stage::ground);
+    // What is drawn outside of the tiles does no harm, but takes time.
+    within({bounds_of(tiles.areas())}, [&] {
+        draw_bodies(scene, tiles);
+        draw_bars(scene, tiles);
+        if (!scene.picture.panels.empty()) draw_panels(scene);
+    });
+    end(Stage::bodies);
+}
+
+// All that is behind the bodies, and the depth of the ground. Where nothing depends on it, more than the tiles is
+// drawn: each area of its own takes time.
+void Painter::draw_floor(const Scene& scene, const Tiles& tiles, const RenderTarget& target) {
+    const std::optional<Ground>& ground = scene.picture.ground;
+    const Tiles shadowed = ground ? shadowed_tiles(scene.view, scene.bodies.all(), *ground)
+                                  : Tiles(scene.view.width, scene.view.height);
+    const FramePlan plan = plan_frame(tiles, shadowed);
+    const std::vector<PixelArea> all{bounds_of(tiles.areas())};
+    if (ground) place_ground(*ground, scene.picture.camera);
+    const BackdropView view{.world_to_clip = scene.view.world_to_clip,
+                            .towards_sun = scene.view.towards_sun,
+                            .camera = scene.picture.camera,
+                            .ground = ground};
+    gl_.Disable(GL_DEPTH_TEST);
+    if (backdrop_.is_worth_keeping(view)) {
+        if (!backdrop_.is_drawn()) {
+            backdrop_.bind();
+            draw_backdrop(scene, {backdrop_.whole()}, {backdrop_.whole()});
+        }
+        target.bind();
+        target.copy_colour(backdrop_.image(), tiles.areas());
+    } else {
+        target.bind();
+        draw_backdrop(scene, all, plan.lit);
+    }
+    if (ground) {
+        draw_ground(scene, shadowed_ground_program_, plan.shadowed);
+        draw_contacts(scene, tiles);
+    }
+    gl_.Enable(GL_DEPTH_TEST);
+    within(all, [&] { gl_.Clear(GL_DEPTH_BUFFER_BIT); });
+    if (ground && reaches_below(*ground, scene)) draw_ground_depth(scene, all);
+}
+
+void Painter::draw_backdrop(const Scene& scene, const std::vector<PixelArea>& cleared,
+                            const std::vector<PixelArea>& lit) {
+    gl_.ClearColor(background.r, background.g, background.b, 0.0f);
+    within(cleared, [&] { gl_.Clear(GL_COLOR_BUFFER_BIT); });
+    if (scene.picture.ground) draw_ground(scene, ground_program_, lit);
+}
+
+template <typename Draw>
+void Painter::within(const std::vector<PixelArea>& areas, const Draw& draw) const {
+    gl_.Enable(GL_SCISSOR_TEST);
+    for (const auto& [x, y, width, height] : areas) {
+        gl_.Scissor(x, y, width, height);
+        draw();
+    }
+    gl_.Disable(GL_SCISSOR_TEST);
+}
+
+// Takes a program into use and sets all that does not depend on what it draws.
+void Painter::use(const ShaderProgram& program, const Scene& scene) const {
+    program.use();
+    program.set("world_to_clip", scene.view.world_to_clip);
+    program.set("eye", scene.picture.camera.eye);
+    program.set("viewer", scene.picture.camera.eye);
+    program.set("parallel", 0);
+    program.set("towards_sun", scene.view.towards_sun);
+    program.set("background", background);
+    program.set("haze_distance", haze * scale_of(scene.picture.camera));
+    program.set("line_spacing", line_spacing(scale_of(scene.picture.camera)));
+    program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
+    program.set("shadow_texel", scene.sun.texel);
+    program.set("shadow_map", 0);
+}
+
+void Painter::place_ground(const Ground& ground, const Camera& camera) {
+    const Instance square = ground_instance(ground, camera.eye, ground_reach * scale_of(camera));
+    ground_.set_instances(std::span(&square, 1));
+}
+
+void Painter::draw_ground(const Scene& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas) {
+    use(program, scene);
+    within(areas, [&] { ground_.draw(); });
+}
+
+// Hides what bodies and panels have below the ground.
+void Painter::draw_ground_depth(const Scene& scene, const std::vector<PixelArea>& areas) {
+    shadow_program_.use();
+    shadow_program_.set("world_to_clip", scene.view.world_to_clip);
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    within(areas, [&] { ground_.draw(); });
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+// Nothing but the ground has been drawn when this darkens it.
+void Painter::draw_contacts(const Scene& scene, const Tiles& tiles) {
+    const Ground& ground = *scene.picture.ground;
+    std::vector<Instance> bodies = touching(ground, scene.bodies.thick());
+    std::erase_if(bodies, [&](const Instance& body) {
+        const glm::vec3 below(body.position.x, ground.height, body.position.z);
+        return !tiles.show_ball(scene.view.world_to_clip, below, std::sqrt(2.0f) * contact_reach(body));
+    });
+    contacts_.set_instances(bodies);
+    use(contact_program_, scene);
+    contact_program_.set("ground_height", ground.height);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+    contacts_.draw();
+    gl_.Disable(GL_BLEND);
+}
+
+void Painter::draw_bodies(const Scene& scene, const Tiles& tiles) {
+    boxes_.set_instances(seen_in(tiles, scene.view, scene.bodies.boxes));
+    use(body_program_, scene);
+    boxes_.draw();
+    spheres_.set_instances(seen_in(tiles, scene.view, scene.bodies.spheres), scene.picture.camera.eye,
+                           scene.view.pixel);
+    use(sphere_program_, scene);
+    spheres_.draw();
+}
+
+// Their edges are blended with what is behind them, so the farthest comes first; they are smooth as they are drawn.
+void Painter::draw_bars(const Scene& scene, const Tiles& tiles) {
+    std::vector<Instance> bars = seen_in(tiles, scene.view, scene.bodies.bars);
+    std::ranges::reverse(bars);
+    bars_.set_instances(bars);
+    use(bar_program_, scene);
+    bar_program_.set("least_radius", 0.5f * least_bar_width * scene.view.pixel);
+    bar_program_.set("margin", scene.view.pixel);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ZERO);
+    bars_.draw();
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_CULL_FACE);
+}
+
+// Last, over all that they let through; they hide nothing from each other.
+void Painter::draw_panels(const Scene& scene) {
+    panels_.set_triangles(panel_triangles(scene.picture.panels, scene.picture.camera.eye));
+    use(panel_program_, scene);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.DepthMask(GL_FALSE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    panels_.draw();
+    gl_.Disable(GL_BLEND);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Enable(GL_CULL_FACE);
+}
+
+}  // namespace pushfactor::renderer
