@@ -110,6 +110,7 @@ struct SceneDescription {
     bool contacts = false;
     std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
     View view;
+    bool has_camera = true;  // false: none is known, and `view` says no more than a direction
 
     // Simulation options that the scene brings along, before command line and config ("preset" among them).
     std::map<std::string, std::string> options;

@@ -227,7 +227,8 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     scene.contacts = json.has("contacts") && json.at("contacts").boolean();
     if (json.has("state")) scene.state = std::make_shared<RunState>(read_state(json.at("state"), scene));
     if (json.has("options")) read_options(json.at("options"), scene);
-    if (json.has("camera")) scene.view = read_camera(json.at("camera"));
+    scene.has_camera = json.has("camera");
+    if (scene.has_camera) scene.view = read_camera(json.at("camera"));
     if (json.has("colours")) read_colours(json.at("colours"), scene);
     return scene;
 }

@@ -86,7 +86,7 @@ std::string scene_file_text(const SceneDescription& scene) {
     if (scene.contacts) json["contacts"] = true;
     if (scene.state) json["state"] = state_json(*scene.state, scene);
     for (const auto& [name, text] : scene.options) json["options"][name] = json_of(text);
-    json["camera"] = camera_json(scene.view);
+    if (scene.has_camera) json["camera"] = camera_json(scene.view);
     for (const BodyDescription& body : scene.bodies) {
         if (body.colour) json["colours"][body.name] = *body.colour;
     }

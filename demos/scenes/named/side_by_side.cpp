@@ -69,6 +69,7 @@ SceneDescription side_by_side(const std::string& name, std::span<const SceneDesc
     if (!scenes.empty()) {
         together.all.gravity = scenes.front().gravity;
         together.all.view = scenes.front().view;
+        together.all.has_camera = scenes.front().has_camera;
     }
     for (const SceneDescription& scene : scenes) together.add(scene);
     return together.all;
