@@ -47,7 +47,8 @@ struct Words {
 
 void add_simulation(CLI::App& app, Words& words) {
     Request& request = words.request;
-    add_given(app, request.given, "preset", "NAME", preset_help() + " [default]", "Simulation");
+    add_given(app, request.given, "preset", "NAME", preset_help() + "; wins over what files say of these [default]",
+              "Simulation");
     for (const SimulationOption& option : simulation_options()) {
         add_given(app, request.given, option.name, option.placeholder, option.help, "Simulation");
     }

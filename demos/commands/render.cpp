@@ -2,6 +2,7 @@
 #include "demos/options/comparison.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
+#include "demos/pictures/overview.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/producer.h"
 #include "demos/platform/progress.h"
@@ -24,6 +25,12 @@ struct Job {
     fs::path folder;
 
     const std::string& scene() const { return panels.front().choices.description.name; }
+
+    // Stills need no step after the last of them.
+    long last_step(std::size_t panel) const {
+        const Choices& choices = panels[panel].choices;
+        return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
+    }
 };
 
 // Frames of an earlier, longer run would be taken for this one's; they are not ours to delete.
@@ -93,7 +100,7 @@ class Shooting {
             if (!moments.send(std::move(moment))) return;
         }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            if (!advance(i, whole_steps(job_.panels[i].choices.settings), moments)) return;
+            if (!advance(i, job_.last_step(i), moments)) return;
         }
     }
 
@@ -133,14 +140,24 @@ void make_frames(const Job& job, const Request& request, std::vector<ObservedRun
     writer.finish();
 }
 
-void render_job(const Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_job(Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+    pictures::add_overview(job.panels, job.frames);
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
     const pictures::Film film(studio, job.panels, simulations, job.frames);
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
-    make_frames(job, request, runs, film, times);
+    try {
+        make_frames(job, request, runs, film, times);
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception&) {
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.panels[i].label));
+        }
+        throw;
+    }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
     for (std::size_t i = 0; i < runs.size(); ++i) {
         fmt::print(stderr, "{}", runs[i].warnings(job.panels[i].label));
@@ -200,7 +217,7 @@ void render(const Request& request) {
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     pictures::Studio studio(jobs.front().panels.front().choices.frames.gl, watch);
-    for (const Job& job : jobs) render_job(job, request, studio, watch);
+    for (Job& job : jobs) render_job(job, request, studio, watch);
     if (times) print_times(jobs, *times);
 }
 

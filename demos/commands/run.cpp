@@ -2,6 +2,7 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -26,20 +27,29 @@ std::filesystem::path folder_of_outputs(const Request& request) {
     return {};
 }
 
+// All steps. What stops them before the end leaves the CSV files with what they hold.
+void go_through(ObservedRun& observed, const std::string& name, long steps) {
+    try {
+        ProgressBar bar(name, steps);
+        for (long step = 1; step <= steps; ++step) {
+            stop_if_interrupted(fmt::format("{} of {} steps are done", step - 1, steps));
+            observed.advance();
+            bar.show(step);
+        }
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception&) {
+        fmt::print(stderr, "{}{}", observed.keep_records(), observed.warnings());
+        throw;
+    }
+}
+
 }  // namespace
 
 void run(const Request& request) {
     const Choices choices = understand(request.scenes.front(), request.given);
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
-    const long steps = whole_steps(choices.settings);
-    {
-        ProgressBar bar(choices.description.name, steps);
-        for (long step = 1; step <= steps; ++step) {
-            stop_if_interrupted("no file was written");
-            observed.advance();
-            bar.show(step);
-        }
-    }
+    go_through(observed, choices.description.name, whole_steps(choices.settings));
     const std::string summary = observed.finish();
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();

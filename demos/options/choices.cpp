@@ -129,6 +129,12 @@ void GivenOptions::add(const std::string& name, const std::string& text, const s
     given_.try_emplace(name, Given{text, field});
 }
 
+bool GivenOptions::preset_decides(std::string_view option) const {
+    const Given* const compared = find("compare");
+    const bool given = find("preset") || (compared && compared->text.starts_with("preset="));
+    return given && is_of_preset(option);
+}
+
 const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
     const auto found = given_.find(name);
     return found == given_.end() ? nullptr : &found->second;
@@ -140,6 +146,7 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         throw UsageError(fmt::format("--config {}: must be an object of option names and values", file.string()));
     }
     const std::vector<std::string> known = known_in_config();
+    const GivenOptions above = given;
     for (const auto& [name, value] : config.items()) {
         const std::string field = fmt::format("{} in {}", name, file.string());
         if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -148,7 +155,7 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         if (!value.is_string() && !value.is_number()) {
             throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
         }
-        given.add(name, text_of(value), field);
+        if (!above.preset_decides(name)) given.add(name, text_of(value), field);
     }
 }
 
@@ -156,11 +163,15 @@ Choices understand(const std::string& scene, GivenOptions given) {
     Choices choices;
     understand_scene(scene, given, choices);
     const std::vector<std::string> known = simulation_option_names();
+    const GivenOptions above = given;
     for (const auto& [name, text] : choices.description.options) {
         const std::string field = fmt::format("{}: options.{}", scene, name);
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown key" + suggestion(name, known));
         }
+        // A run that goes on has had its start, whatever a preset says of starts.
+        const bool is_over = choices.description.state && name == "start-kick";
+        if (above.preset_decides(name) && !is_over) continue;
         given.add(name, text, field);
     }
     choices.settings = understand_settings(given);

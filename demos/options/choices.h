@@ -1,5 +1,6 @@
 // Everything that somebody chose for one run, before and after it is understood. Precedence: command line, then
-// config file, then scene file, then preset.
+// config file, then scene file, then preset. A preset counts where it is given: one of the command line wins over
+// what the files say of the method, because such a file may spell out every option.
 #pragma once
 
 #include "demos/options/frame_options.h"
@@ -20,6 +21,9 @@ class GivenOptions {
   public:
     // `field` is how messages call it: "--dt", or "dt in my.json". The first one given for a name holds.
     void add(const std::string& name, const std::string& text, const std::string& field);
+
+    // Whether a preset has been given that wins over what a file says of this option.
+    bool preset_decides(std::string_view option) const;
 
     struct Given {
         std::string text;

@@ -115,7 +115,7 @@ const std::array options{
                 [](const FrameChoices& c) {
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
                 }},
-    FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence",
+    FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
                 "times in s from 0, separated by commas, like 0,0.5,10", set_at, get_at},
     FrameOption{"samples", "N",
                 "drawings that a picture is the mean of, each a little shifted: smoother edges and shadows [1]",

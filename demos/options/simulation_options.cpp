@@ -273,6 +273,13 @@ std::string scheme_name(const Settings& settings) {
     return name_of(settings.scheme, scheme_names);
 }
 
+bool is_of_preset(std::string_view option) {
+    static constexpr std::array<std::string_view, 7> of_run{"seconds",     "dt",      "substeps", "friction",
+                                                            "restitution", "threads", "rest"};
+    if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
+    return std::any_of(options.begin(), options.end(), [&](const auto& known) { return known.name == option; });
+}
+
 std::span<const SimulationOption> simulation_options() {
     return options;
 }

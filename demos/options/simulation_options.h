@@ -22,6 +22,10 @@ struct SimulationOption {
 // In the order in which they are shown. `preset` is not among them: it is where the others start from.
 std::span<const SimulationOption> simulation_options();
 
+// Whether a preset chooses this option: those of the method, not how long and how finely a scene runs, what its
+// bodies are made of, and what it runs on.
+bool is_of_preset(std::string_view option);
+
 // What the option `scheme` is set to.
 std::string scheme_name(const Settings& settings);
 

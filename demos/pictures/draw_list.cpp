@@ -70,15 +70,18 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
         const engine::Body& body = scene.world.bodies[i];
         const glm::vec3 position = to_glm(body.position);
         const glm::quat orientation = to_glm(body.orientation);
-        if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
-            const glm::vec3 half_size = to_glm(0.5 * box->size);
-            picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
-        } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
-            const auto radius = static_cast<float>(sphere->radius);
-            picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
-        } else {
-            add_plane(scene, body, picture);
-        }
+        std::visit(
+            engine::Overloaded{
+                [&](const BoxShape& box) {
+                    const glm::vec3 half_size = to_glm(0.5 * box.size);
+                    picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
+                },
+                [&](const SphereShape& sphere) {
+                    const auto radius = static_cast<float>(sphere.radius);
+                    picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
+                },
+                [&](const PlaneShape&) { add_plane(scene, body, picture); }},
+            described.shape);
     }
     add_bars(scene, picture);
     return picture;

@@ -166,9 +166,11 @@ void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer:
     auto sphere = picture.spheres.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
-        glm::vec3* colour = nullptr;
-        if (std::holds_alternative<BoxShape>(body.shape)) colour = &(box++)->colour;
-        if (std::holds_alternative<SphereShape>(body.shape)) colour = &(sphere++)->colour;
+        glm::vec3* const colour =
+            std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
+                                          [&](const SphereShape&) { return &(sphere++)->colour; },
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                       body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);
     }

@@ -4,6 +4,7 @@
 #include "demos/platform/progress.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/simulation.h"
+#include "demos/text/errors.h"
 
 #include <algorithm>
 
@@ -20,6 +21,20 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
                              .radius = bounding_radius(scene.bodies[i])});
         }
     }
+}
+
+// Goes on to a step. False when the run leaves the finite numbers before: what it shows ends there, and whoever
+// shows it will say so.
+bool reaches(Simulation& simulation, long step) {
+    try {
+        while (simulation.sample().step < step) {
+            stop_if_interrupted("nothing was drawn yet");
+            simulation.advance();
+        }
+    } catch (const NonFiniteError&) {
+        return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -47,11 +62,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
         Simulation simulation(choices);
         const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        for (std::size_t f = 0; f < frames[p].size(); ++f) {
-            while (simulation.sample().step < frames[p][f].step) {
-                stop_if_interrupted("nothing was drawn yet");
-                simulation.advance();
-            }
+        for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 if (scene.bodies[i].mass) places[i].extend(scene.world.bodies[i].position);
             }

@@ -51,8 +51,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(int error) const {
-    throw OutputError((path_ == "-" ? std::string("standard output") : path_.string()) + ": " +
-                      std::strerror(error));
+    throw OutputError(name() + ": " + std::strerror(error));
 }
 
 void OutputFile::write(std::string_view text) {

@@ -22,6 +22,9 @@ class OutputFile {
     void write(std::string_view text);
     void commit();
 
+    // What messages call it.
+    std::string name() const { return path_ == "-" ? "standard output" : path_.string(); }
+
   private:
     [[noreturn]] void fail(int error) const;
 

@@ -3,6 +3,7 @@
 #include "demos/runs/scene.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
+#include "engine/base/overloaded.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
@@ -22,15 +23,19 @@ Body make_body(const BodyDescription& described) {
     const auto& orientation = described.orientation;
     if (!described.mass) return engine::static_body(described.position, orientation);
 
-    Body body;
-    if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
-        body = engine::box_body(*described.mass, box->size, described.position, orientation);
-    } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
-        body = engine::ball_body(*described.mass, sphere->radius, described.position, orientation);
-    } else {
-        throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
-                                   "left out: a plane is static");
-    }
+    Body body = std::visit(
+        engine::Overloaded{
+            [&](const BoxShape& box) {
+                return engine::box_body(*described.mass, box.size, described.position, orientation);
+            },
+            [&](const SphereShape& sphere) {
+                return engine::ball_body(*described.mass, sphere.radius, described.position, orientation);
+            },
+            [&](const PlaneShape&) -> Body {
+                throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
+                                           "left out: a plane is static");
+            }},
+        described.shape);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
     const engine::Matrix3 inertia = world_inverse_inertia(body).inverse();
     body.angular_momentum = described.angular_momentum.value_or(inertia * described.angular_velocity);
@@ -38,9 +43,12 @@ Body make_body(const BodyDescription& described) {
 }
 
 collision::Shape make_shape(const BodyDescription& described) {
-    if (const auto* box = std::get_if<BoxShape>(&described.shape)) return collision::Box{0.5 * box->size};
-    if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) return collision::Sphere{sphere->radius};
-    return collision::Plane{};
+    return std::visit(
+        engine::Overloaded{
+            [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
+            [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
+            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; }},
+        described.shape);
 }
 
 int index_of(const std::string& name, const SceneDescription& description) {

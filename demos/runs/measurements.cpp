@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pushfactor::demos {
 
@@ -40,16 +41,44 @@ double judged_size(const BuiltScene& scene) {
     return std::isfinite(size) ? size : 1.0;
 }
 
-// The bodies that are planes.
-std::vector<std::size_t> planes_of(const BuiltScene& scene) {
-    std::vector<std::size_t> planes;
-    if (!scene.contacts) return planes;
-    for (const auto& collider : scene.contacts->colliders()) {
-        if (std::holds_alternative<engine::collision::Plane>(collider.shape)) {
-            planes.push_back(static_cast<std::size_t>(collider.body));
+// How fast a body is by which a scene is judged: gravity's speed over the length L, without gravity L a second.
+double judged_speed(const BuiltScene& scene, double size) {
+    const double gravity = scene.gravity.norm();
+    return gravity > 0.0 ? std::sqrt(gravity * size) : size;
+}
+
+// Of movable bodies: how far their corners are from the centre [m]. What is round does not change by turning.
+std::vector<double> corners_of(const BuiltScene& scene) {
+    std::vector<double> corners;
+    for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
+        if (scene.world.bodies[i].is_static()) continue;
+        const bool box = i < scene.bodies.size() && std::holds_alternative<BoxShape>(scene.bodies[i].shape);
+        corners.push_back(box ? bounding_radius(scene.bodies[i]) : 0.0);
+    }
+    return corners;
+}
+
+// Which movable bodies a distance holds.
+std::vector<bool> held_in(const BuiltScene& scene) {
+    std::vector<bool> all(scene.world.bodies.size(), false), held;
+    if (scene.distances) {
+        for (const engine::Distance& distance : scene.distances->distances()) {
+            all[static_cast<std::size_t>(distance.body_a)] = true;
+            all[static_cast<std::size_t>(distance.body_b)] = true;
         }
     }
-    return planes;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!scene.world.bodies[i].is_static()) held.push_back(all[i]);
+    }
+    return held;
+}
+
+// Whether the last step had no row of this body.
+bool is_free(const engine::World& world, const Body& body) {
+    const auto index = static_cast<int>(&body - world.bodies.data());
+    return std::none_of(world.rows().begin(), world.rows().end(), [index](const engine::ConstraintRow& row) {
+        return row.body_a == index || row.body_b == index;
+    });
 }
 
 }  // namespace
@@ -60,6 +89,8 @@ std::string_view name_of(Outcome outcome) {
             return "fly";
         case Outcome::tunnel:
             return "tunnel";
+        case Outcome::torn:
+            return "torn";
         case Outcome::fall:
             return "fall";
         case Outcome::moving:
@@ -112,10 +143,13 @@ Measurements::Measurements(const Simulation& simulation)
     : standing_(simulation.scene().standing),
       scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
       size_(judged_size(simulation.scene())),
-      speed_(std::sqrt(simulation.scene().gravity.norm() * size_)),
+      speed_(judged_speed(simulation.scene(), size_)),
       start_(positions_of(simulation.scene().world)),
       latest_(start_),
-      planes_(planes_of(simulation.scene())) {
+      corners_(corners_of(simulation.scene())),
+      held_(held_in(simulation.scene())),
+      obstacles_(simulation.scene()),
+      stretch_(simulation.scene()) {
     const double steps_a_second = std::max(1.0, std::round(1.0 / simulation.settings().dt.value()));
     steps_a_moment_ = static_cast<long>(std::ceil(steps_a_second / 60.0));
     moments_a_second_ = static_cast<std::size_t>(std::ceil(steps_a_second / static_cast<double>(steps_a_moment_)));
@@ -123,6 +157,12 @@ Measurements::Measurements(const Simulation& simulation)
     const Sample& sample = simulation.sample();
     initial_energy_ = energy_ = sample.kinetic_energy + sample.potential_energy;
     max_penetration_ = sample.penetration.max;
+    max_kinetic_energy_ = sample.kinetic_energy;
+    max_speed_ = sample.max_speed;
+    start_stretch_ = stretch_.worst(simulation.scene());
+    for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t) {
+        falling_energy_ += 0.5 * speed_ * speed_ / body.inverse_mass;
+    });
     window_.push_back(
         {.max_speed = sample.max_speed, .kinetic_energy = sample.kinetic_energy, .positions = start_});
 }
@@ -147,10 +187,16 @@ void AtRest::add(const Sample& sample, bool all) {
 
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
-    latest_ = positions_of(simulation.scene().world);
+    const Positions before = std::exchange(latest_, positions_of(simulation.scene().world));
+    for (std::size_t i = 0; i < latest_.size() && !passed_; ++i)
+        passed_ = obstacles_.is_passed(before[i], latest_[i]);
 
     energy_ = sample.kinetic_energy + sample.potential_energy;
     energy_gain_ = std::max(energy_gain_, sample.energy_gain);
+    max_kinetic_energy_ = std::max(max_kinetic_energy_, sample.kinetic_energy);
+    max_speed_ = std::max(max_speed_, sample.max_speed);
+    const double stretch = stretch_.worst(simulation.scene());
+    max_stretch_ = std::max(max_stretch_, stretch);
     max_penetration_ = std::max(max_penetration_, sample.penetration.max);
     max_length_error_ = std::max(max_length_error_, sample.max_length_error);
     residuals_.push_back(sample.residual);
@@ -169,7 +215,7 @@ void Measurements::observe(const Simulation& simulation) {
     if (standing_) watch_standing(sample.time, latest_);
     if (scene_measure_) scene_measure_->observe(simulation.scene().world);
 
-    remember(judge(simulation, latest_), sample.step);
+    remember(judge(simulation, stretch), sample.step);
 }
 
 void Measurements::remember(const Moment& moment, long step) {
@@ -180,9 +226,11 @@ void Measurements::remember(const Moment& moment, long step) {
     }
     Moment& last = window_.back();
     last.max_speed = std::max(last.max_speed, moment.max_speed);
+    last.fastest = std::max(last.fastest, moment.fastest);
     last.kinetic_energy = std::max(last.kinetic_energy, moment.kinetic_energy);
     last.flew |= moment.flew;
     last.tunnelled |= moment.tunnelled;
+    last.tore |= moment.tore;
     last.fell |= moment.fell;
     last.positions = moment.positions;
 }
@@ -195,35 +243,36 @@ void Measurements::watch_standing(double time, const Positions& positions) {
     }
 }
 
-bool Measurements::strayed(std::size_t i, const Vector3& position) const {
-    if (standing_) {
-        const double high = std::max(start_[i].y(), standing_->rest_heights[i]);
-        const Vector3 nearest(start_[i].x(), std::clamp(position.y(), lowest_place(i), high), start_[i].z());
-        return (position - nearest).norm() > 20.0 * size_;
-    }
+bool Measurements::flies(const engine::World& world, const Body& body, std::size_t i) const {
+    const Vector3& position = body.position;
+    const bool rises = position.y() > start_[i].y() && velocity(body).y() > speed_;
+    if (standing_) return rises || strayed(i, position);
+    if (held_[i]) return false;
     const double reach = std::max(20.0 * size_, starts_.diagonal().norm());
-    const Vector3 above = position - starts_.max();
-    const Vector3 below = starts_.min() - position;
-    return std::max({above.x(), above.y(), above.z(), below.x(), below.z()}) > reach;
+    const bool is_high = position.y() > starts_.max().y() + reach && velocity(body).norm() > 0.1 * speed_;
+    return (rises || is_high) && is_free(world, body);
 }
 
-Measurements::Moment Measurements::judge(const Simulation& simulation, const Positions& positions) const {
+// From where a body of a standing scene may be.
+bool Measurements::strayed(std::size_t i, const Vector3& position) const {
+    const double high = std::max(start_[i].y(), standing_->rest_heights[i]);
+    const Vector3 nearest(start_[i].x(), std::clamp(position.y(), lowest_place(i), high), start_[i].z());
+    return (position - nearest).norm() > 20.0 * size_;
+}
+
+Measurements::Moment Measurements::judge(const Simulation& simulation, double stretch) const {
     Moment moment{.max_speed = simulation.sample().max_speed,
                   .kinetic_energy = simulation.sample().kinetic_energy,
-                  .positions = positions};
-    const std::span<const Body> bodies = simulation.scene().world.bodies;
-    const auto is_below = [&](const Vector3& position) {
-        return std::any_of(planes_.begin(), planes_.end(), [&](std::size_t plane) {
-            const Vector3 normal = bodies[plane].orientation * Vector3::UnitY();
-            return normal.dot(position - bodies[plane].position) < 0.0;
-        });
-    };
-    for_movable(bodies, [&](const Body& body, std::size_t i) {
-        const Vector3& position = positions[i];
-        moment.flew |= position.y() > start_[i].y() && velocity(body).y() > speed_;
-        moment.flew |= strayed(i, position);
-        moment.tunnelled |= is_below(position);
-        moment.fell |= standing_ && position.y() < lowest_place(i) - 0.5 * size_;
+                  .tunnelled = passed_,
+                  .tore = stretch > 0.5,
+                  .positions = latest_};
+    const engine::World& world = simulation.scene().world;
+    for_movable(world.bodies, [&](const Body& body, std::size_t i) {
+        const double turning = corners_[i] > 0.0 ? corners_[i] * angular_velocity(body).norm() : 0.0;
+        moment.fastest = std::max({moment.fastest, velocity(body).norm(), turning});
+        moment.flew = moment.flew || flies(world, body, i);
+        moment.tunnelled = moment.tunnelled || obstacles_.is_behind_plane(latest_[i]);
+        moment.fell |= standing_ && latest_[i].y() < lowest_place(i) - 0.5 * size_;
     });
     return moment;
 }
@@ -235,9 +284,10 @@ Outcome Measurements::outcome() const {
     if (window_.size() < 2) return Outcome::moving;  // nothing was simulated
     if (any(&Moment::flew)) return Outcome::fly;
     if (any(&Moment::tunnelled)) return Outcome::tunnel;
+    if (any(&Moment::tore)) return Outcome::torn;
     if (any(&Moment::fell)) return Outcome::fall;
 
-    const double speed = max_speed_last_second();
+    const double speed = largest_last_second(&Moment::fastest);
     if (speed > 0.1 * speed_) return Outcome::moving;
     double displaced = 0.0;
     for (std::size_t i = 0; i < latest_.size(); ++i) {

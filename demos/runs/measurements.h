@@ -1,7 +1,9 @@
 // What a whole run was like: the numbers of the summary, gathered step by step.
 #pragma once
 
+#include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
+#include "demos/runs/stretch.h"
 
 #include <deque>
 #include <map>
@@ -11,16 +13,17 @@
 
 namespace pushfactor::demos {
 
-// How a run ended (judged over its last second; L the size of a body, g gravity, v_s = sqrt(g L)).
-// The worst that applies, in this order.
+// How a run ended (judged over its last second; L the size of the smallest body, g gravity, v_s = sqrt(g L), or L a
+// second without gravity). The worst that applies, in this order.
 enum class Outcome {
-    // A body is above its start and faster than v_s upward, or beyond where it may be: more than 20 L from the line
-    // from its start to its rest in a standing scene, else farther up or sideways from all starts than they spread,
-    // and than 20 L.
+    // A body that touches nothing and hangs on nothing is above its start and rises faster than v_s, or moves
+    // higher above all starts than they spread and than 20 L. In a standing scene: any body that rises so, or is
+    // more than 20 L from the line from its start to its place of rest.
     fly,
-    tunnel,  // a centre is on the wrong side of a static plane
-    fall,    // a centre is more than L/2 below the lower of its start and its rest height
-    moving,  // faster than 0.1 v_s
+    tunnel,  // a centre is behind a static plane, or has gone through the middle of a static box or sphere
+    torn,    // a distance without a force limit is wrong by more than half of its length (stretch.h)
+    fall,    // in a standing scene: a centre is more than L/2 below the lower of its start and its rest height
+    moving,  // faster than 0.1 v_s: a centre, or the corners of a box about it
     creep,   // displaced by more than 1e-5 L in the last second
     jitter,  // faster than 1e-4 v_s without that
     rest
@@ -79,16 +82,21 @@ class Measurements {
     void observe(const Simulation& simulation);  // after each step
 
     Outcome outcome() const;
-    double max_penetration() const { return max_penetration_; }     // m
-    double max_length_error() const { return max_length_error_; }   // m
-    double max_speed_last_second() const;                           // m/s
-    double max_upward_speed() const { return max_upward_speed_; }   // m/s, stored velocity
-    double median_residual() const;                                 // m/s
-    double initial_energy() const { return initial_energy_; }       // J
-    double final_energy() const { return energy_; }                 // J
-    double energy_gain() const { return energy_gain_; }             // J, the largest, beyond what came from outside
-    double max_off_axis() const { return max_off_axis_; }           // m sideways from the start
-    std::optional<double> drift_after_10_s() const;                 // m, farthest from the place at 10 s
+    double max_penetration() const { return max_penetration_; }    // m
+    double max_length_error() const { return max_length_error_; }  // m
+    double max_speed_last_second() const;                          // m/s
+    double max_upward_speed() const { return max_upward_speed_; }  // m/s, stored velocity
+    double median_residual() const;                                // m/s
+    double initial_energy() const { return initial_energy_; }      // J
+    double final_energy() const { return energy_; }                // J
+    double energy_gain() const { return energy_gain_; }            // J, the largest, beyond what came from outside
+    // J, the largest kinetic energy of the run, at least that of all bodies at the speed v_s (see Outcome).
+    double motion_energy() const { return std::max(max_kinetic_energy_, falling_energy_); }
+    double max_speed() const { return max_speed_; }          // m/s, of the run
+    double start_stretch() const { return start_stretch_; }  // error as a share of the length (stretch.h), largest
+    double max_stretch() const { return max_stretch_; }      // the same after any step
+    double max_off_axis() const { return max_off_axis_; }    // m sideways from the start
+    std::optional<double> drift_after_10_s() const;          // m, farthest from the place at 10 s
     std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes
     std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
     const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
@@ -106,15 +114,17 @@ class Measurements {
     // Some steps together: their extremes, and where the bodies were after the last of them.
     struct Moment {
         double max_speed = 0.0;
+        double fastest = 0.0;  // m/s, of a centre or of corners about it
         double kinetic_energy = 0.0;
-        bool flew = false, tunnelled = false, fell = false;
+        bool flew = false, tunnelled = false, tore = false, fell = false;
         Positions positions;
     };
 
     double largest_last_second(double Moment::*what) const;
     void remember(const Moment& moment, long step);
-    Moment judge(const Simulation& simulation, const Positions& positions) const;
+    Moment judge(const Simulation& simulation, double stretch) const;
     void watch_standing(double time, const Positions& positions);
+    bool flies(const engine::World& world, const engine::Body& body, std::size_t i) const;
     bool strayed(std::size_t i, const engine::Vector3& position) const;
     double lowest_place(std::size_t i) const;  // m: of start and rest height
 
@@ -127,12 +137,18 @@ class Measurements {
     Positions start_;
     Eigen::AlignedBox3d starts_;  // around all of them
     Positions latest_;
-    std::vector<std::size_t> planes_;  // bodies that are such
+    std::vector<double> corners_;  // m from the centre, of movable boxes; 0 for other shapes
+    std::vector<bool> held_;       // movable bodies, by a distance
+    Obstacles obstacles_;
+    bool passed_ = false;  // an obstacle has been, by any body
+    Stretch stretch_;
     std::optional<Positions> at_10_s_;
     std::deque<Moment> window_;  // of the last second, and the state before it
 
     double max_penetration_ = 0.0, max_length_error_ = 0.0, max_upward_speed_ = 0.0, max_off_axis_ = 0.0;
     double initial_energy_ = 0.0, energy_ = 0.0, energy_gain_ = 0.0, drift_ = 0.0;
+    double max_kinetic_energy_ = 0.0, falling_energy_ = 0.0, max_speed_ = 0.0;
+    double start_stretch_ = 0.0, max_stretch_ = 0.0;
     std::optional<double> lean_time_, fall_time_;
     std::vector<double> residuals_, cpu_us_;
     SubstepCount substeps_;

@@ -42,6 +42,7 @@ void ObservedRun::advance() {
     }
     measurements_.observe(simulation_);
     for (const auto& record : records_) record->observe(simulation_);
+    last_recorded_ = simulation_.sample().step;
 }
 
 std::string ObservedRun::save_last_good() const {
@@ -59,6 +60,20 @@ std::string ObservedRun::finish() {
     for (const auto& record : records_) record->finish();
     if (save_state_) write_file(*save_state_, state_text(choices_, simulation_, simulation_.checkpoint()));
     return summary_text(choices_, simulation_, measurements_);
+}
+
+std::string ObservedRun::keep_records() {
+    std::string text;
+    for (const auto& record : records_) {
+        try {
+            record->finish();
+            text += fmt::format("pushfactor: note: {} holds the run up to step {}, where it stopped\n",
+                                record->file_name(), last_recorded_);
+        } catch (const OutputError& error) {
+            text += fmt::format("pushfactor: note: {}\n", error.what());
+        }
+    }
+    return text;
 }
 
 std::string ObservedRun::warnings(const std::string& panel) const {

@@ -29,6 +29,10 @@ class ObservedRun {
     // Completes the files and gives the summary.
     std::string finish();
 
+    // For a run that is stopped before its end: the CSV files get their names with what they hold so far. Gives a
+    // line for each that says so; the names of those that cannot be written with the reason. Throws nothing.
+    std::string keep_records();
+
     // What has to be said about what was not solved, in lines of their own; nothing when all is well. `panel` tells
     // runs of one scene apart.
     std::string warnings(const std::string& panel = "") const;
@@ -42,6 +46,7 @@ class ObservedRun {
     std::vector<std::unique_ptr<Record>> records_;
     std::filesystem::path folder_;
     std::optional<std::string> save_state_;
+    long last_recorded_ = 0;  // step; the one that leaves the finite numbers is not recorded
 };
 
 }  // namespace pushfactor::demos

@@ -21,6 +21,7 @@ class CsvRecord : public Record {
         flush();
         file_.commit();
     }
+    std::string file_name() const override { return file_.name(); }
 
   protected:
     template <typename... Values>

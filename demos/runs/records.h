@@ -12,7 +12,8 @@ class Record {
   public:
     virtual ~Record() = default;
     virtual void observe(const Simulation& simulation) = 0;  // after each step
-    virtual void finish() = 0;                               // gives the file its name
+    virtual void finish() = 0;                               // gives the file its name; whole lines so far
+    virtual std::string file_name() const = 0;
 };
 
 // One line a step. `step_us` only when `timing`, so that equal runs give equal files.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace pushfactor::demos {
 
 namespace {
@@ -16,6 +18,44 @@ std::string bodies_of(const UnsolvedSteps::Place& place, const BuiltScene& scene
     if (!place.bodies) return "";
     return fmt::format(", between '{}' and '{}'", body_name(scene, place.bodies->a),
                        body_name(scene, place.bodies->b));
+}
+
+// What is more than a good run has: of 2 % the swing of a chain that is too coarse for it can be seen to grow, and
+// of 10 % its bars to be wrong. A solver is far from its answer when the residual is such a share of the speeds.
+constexpr double much_gain = 0.02;
+constexpr double much_stretch = 0.1;
+constexpr double much_residual = 1e-2;
+
+// What to change: a correction of wrong lengths at the start that stays as speed; an answer that is too far off, a
+// step that is too long, or both.
+std::string remedy(const Simulation& simulation, const Measurements& measured) {
+    const Settings& settings = simulation.settings();
+    const bool persists = settings.distances.kind == engine::PushKind::persistent;
+    if (persists && measured.start_stretch() > much_stretch) return "--distance-push single-frame";
+    std::vector<std::string> options;
+    if (settings.substeps && simulation.scene().distances) options.emplace_back("--substeps auto");
+    if (measured.unsolved().worst_residual > much_residual * measured.max_speed()) {
+        const bool exact = settings.solver == "auto" || settings.solver == "direct";
+        options.push_back(exact ? fmt::format("--iterations above {}", settings.iterations) : "--solver auto");
+    }
+    if (options.empty()) options.push_back("--dt below " + to_text(settings.dt));
+    return fmt::format("{}", fmt::join(options, " with "));
+}
+
+// "bars were wrong by up to 50 % of their length"
+std::vector<std::string> faults_of(const Measurements& measured) {
+    std::vector<std::string> faults;
+    if (measured.energy_gain() > much_gain * measured.motion_energy()) {
+        faults.push_back(
+            fmt::format("energy grew by {:.3g} J without a source (the largest kinetic energy is {:.3g} J)",
+                        measured.energy_gain(), measured.motion_energy()));
+    }
+    const bool given = measured.max_stretch() <= 1.01 * measured.start_stretch();
+    if (measured.max_stretch() > much_stretch && !given && !measured.unsolved().first_contradicting) {
+        faults.push_back(
+            fmt::format("bars were wrong by up to {:.3g} % of their length", 100.0 * measured.max_stretch()));
+    }
+    return faults;
 }
 
 }  // namespace
@@ -39,6 +79,10 @@ std::string warning_text(const std::string& name, const Simulation& simulation, 
             fmt::format("pushfactor: warning: {}: rows contradict each other in {} of {} steps, first in {}{}\n",
                         name, steps.contradicting, steps.of, text_of(*steps.first_contradicting),
                         bodies_of(*steps.first_contradicting, scene));
+    }
+    if (const auto faults = faults_of(measured); !faults.empty()) {
+        text += fmt::format("pushfactor: warning: {}: {}; try {}\n", name, fmt::join(faults, ", and "),
+                            remedy(simulation, measured));
     }
     return text;
 }

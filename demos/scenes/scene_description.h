@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/base/math.h"
+#include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
 
 #include <functional>
@@ -47,9 +48,10 @@ struct BodyDescription {
 
 // Of a sphere around the body's centre that holds it, m; 0 for a plane, which nothing holds.
 inline double bounding_radius(const BodyDescription& body) {
-    if (const auto* box = std::get_if<BoxShape>(&body.shape)) return 0.5 * box->size.norm();
-    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return sphere->radius;
-    return 0.0;
+    return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
+                                         [](const SphereShape& sphere) { return sphere.radius; },
+                                         [](const PlaneShape&) { return 0.0; }},
+                      body.shape);
 }
 
 struct DistanceDescription {
@@ -108,6 +110,7 @@ struct SceneDescription {
     bool contacts = false;
     std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
     View view;
+    bool has_camera = true;  // false: none is known, and `view` says no more than a direction
 
     // Simulation options that the scene brings along, before command line and config ("preset" among them).
     std::map<std::string, std::string> options;

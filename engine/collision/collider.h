@@ -50,4 +50,20 @@ Pose pose_of(const Body& body);
 // plane.
 double size_of(const Shape& shape);
 
+// Half the edge lengths of the shape's bounding box, world axes [m]; infinite for a plane.
+Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
+
+// Extent of the shape from its centre along `direction`, times the norm of `direction` [m]; infinite for a plane.
+double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& direction);
+
+// Squared distance from the centre to the farthest point that turning moves [m^2]; zero for spheres, whose surface
+// turning does not change, and for planes, which never turn.
+double squared_turning_radius(const Shape& shape);
+
+// Whether the shape is invariant under rotation about its centre.
+bool turns_in_itself(const Shape& shape);
+
+// Whether the shape is bounded.
+bool is_finite(const Shape& shape);
+
 }  // namespace pushfactor::engine::collision

@@ -32,10 +32,8 @@ bool could_be_pressed(const Collider& collider, const Body& body, double path,
                       const ContinuousCollision::Step& step) {
     double acceleration =
         body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // m^2/s^4, of the fastest point
-    if (const auto* box = std::get_if<Box>(&collider.shape)) {
-        const double turning = body.inverse_inertia.maxCoeff();
-        acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
-    }
+    const double turning = body.inverse_inertia.maxCoeff();
+    acceleration += turning * turning * body.torque.squaredNorm() * squared_turning_radius(collider.shape);
     const double room = (dangerous * size_of(collider.shape) - path) / (step.dt * step.dt);
     return room <= 0.0 || 2.0 * acceleration > room * room;  // (x + y)^2 <= 2 (x^2 + y^2)
 }

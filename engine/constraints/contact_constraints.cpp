@@ -83,7 +83,7 @@ void ContactConstraints::leave_out_others(std::span<const Body> bodies, const Aw
 
 bool ContactConstraints::turns_unseen(int body) const {
     return std::none_of(colliders_.begin(), colliders_.end(), [body](const collision::Collider& collider) {
-        return collider.body == body && !std::holds_alternative<collision::Sphere>(collider.shape);
+        return collider.body == body && !collision::turns_in_itself(collider.shape);
     });
 }
 

@@ -235,6 +235,33 @@ TEST_CASE("a run that leaves the finite numbers writes its last good state, whic
     }
 }
 
+TEST_CASE("a run that leaves the finite numbers keeps the steps before that in its CSV files, and no other file") {
+    for (const std::string command : {"run late.json", "render late.json --at 0,1 --size 64x36 --out frames"}) {
+        const Folder folder;
+        folder.write("late.json", late());
+        const tests::Ended ended = shell(folder, "pushfactor " + command +
+                                                     " --seconds 10 --csv steps.csv --rows "
+                                                     "rows.csv --summary summary.json "
+                                                     "--save-state state.json");
+        INFO(ended.err);
+        CHECK(ended.status == 5);
+        const long failed = std::stol(between(ended.err, "not finite after step ", " "));
+        REQUIRE(failed > 1);
+        const std::vector<std::string> lines = tests::lines_of(folder.read("steps.csv"));
+        CHECK(static_cast<long>(lines.size()) == failed);  // a heading and the steps before
+        CHECK(lines.back().starts_with(std::to_string(failed - 1) + ","));
+        CHECK_THAT(ended.err,
+                   Catch::Contains("note: steps.csv holds the run up to step " + std::to_string(failed - 1) + ","));
+        CHECK(folder.read("rows.csv").ends_with("\n"));
+        for (const std::string& name : folder.files()) {
+            INFO(name);
+            CHECK(!name.ends_with("summary.json"));
+            CHECK(!name.ends_with("state.json"));
+            CHECK(!name.ends_with(".partial"));
+        }
+    }
+}
+
 TEST_CASE("the last good state lies beside the outputs, and replaces nothing") {
     const Folder folder;
     folder.write("my.json", runaway);
@@ -244,8 +271,8 @@ TEST_CASE("the last good state lies beside the outputs, and replaces nothing") {
     CHECK(ended.status == 5);
     CHECK_THAT(ended.err, Catch::Contains("is in out/runaway-last-good-2.json"));
     CHECK(folder.read("out/runaway-last-good.json") == "precious");
-    CHECK(folder.files() ==
-          std::vector<std::string>{"my.json", "out/runaway-last-good-2.json", "out/runaway-last-good.json"});
+    CHECK(folder.files() == std::vector<std::string>{"my.json", "out/runaway-last-good-2.json",
+                                                     "out/runaway-last-good.json", "out/steps.csv"});
 
     const tests::Ended rendered = shell(folder, "pushfactor render my.json --at 0,1 --size 64x36 --out frames");
     CHECK(rendered.status == 5);

@@ -1,6 +1,7 @@
 // How runs are judged, on scenes whose end is known beforehand.
 #include "demos/runs/measurements.h"
 
+#include "demos/options/named_run.h"
 #include "demos/scenes/named/cube_tower.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
@@ -40,6 +41,50 @@ Judged judge(BuiltScene scene, double seconds) {
             measurements.max_off_axis()};
 }
 
+Outcome outcome_of(const SceneDescription& scene, double seconds, const std::string& preset = "default") {
+    const Settings settings = preset_settings(preset);
+    Simulation simulation(build_scene(scene, settings), settings);
+    Measurements measurements(simulation);
+    for (int i = 0; i < seconds * 60; ++i) {
+        simulation.advance();
+        measurements.observe(simulation);
+    }
+    return measurements.outcome();
+}
+
+Outcome outcome_of_chain(const OptionTexts& options) {
+    const Choices choices = run_of("chain", options);
+    Simulation simulation(choices);
+    Measurements measurements(simulation);
+    for (long i = 0; i < whole_steps(choices.settings); ++i) {
+        simulation.advance();
+        measurements.observe(simulation);
+    }
+    return measurements.outcome();
+}
+
+SceneDescription with_ground(const BodyDescription& body) {
+    SceneDescription scene;
+    scene.name = "one";
+    scene.contacts = true;
+    scene.bodies = {{.name = "ground", .shape = PlaneShape{}}, body};
+    return scene;
+}
+
+// A ball of 0.1 m that falls at `speed` [m/s] onto the middle of a plate, or `beside` it [m].
+SceneDescription ball_and_plate(double speed, double beside = 0.0) {
+    SceneDescription scene;
+    scene.name = "plate";
+    scene.contacts = true;
+    scene.bodies = {{.name = "plate", .shape = BoxShape{Vector3(2, 0.1, 2)}},
+                    {.name = "ball",
+                     .shape = SphereShape{0.1},
+                     .mass = 1.0,
+                     .position = Vector3(beside, 1, 0),
+                     .velocity = Vector3(0, -speed, 0)}};
+    return scene;
+}
+
 }  // namespace
 
 TEST_CASE("a cube that is left alone rests") {
@@ -63,6 +108,68 @@ TEST_CASE("a cube that is thrown up flies, one that slides moves, one that slips
     REQUIRE(fallen.fall_time);
     // Half a side of 2.4 m in free fall: sqrt(2 1.2 / 10) s = 0.49 s.
     CHECK(*fallen.fall_time == Approx(0.49).margin(0.02));
+}
+
+TEST_CASE("a rod that has slid a metre and lies still rests, and one that is still on its way moves") {
+    const SceneDescription scene = with_ground({.name = "rod",
+                                                .shape = BoxShape{Vector3(1, 0.04, 0.04)},
+                                                .mass = 1.0,
+                                                .position = Vector3(0, 0.02, 0),
+                                                .velocity = Vector3(3.2, 0, 0)});
+    CHECK(outcome_of(scene, 0.5) == Outcome::moving);
+    CHECK(outcome_of(scene, 3) == Outcome::rest);  // after v^2 / (2 mu g) = 1.02 m, 25 times its thickness
+}
+
+TEST_CASE("a free ball that rises above its start flies, one on a bar swings") {
+    BodyDescription ball{.name = "ball",
+                         .shape = SphereShape{0.1},
+                         .mass = 1.0,
+                         .position = Vector3(0, 10, 0),
+                         .velocity = Vector3(0, 8, 0)};
+    CHECK(outcome_of(with_ground(ball), 0.5) == Outcome::fly);
+    ball.velocity = Vector3(8, 0, 0);
+    SceneDescription swing = with_ground(ball);
+    swing.distances = {{.a = {.body = "world", .point = Vector3(0, 12, 0)}, .b = {.body = "ball"}}};
+    CHECK(outcome_of(swing, 0.5) == Outcome::moving);
+}
+
+TEST_CASE("a chain that whips moves, one whose bars give way is torn") {
+    CHECK(outcome_of_chain({{"end-mass", "100"}, {"substeps", "auto"}}) == Outcome::moving);
+    CHECK(outcome_of_chain({{"end-mass", "1000"}}) == Outcome::torn);
+}
+
+TEST_CASE("a ball that goes through a plate tunnels, one that lies on it or passes beside it does not") {
+    CHECK(outcome_of(ball_and_plate(200), 2, "paper") == Outcome::tunnel);
+    CHECK(outcome_of(ball_and_plate(200), 2) == Outcome::rest);
+    CHECK(outcome_of(ball_and_plate(200, 1.11), 2) == Outcome::moving);
+    // It rolls off the edge.
+    SceneDescription rolls = ball_and_plate(0, 0.5);
+    rolls.bodies[1].position.y() = 0.15;
+    rolls.bodies[1].velocity = Vector3(2, 0, 0);
+    CHECK(outcome_of(rolls, 2) == Outcome::moving);
+}
+
+TEST_CASE("a box that turns in its place moves") {
+    SceneDescription scene;
+    scene.name = "turns";
+    scene.gravity = Vector3::Zero();
+    scene.bodies = {{.name = "box", .mass = 1.0, .angular_velocity = Vector3(0, 2, 0)}};
+    CHECK(outcome_of(scene, 2) == Outcome::moving);
+    scene.bodies[0].angular_velocity = Vector3::Zero();
+    CHECK(outcome_of(scene, 2) == Outcome::rest);
+}
+
+TEST_CASE("a slack rope is not torn, one that holds nothing back is") {
+    SceneDescription scene;
+    scene.name = "rope";
+    scene.bodies = {{.name = "ball", .shape = SphereShape{0.1}, .mass = 1.0, .position = Vector3(0, -0.2, 0)}};
+    scene.distances = {
+        {.a = {.body = "world"}, .b = {.body = "ball"}, .length = 1.0, .acts = engine::Distance::Acts::pulls}};
+    const Settings settings = preset_settings("default");
+    BuiltScene built = build_scene(scene, settings);
+    CHECK(Stretch(built).worst(built) == 0.0);
+    built.world.bodies[0].position.y() = -1.6;
+    CHECK(Stretch(built).worst(built) == Approx(0.6));
 }
 
 TEST_CASE("lean time is the first moment at half a side sideways") {

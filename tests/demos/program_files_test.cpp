@@ -1,4 +1,5 @@
 // The files of the program: their columns, that equal runs give equal bytes, and that nothing is left half-written.
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
@@ -6,6 +7,7 @@
 #include <vector>
 
 using namespace pushfactor::tests;
+using pushfactor::demos::Json;
 
 namespace {
 
@@ -70,6 +72,39 @@ TEST_CASE("two runs give equal files, and a config file gives the run that wrote
     // The command line comes before the config.
     shell(folder, "pushfactor run stack --config frames/config.json --seed 6 --summary d.json");
     CHECK_THAT(folder.read("d.json"), Catch::Contains("\"seed\": 6") && Catch::Contains("\"beta\": 0.3"));
+}
+
+TEST_CASE("a preset of the command line wins over files that spell out their options, a single option over both") {
+    const Folder folder;
+    const std::string run = "pushfactor run stack --count 2 --seconds 1 --dt 1/120 ";
+    REQUIRE(shell(folder, "pushfactor scene stack --count 2 --seconds 1 --dt 1/120 >scene.json").status == 0);
+    REQUIRE(shell(folder, "pushfactor render stack --count 2 --seconds 1 --dt 1/120 --at 0 --out frames" + tiny)
+                .status == 0);
+    for (const std::string given : {"--preset exact", "--preset paper", "--preset exact --slop 0.01 --beta 0.5"}) {
+        INFO(given);
+        const std::string wanted = shell(folder, run + given).out;
+        CHECK(shell(folder, "pushfactor run --config frames/config.json " + given).out == wanted);
+        Json of_catalogue = Json::parse(wanted);
+        Json of_file = Json::parse(shell(folder, "pushfactor run scene.json " + given).out);
+        CHECK(of_file["state_hash"] == of_catalogue["state_hash"]);
+        for (const char* parameter : {"count", "gap", "jitter", "seed"}) of_catalogue["options"].erase(parameter);
+        CHECK(of_file["options"] == of_catalogue["options"]);
+        CHECK(of_file["preset"] == of_catalogue["preset"]);
+    }
+    // Without one on the command line the file's options hold.
+    REQUIRE(shell(folder, "pushfactor scene stack --preset paper --beta 0.7 >paper.json").status == 0);
+    const Json kept = Json::parse(shell(folder, "pushfactor run paper.json --seconds 0.1").out);
+    CHECK(kept["preset"] == "paper");
+    CHECK(kept["options"]["beta"] == 0.7);
+}
+
+TEST_CASE("a saved run that goes on under another preset is not started again") {
+    const Folder folder;
+    REQUIRE(shell(folder, "pushfactor run pendulum-wave --seconds 1 --save-state saved.json --summary -").status ==
+            0);
+    const Json on = Json::parse(shell(folder, "pushfactor run saved.json --seconds 0.1 --preset exact").out);
+    CHECK(on["options"]["solver"] == "direct");
+    CHECK(on["options"]["start-kick"] == "off");
 }
 
 TEST_CASE("a bad config file is refused by file, key and value") {
@@ -148,6 +183,39 @@ TEST_CASE("a render that is far from its next frame can be interrupted too") {
                           "& until [ -e frames/at_0s.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
     CHECK(ended.status == 1);
     CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames are in frames"));
+}
+
+TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to where") {
+    for (const std::string signal : {"INT", "TERM"}) {
+        for (const std::string command : {"run stack", "render stack --fps 1 --size 64x36 --out frames"}) {
+            const Folder folder;
+            folder.write("steps.csv", "of an earlier run");
+            const Ended ended = shell(folder, "'" PUSHFACTOR_PROGRAM "' " + command +
+                                                  " --seconds 100000 --csv steps.csv --trajectory bodies.csv "
+                                                  "--summary summary.json --save-state state.json & until [ -s "
+                                                  "steps.csv.partial ]; do sleep 0.05; done; kill -" +
+                                                  signal + " $!; wait $!");
+            INFO(signal << " " << command << ": " << ended.err);
+            CHECK(ended.status == 1);
+            CHECK_THAT(ended.err, Catch::Contains("pushfactor: interrupted: "));
+            const std::string steps = folder.read("steps.csv");
+            const long last = lines(steps) - 1;
+            CHECK(last > 100);
+            CHECK(steps.ends_with("\n"));
+            const std::string last_line = lines_of(steps).back();
+            CHECK(last_line.starts_with(std::to_string(last) + ","));
+            CHECK(std::count(last_line.begin(), last_line.end(), ',') ==
+                  std::count(steps.begin(), steps.begin() + static_cast<long>(steps.find('\n')), ','));
+            const long every = command.starts_with("render") ? 60 : 1;  // a line a body and frame
+            CHECK(lines(folder.read("bodies.csv")) == 1 + 5 * (last / every + 1));
+            CHECK_THAT(ended.err, Catch::Contains("pushfactor: note: steps.csv holds the run up to step " +
+                                                  std::to_string(last) + ", where it stopped\n"));
+            for (const std::string& name : folder.files()) {
+                CHECK_THAT(
+                    name, !Catch::Contains(".partial") && !Catch::Contains("summary") && !Catch::Contains("state"));
+            }
+        }
+    }
 }
 
 TEST_CASE("an interrupted render leaves whole frames only and says how many") {

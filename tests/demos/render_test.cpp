@@ -1,8 +1,10 @@
 // What render adds to a picture, seen from outside: panels, overlays, captions, videos.
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
 using namespace pushfactor::tests;
+using pushfactor::demos::Json;
 
 namespace {
 
@@ -61,6 +63,21 @@ TEST_CASE("the summary of compared runs has one of each, and their states are th
         const std::string alone = run_program(std::string("run stack --seconds 1 --push ") + push).out;
         const std::string hash = alone.substr(alone.find("state_hash"), 32);
         CHECK(both.find(hash) != std::string::npos);
+    }
+}
+
+TEST_CASE("stills end the run at the last instant that is asked for, and are those of the whole run") {
+    for (const auto& [at, steps] : {std::pair{"0", 0}, std::pair{"0.5,0.25", 30}}) {
+        const Folder folder;
+        const Ended ended = render(folder, std::string("stack --seconds 1000000 --csv steps.csv --at ") + at);
+        INFO(at << ": " << ended.err);
+        REQUIRE(ended.status == 0);
+        CHECK(Json::parse(folder.read("frames/summary.json"))["steps"] == steps);
+        CHECK(lines_of(folder.read("steps.csv")).size() == static_cast<std::size_t>(1 + steps));
+        const Folder whole;
+        REQUIRE(render(whole, std::string("stack --seconds 1 --at 0.5,1,") + at).status == 0);
+        const std::string name = std::string(at) == "0" ? "frames/at_0s.png" : "frames/at_0.5s.png";
+        CHECK(folder.read(name) == whole.read(name));
     }
 }
 

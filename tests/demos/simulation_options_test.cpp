@@ -60,3 +60,19 @@ TEST_CASE("the presets differ where the paper and this project do") {
     CHECK(ours.contacts.kind == pushfactor::engine::PushKind::single_frame);
     CHECK(ours.warm_start);
 }
+
+TEST_CASE("what a preset does not choose is the same in every preset") {
+    const Settings ours = preset_settings("default");
+    int chosen = 0;
+    for (const SimulationOption& option : simulation_options()) {
+        if (is_of_preset(option.name)) {
+            ++chosen;
+            continue;
+        }
+        INFO(option.name);
+        for (const Preset& preset : presets()) CHECK(option.get(preset.settings()) == option.get(ours));
+    }
+    CHECK(chosen > 10);
+    CHECK(!is_of_preset("seconds"));
+    CHECK(!is_of_preset("camera"));  // of the picture
+}

@@ -10,6 +10,7 @@
 #include <iomanip>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -176,7 +177,7 @@ TEST_CASE("compared runs are named by what tells them apart, and each says its o
     folder.write("my.json", two_hanging);
     const Ended ended =
         shell(folder,
-              "pushfactor render my.json --preset exact --compare tolerance=0,1e-9 --seconds 0.5 --at 0 "
+              "pushfactor render my.json --preset exact --compare tolerance=0,1e-9 --seconds 0.5 --at 0.5 "
               "--out frames --size 64x36");
     INFO(ended.err);
     REQUIRE(ended.status == 0);
@@ -189,4 +190,40 @@ TEST_CASE("compared runs are named by what tells them apart, and each says its o
     const Json summary = Json::parse(folder.read("frames/summary.json"));
     CHECK(summary["panels"][0]["unsolved_steps"] == 0);
     CHECK(summary["panels"][1]["unsolved_steps"] == 30);
+}
+
+TEST_CASE("a run whose bars give way or whose energy grows says which option helps, and with that it is silent") {
+    for (const auto& [options, words, remedy] :
+         {std::tuple{"--end-mass 100", "bars were wrong by up to 5", "--substeps auto"},
+          std::tuple{"--end-mass 1000", "without a source", "--substeps auto"},
+          std::tuple{"--end-mass 100 --scheme rattle", "without a source", "--substeps auto"},
+          std::tuple{"--end-mass 100 --scheme rattle4", "not finite", "--substeps auto"},
+          std::tuple{"--preset paper", "bars were wrong", "--substeps auto with --solver auto"}}) {
+        const Ended ended = run_program(std::string("run chain ") + options);
+        INFO(options << ": " << ended.err);
+        CHECK_THAT(ended.err, Catch::Contains(words));
+        CHECK_THAT(ended.err, Catch::Contains(std::string("; try ") + remedy + "\n"));
+        const Ended helped = run_program(std::string("run chain ") + options + " --substeps auto --solver auto");
+        CHECK(helped.err.empty());
+    }
+}
+
+TEST_CASE("energy from bars that are wrong at the start is said to come from how they are corrected") {
+    const Folder folder;
+    folder.write("start.json", R"({"version": 1, "name": "start", "bodies": [
+        {"name": "ball", "shape": "sphere", "radius_m": 0.1, "mass_kg": 1, "position_m": [0, -1.5, 0]}],
+        "distance_constraints": [{"a": {"body": "world"}, "b": {"body": "ball"}, "length_m": 1}]})");
+    CHECK_THAT(shell(folder, "pushfactor run start.json").err,
+               Catch::EndsWith("; try --distance-push single-frame\n"));
+    CHECK(shell(folder, "pushfactor run start.json --distance-push single-frame").err.empty());
+}
+
+TEST_CASE("runs that go well are not told to try another option") {
+    for (const std::string run : {"stack", "intersecting-stack", "funnel --seconds 3", "pendulum-grid --seconds 2",
+                                  "pendulum-wave", "heavy-on-light", "chain --end-mass 30"}) {
+        const Ended ended = run_program("run " + run);
+        INFO(run << ": " << ended.err);
+        CHECK(ended.status == 0);
+        CHECK_THAT(ended.err, !Catch::Contains("; try "));
+    }
 }

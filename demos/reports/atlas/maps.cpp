@@ -147,7 +147,7 @@ AtlasMap chain_steps(const std::string& name, const std::string& substeps, const
             .title = title,
             .caption =
                 "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its "
-                "last ball, 10 s. Moving is the swing itself; fly has torn apart. " +
+                "last ball, 10 s. Moving is the swing itself; torn: bars are off by half of them. " +
                 caption,
             .scene = "chain",
             .common = {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},

@@ -24,6 +24,7 @@ inline constexpr std::array outcome_looks{
     OutcomeLook{"creep", "creep: drifts slowly", "blue", "#ffffff"},
     OutcomeLook{"moving", "moving", "orange", "#222222"},
     OutcomeLook{"fall", "fall: came down", "vermilion", "#ffffff"},
+    OutcomeLook{"torn", "torn: bars gave way", "#555555", "#ffffff"},
     OutcomeLook{"fly", "fly: was thrown away", "violet", "#ffffff"},
     OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#ffffff"},
     OutcomeLook{non_finite, "non-finite numbers", "#111111", "#ffffff"},

@@ -117,7 +117,7 @@ Chapter overlaps() {
     add(0.5, "0.05", "creep");
     add(1.0, "0.05", "creep");
     add(0.5, "1", "moving");
-    add(1.0, "1", "fly");
+    add(1.0, "1", "moving");
     return chapter;
 }
 

@@ -58,8 +58,8 @@ TEST_CASE("an outcome of every kind has a look of its own") {
     std::set<std::string_view> colours;
     for (const OutcomeLook& look : outcome_looks) colours.insert(look.colour);
     CHECK(colours.size() == outcome_looks.size());
-    for (const Outcome outcome : {Outcome::fly, Outcome::tunnel, Outcome::fall, Outcome::moving, Outcome::creep,
-                                  Outcome::jitter, Outcome::rest}) {
+    for (const Outcome outcome : {Outcome::fly, Outcome::tunnel, Outcome::torn, Outcome::fall, Outcome::moving,
+                                  Outcome::creep, Outcome::jitter, Outcome::rest}) {
         CHECK(find_look(name_of(outcome)));
     }
     CHECK(find_look(non_finite));

@@ -1,0 +1,46 @@
+#include "demos/pictures/overview.h"
+
+#include "demos/pictures/framing.h"
+#include "demos/pictures/survey.h"
+#include "demos/runs/scene.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+// At this many times its radius in a picture 720 pixels high a body is a pixel or two.
+constexpr double visible = 300.0;
+
+// Where what moves in the scene at its start can be followed to.
+Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
+    Eigen::AlignedBox3d box;
+    double radius = 0.0;
+    for (const Ball& ball : start) {
+        box.extend(ball.centre);
+        radius = std::max(radius, ball.radius);
+    }
+    const double reach = std::max(visible * radius, 10.0 * box.diagonal().norm());
+    return {box.min() - engine::Vector3::Constant(reach), box.max() + engine::Vector3::Constant(reach)};
+}
+
+}  // namespace
+
+void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
+    const Choices& first = panels.front().choices;
+    if (first.description.has_camera || first.frames.camera.view) return;
+    const std::vector<Ball> start = movable_balls(build_scene(first));
+    if (start.empty()) return;
+    std::vector<Ball> balls = survey(panels, frames).reached;
+    const Eigen::AlignedBox3d near = surroundings(start);
+    for (Ball& ball : balls) ball.centre = ball.centre.cwiseMax(near.min()).cwiseMin(near.max());
+    balls.insert(balls.end(), start.begin(), start.end());
+    // No panel is narrower than this, however they are arranged.
+    const double across = static_cast<double>(first.frames.width) / static_cast<double>(panels.size());
+    const double aspect = across / first.frames.height;
+    const View view = fitted(first.description.view, balls, aspect);
+    for (ComparedRun& panel : panels) panel.choices.description.view = view;
+}
+
+}  // namespace pushfactor::demos::pictures

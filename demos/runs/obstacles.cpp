@@ -1,0 +1,61 @@
+#include "demos/runs/obstacles.h"
+
+#include <algorithm>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::Vector3;
+
+// Whether the way between two places in the frame of a box crosses a middle plane of it inside it.
+bool crosses_middle(const Vector3& from, const Vector3& to, const Vector3& half_size) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if ((from[axis] < 0.0) == (to[axis] < 0.0)) continue;
+        const Vector3 at = from + from[axis] / (from[axis] - to[axis]) * (to - from);
+        if ((at.cwiseAbs().array() <= half_size.array()).all()) return true;
+    }
+    return false;
+}
+
+double distance_to_way(const Vector3& point, const Vector3& from, const Vector3& to) {
+    const Vector3 way = to - from;
+    const double length = way.squaredNorm();
+    const double share = length > 0.0 ? std::clamp((point - from).dot(way) / length, 0.0, 1.0) : 0.0;
+    return (from + share * way - point).norm();
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const BuiltScene& scene) {
+    if (!scene.contacts) return;
+    for (const auto& collider : scene.contacts->colliders()) {
+        const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
+        if (!body.is_static()) continue;
+        if (std::holds_alternative<engine::collision::Plane>(collider.shape)) {
+            planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
+        } else if (const auto* box = std::get_if<engine::collision::Box>(&collider.shape)) {
+            boxes_.push_back({body.position, box->half_size, body.orientation.conjugate()});
+        } else if (const auto* sphere = std::get_if<engine::collision::Sphere>(&collider.shape)) {
+            spheres_.push_back({body.position, sphere->radius});
+        }
+    }
+}
+
+bool Obstacles::is_behind_plane(const Vector3& centre) const {
+    return std::any_of(planes_.begin(), planes_.end(),
+                       [&](const Plane& plane) { return plane.normal.dot(centre - plane.point) < 0.0; });
+}
+
+bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
+    const auto passes_box = [&](const Box& box) {
+        return crosses_middle(box.to_box * (from - box.centre), box.to_box * (to - box.centre), box.half_size);
+    };
+    const auto passes_sphere = [&](const Sphere& sphere) {
+        return distance_to_way(sphere.centre, from, to) < 0.5 * sphere.radius;
+    };
+    return std::any_of(boxes_.begin(), boxes_.end(), passes_box) ||
+           std::any_of(spheres_.begin(), spheres_.end(), passes_sphere);
+}
+
+}  // namespace pushfactor::demos
