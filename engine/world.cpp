@@ -30,7 +30,7 @@ bool has_row_from(const Island& island, std::size_t first_row) {
 
 }  // namespace
 
-StepCount World::step(double dt, StageObserver* observer) {
+StepCount World::step(double dt, PhaseObserver* observer) {
     assert(dt > 0.0);
     if (!threads_worth_calling()) return take_step(dt, observer);
     StepCount count;
@@ -44,30 +44,30 @@ Threads* World::threads_worth_calling() const {
     return shareable_work_ >= worth_threads ? threads.get() : nullptr;
 }
 
-StepCount World::take_step(double dt, StageObserver* observer) {
-    const auto ended = [observer](Stage stage) {
-        if (observer) observer->stage_ended(stage);
+StepCount World::take_step(double dt, PhaseObserver* observer) {
+    const auto ended = [observer](Phase stage) {
+        if (observer) observer->phase_ended(stage);
     };
     SolveWork work;
     do {
         find_awake();  // all, unless some are at rest
         add_forces();  // 3.1
-        ended(Stage::forces);
+        ended(Phase::forces);
         append_rows(dt);  // 5
-        ended(Stage::rows);
+        ended(Phase::rows);
         build_system(bodies, awake_.members(), rows_, dt, system_, sharing_);  // 6: A lambda = b, 6.2.9
-        ended(Stage::system);
+        ended(Phase::system);
         work = solve_and_look(dt);  // 7, island by island
-        ended(Stage::solve);
+        ended(Phase::solve);
     } while (wakes_some());
     shareable_work_ = work.multiply_adds - work.alone + work_of_a_row * static_cast<double>(rows_.size()) +
                       work_of_a_body * static_cast<double>(awake_.members().size());
     remember();  // 6.2.3
-    ended(Stage::remember);
+    ended(Phase::remember);
     integrate(dt);  // 3.2, 8.1
     time_ += dt;
     if (rest) settle(dt);
-    ended(Stage::integrate);
+    ended(Phase::integrate);
     return count(work);
 }
 

@@ -20,13 +20,13 @@
 
 namespace pushfactor::engine {
 
-enum class Stage { forces, rows, system, solve, remember, integrate };
+enum class Phase { forces, rows, system, solve, remember, integrate };
 
 // Is told when a stage of a step has ended, for whoever wants to count or to time.
-class StageObserver {
+class PhaseObserver {
   public:
-    virtual ~StageObserver() = default;
-    virtual void stage_ended(Stage stage) = 0;
+    virtual ~PhaseObserver() = default;
+    virtual void phase_ended(Phase stage) = 0;
 };
 
 // What one step did.
@@ -63,7 +63,7 @@ class World {
     OrientationStep rotate = rotate_splitting;
 
     // Advances by dt [s], above zero.
-    StepCount step(double dt, StageObserver* observer = nullptr);
+    StepCount step(double dt, PhaseObserver* observer = nullptr);
 
     // Solves for the state as it is, as a step of dt [s] would, and moves nothing: the sources know their forces
     // then.
@@ -107,7 +107,7 @@ class World {
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);
-    StepCount take_step(double dt, StageObserver* observer);
+    StepCount take_step(double dt, PhaseObserver* observer);
     StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
     void append_unforeseen(double dt);

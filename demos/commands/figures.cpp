@@ -1,6 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/figures/figure.h"
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
@@ -38,13 +38,13 @@ void figures(const Request& request) {
     const std::vector<figures::Figure> chosen = wanted(request.figures);
     const std::filesystem::path folder = request.out.value_or("out/figures");
     make_folder(folder);
-    figures::Workshop workshop(folder, request.figure_width, request.figure_samples);
+    figures::FigureOutput output(folder, request.figure_width, request.figure_samples);
     std::vector<Section> sections;
     ProgressBar bar("figures", static_cast<long>(chosen.size()));
     for (const figures::Figure& figure : chosen) {
         stop_if_interrupted(
             fmt::format("{} of {} figures are in {}", sections.size(), chosen.size(), folder.string()));
-        sections.push_back({std::string(figure.name), std::string(figure.title), figure.make(workshop, figure)});
+        sections.push_back({std::string(figure.name), std::string(figure.title), figure.make(output, figure)});
         bar.show(static_cast<long>(sections.size()));
     }
     write_file(folder / "index.html",

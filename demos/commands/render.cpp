@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 // One scene to render: its panels, the moments of each, and where its files go.
 struct Job {
-    std::vector<Panel> panels;
+    std::vector<ComparedRun> panels;
     std::vector<std::vector<Frame>> frames;  // of each panel; as many in each
     fs::path folder;
 
@@ -48,8 +48,8 @@ void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames)
 }
 
 Job understand_job(const std::string& scene, const Request& request) {
-    Job job{.panels = understand_panels(scene, request.given), .frames = {}, .folder = {}};
-    for (const Panel& panel : job.panels) {
+    Job job{.panels = compared_runs(scene, request.given), .frames = {}, .folder = {}};
+    for (const ComparedRun& panel : job.panels) {
         const Choices& choices = panel.choices;
         job.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
         if (job.frames.back().size() != job.frames.front().size()) {
@@ -64,7 +64,7 @@ Job understand_job(const std::string& scene, const Request& request) {
 
 std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
     std::vector<ObservedRun> runs;
-    for (const Panel& panel : job.panels)
+    for (const ComparedRun& panel : job.panels)
         runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
 
     return runs;
@@ -86,7 +86,7 @@ class Shooting {
              pictures::StageTimes* times)
         : job_(job), runs_(runs), film_(film), times_(times) {}
 
-    void operator()(Channel<pictures::Moment>& moments) {
+    void operator()(Channel<pictures::Snapshot>& moments) {
         const pictures::ThreadWatch thread(times_);
         const std::vector<Frame>& frames = job_.frames.front();
         for (std::size_t frame = 0; frame < frames.size(); ++frame) {
@@ -95,7 +95,7 @@ class Shooting {
                 if (!advance(i, job_.frames[i][frame].step, moments)) return;
             }
             watch.end("simulate");
-            pictures::Moment moment = film_.look(frames[frame].name);
+            pictures::Snapshot moment = film_.look(frames[frame].name);
             watch.end("look");
             if (!moments.send(std::move(moment))) return;
         }
@@ -105,7 +105,7 @@ class Shooting {
     }
 
   private:
-    bool advance(std::size_t run, long step, const Channel<pictures::Moment>& moments) {
+    bool advance(std::size_t run, long step, const Channel<pictures::Snapshot>& moments) {
         while (runs_[run].simulation().sample().step < step) {
             if (interrupted() || moments.is_closed()) return false;
             runs_[run].advance();
@@ -127,7 +127,7 @@ void make_frames(const Job& job, const Request& request, std::vector<ObservedRun
     const std::size_t count = job.frames.front().size();
     ProgressBar bar(job.scene(), static_cast<long>(count));
     constexpr std::size_t ahead = 2;
-    Producer<pictures::Moment> moments(ahead, Shooting(job, runs, film, times));
+    Producer<pictures::Snapshot> moments(ahead, Shooting(job, runs, film, times));
     long drawn = 0;
     while (const auto moment = moments.next()) {
         renderer::Image image = writer.blank();

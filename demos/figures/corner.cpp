@@ -1,6 +1,6 @@
 // Figure 11, "Sphere resting in a V shaped corner", with the rows of J of section 12.2 as the engine has them.
 #include "demos/figures/figure.h"
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/to_glm.h"
@@ -35,7 +35,7 @@ struct Corner {
 };
 
 Corner look_at(const Simulation& run) {
-    const Scene& scene = run.scene();
+    const BuiltScene& scene = run.scene();
     const int ball = static_cast<int>(scene.bodies.size()) - 1;
     Corner corner{.velocity = velocity(scene.world.bodies[static_cast<std::size_t>(ball)])};
     const auto sites = scene.contacts->sites();
@@ -48,7 +48,8 @@ Corner look_at(const Simulation& run) {
     return corner;
 }
 
-renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& corner, const pictures::Size& size) {
+renderer::Image draw(FigureOutput& output, const Simulation& run, const Corner& corner,
+                     const pictures::Size& size) {
     constexpr double arrow = 0.42;  // m, of a unit vector
     const View view = run.scene().view;
     renderer::Picture picture = pictures::draw_list(run.scene(), view);
@@ -61,34 +62,34 @@ renderer::Image draw(Workshop& workshop, const Simulation& run, const Corner& co
         picture.dots.push_back(
             {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
     }
-    renderer::Image image = workshop.studio().draw(picture, size, workshop.samples());
-    const float letters = static_cast<float>(workshop.width()) / 50.0f;
+    renderer::Image image = output.studio().draw(picture, size, output.samples());
+    const float letters = static_cast<float>(output.width()) / 50.0f;
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
         const auto [x, y] = pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
-        workshop.studio().lettering().text(
-            image, i == 0 ? "a" : "b", {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
-            letters, true);
+        output.studio().lettering().text(image, i == 0 ? "a" : "b",
+                                         {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
+                                         letters, true);
     }
     return image;
 }
 
 }  // namespace
 
-Plate sphere_in_corner(Workshop& workshop, const Figure& figure) {
+Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const Choices choices = run_of("corner", {});
     Simulation run(choices);
     while (run.sample().step < whole_steps(choices.settings)) run.advance();
     const Corner corner = look_at(run);
     const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];
 
-    const pictures::Size size{workshop.width() / 2, workshop.width() * 2 / 5};
-    renderer::Image sheet = renderer::blank_image(workshop.width(), size.height, glm::vec3(1.0f));
-    renderer::paste(sheet, draw(workshop, run, corner, size), 0, 0);
-    const float letters = static_cast<float>(workshop.width()) / 62.0f;
+    const pictures::Size size{output.width() / 2, output.width() * 2 / 5};
+    renderer::Image sheet = renderer::blank_image(output.width(), size.height, glm::vec3(1.0f));
+    renderer::paste(sheet, draw(output, run, corner, size), 0, 0);
+    const float letters = static_cast<float>(output.width()) / 62.0f;
     glm::vec2 at(static_cast<float>(size.width) + 2.0f * letters, 0.18f * static_cast<float>(size.height));
     const auto line = [&](const std::string& text, float space) {
-        workshop.studio().lettering().text(sheet, text, at, letters);
+        output.studio().lettering().text(sheet, text, at, letters);
         at.y += space * letters;
     };
     line("One row of J for each contact (12.2):", 2.2f);
@@ -104,7 +105,7 @@ Plate sphere_in_corner(Workshop& workshop, const Figure& figure) {
          1.0f);
 
     Plate plate;
-    plate.pictures.push_back(workshop.save(sheet, std::string(figure.name)));
+    plate.pictures.push_back(output.save(sheet, std::string(figure.name)));
     plate.caption = fmt::format(
         "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
         "rows "

@@ -1,6 +1,6 @@
 // Not in the paper: motion, energy and forces over time.
 #include "demos/figures/figure.h"
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 #include "demos/runs/simulation.h"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ std::vector<double> forces_between(const Simulation& run) {
 
 }  // namespace
 
-Plate intersecting_motion(Workshop& workshop, const Figure& figure) {
+Plate intersecting_motion(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s", "height_none_m", "upward_speed_none_m_per_s", "height_persistent_m",
                             "upward_speed_persistent_m_per_s", "height_single_frame_m",
                             "upward_speed_single_frame_m_per_s"},
@@ -64,7 +64,7 @@ Plate intersecting_motion(Workshop& workshop, const Figure& figure) {
     std::vector<double> most;
     std::size_t column = 1;
     for (const std::string push : {"none", "persistent", "single-frame"}) {
-        const Options options{{"preset", "paper"}, {"push", push}, {"seconds", "6"}};
+        const OptionTexts options{{"preset", "paper"}, {"push", push}, {"seconds", "6"}};
         most.push_back(0.0);
         follow(
             run_of("intersecting-stack", options), column,
@@ -82,13 +82,13 @@ Plate intersecting_motion(Workshop& workshop, const Figure& figure) {
         "It reaches {:.1f} m without a push (the cubes stay inside each other), {:.1f} m with a persistent one and "
         "{:.1f} m with a single-frame push; 10.8 m is the height at rest.",
         most[0], most[1], most[2]);
-    workshop.plot(table, std::string(figure.name), 1.6, plate);
+    output.plot(table, std::string(figure.name), 1.6, plate);
     plate.commands = {command_text("run", "intersecting-stack",
                                    {{"preset", "paper"}, {"push", "persistent"}, {"trajectory", "motion.csv"}})};
     return plate;
 }
 
-Plate pendulum_energy(Workshop& workshop, const Figure& figure) {
+Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s", "persistent_1", "persistent_0.2", "single_frame_1"}, .rows = {}};
     struct Case {
         const char* push;
@@ -97,7 +97,7 @@ Plate pendulum_energy(Workshop& workshop, const Figure& figure) {
     std::vector<double> left;
     std::size_t column = 1;
     for (const Case& each : {Case{"persistent", "1"}, Case{"persistent", "0.2"}, Case{"single-frame", "1"}}) {
-        const Options options{
+        const OptionTexts options{
             {"count", "1"}, {"distance-push", each.push}, {"distance-beta", each.beta}, {"seconds", "120"}};
         double start = 0.0, kinetic = 0.0, potential = 0.0, lowest = 0.0;
         follow(
@@ -130,15 +130,15 @@ Plate pendulum_energy(Workshop& workshop, const Figure& figure) {
         "beta 0.2; "
         "a single-frame push takes the correction out of the velocity each step, and {:.1f} % is left.",
         100.0 * left[0], 100.0 * left[1], 100.0 * left[2]);
-    workshop.plot(table, std::string(figure.name), 1.9, plate);
+    output.plot(table, std::string(figure.name), 1.9, plate);
     plate.commands = {command_text("run", "pendulum-wave",
                                    {{"count", "1"}, {"distance-push", "single-frame"}, {"seconds", "120"}})};
     return plate;
 }
 
-Plate stack_forces(Workshop& workshop, const Figure& figure) {
+Plate stack_forces(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s"}, .rows = {}};
-    const Options options{{"seconds", "10"}};
+    const OptionTexts options{{"seconds", "10"}};
     const Choices choices = run_of("stack", options);
     for (std::size_t i = 1; i < choices.description.bodies.size(); ++i) {
         table.columns.push_back(fmt::format("below_cube_{}_n", i));
@@ -153,7 +153,7 @@ Plate stack_forces(Workshop& workshop, const Figure& figure) {
         "60, 48, "
         "36, 24 and 12 N.",
         last[0], last[1], last[2], last[3], last[4]);
-    workshop.plot(table, std::string(figure.name), 1.9, plate);
+    output.plot(table, std::string(figure.name), 1.9, plate);
     plate.commands = {command_text("run", "stack", {{"rows", "rows.csv"}})};
     return plate;
 }

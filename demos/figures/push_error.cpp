@@ -7,9 +7,9 @@
 
 namespace pushfactor::demos::figures {
 
-Plate push_error(Workshop& workshop, const Figure& figure) {
-    const Options original{{"push", "persistent"}};
-    const Options improved{{"push", "single-frame"}};
+Plate push_error(FigureOutput& output, const Figure& figure) {
+    const OptionTexts original{{"push", "persistent"}};
+    const OptionTexts improved{{"push", "single-frame"}};
     Strip strip{.runs = {run_of("push_error", original), run_of("push_error", improved)}, .columns = 4};
     strip.titles = {"original", "single-frame"};
     strip.fit = false;
@@ -28,7 +28,7 @@ Plate push_error(Workshop& workshop, const Figure& figure) {
         if (cell.time == dt) depths.push_back(0.5 - box.position.y());
         if (cell.time == dt * Rational{3, 1}) speeds.push_back(velocity(box).y());
     };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In "
         "frame "

@@ -1,6 +1,6 @@
 // Not in the paper: a push that is not solved well works against gravity.
 #include "demos/figures/figure.h"
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/families/family.h"
 
@@ -52,7 +52,7 @@ double rise(const SceneDescription& scene, const Way& way, int of_a_step) {
 
 }  // namespace
 
-Plate push_pump(Workshop& workshop, const Figure& figure) {
+Plate push_pump(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"sweeps_a_step"}, .rows = {}};
     for (const Way& way : ways) table.columns.push_back(way.column);
     const SceneDescription scene = wall();
@@ -73,7 +73,7 @@ Plate push_pump(Workshop& workshop, const Figure& figure) {
         "by "
         "itself at the end of them, {:.2g} J.",
         scene.bodies.size() - 1, seconds, sweeps[shown], at(shown, 1), at(shown, 2), at(shown, 0), at(shown, 3));
-    workshop.plot(table, std::string(figure.name), 1.6, plate);
+    output.plot(table, std::string(figure.name), 1.6, plate);
     plate.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
                       "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"};
     return plate;

@@ -6,7 +6,7 @@
 
 namespace pushfactor::demos::figures {
 
-Plate push_against_beta(Workshop& workshop, const Figure& figure) {
+Plate push_against_beta(FigureOutput& output, const Figure& figure) {
     struct Row {
         std::string push, beta;
     };
@@ -27,7 +27,7 @@ Plate push_against_beta(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{1, 2}) tops.push_back(run.scene().world.bodies.back().position.y());
     };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "The intersecting stack after so many steps of 1/60 s. A persistent push throws the cubes apart; a "
         "single-frame "

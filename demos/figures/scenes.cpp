@@ -29,15 +29,15 @@ int above_middle(const Simulation& run) {
 
 }  // namespace
 
-Plate funnel(Workshop& workshop, const Figure& figure) {
-    const Options options{{"seconds", "30"}};
+Plate funnel(FigureOutput& output, const Figure& figure) {
+    const OptionTexts options{{"seconds", "30"}};
     Strip strip{.runs = {run_of("funnel", options)}, .columns = 2};
     strip.cell_aspect = 1.6;
     strip.fit = false;
     add_instants(strip, 0, {{2, 1}, {30, 1}});
     double energy = 0.0;
     strip.look = [&](const Cell&, const Simulation& run) { energy = run.sample().kinetic_energy; };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "Twenty balls of 1 m and 1 kg in a pyramid of four infinite planes, inclined by 45 degrees (the paper "
         "gives no "
@@ -47,13 +47,13 @@ Plate funnel(Workshop& workshop, const Figure& figure) {
     return plate;
 }
 
-Plate pendulum_grid(Workshop& workshop, const Figure& figure) {
-    const Options options{{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}};
+Plate pendulum_grid(FigureOutput& output, const Figure& figure) {
+    const OptionTexts options{{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}};
     Strip strip{.runs = {run_of("pendulum-grid", options)}, .columns = 3};
     add_instants(strip, 0, {{2, 1}, {14, 5}, {31, 10}});
     std::vector<int> held;
     strip.look = [&](const Cell&, const Simulation& run) { held.push_back(above_middle(run)); };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "Five by five pendulums, each attached to one point in space by a bar and to nothing else, hold {} "
         "objects. From "
@@ -66,12 +66,12 @@ Plate pendulum_grid(Workshop& workshop, const Figure& figure) {
     return plate;
 }
 
-Plate pendulum_wave(Workshop& workshop, const Figure& figure) {
-    const Options options{{"seconds", "120"}};
+Plate pendulum_wave(FigureOutput& output, const Figure& figure) {
+    const OptionTexts options{{"seconds", "120"}};
     Strip strip{.runs = {run_of("pendulum-wave", options)}, .columns = 3};
     strip.cell_aspect = 1.5;
     add_instants(strip, 0, {{0, 1}, {12, 1}, {30, 1}, {40, 1}, {60, 1}, {120, 1}});
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption =
         "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two "
         "minutes. "

@@ -24,9 +24,9 @@ double top(const Simulation& run) {
 
 }  // namespace
 
-Plate stack_over_time(Workshop& workshop, const Figure& figure) {
-    const Options paper{{"preset", "paper"}, {"seconds", "72"}};
-    const Options ours{{"seconds", "72"}};
+Plate stack_over_time(FigureOutput& output, const Figure& figure) {
+    const OptionTexts paper{{"preset", "paper"}, {"seconds", "72"}};
+    const OptionTexts ours{{"seconds", "72"}};
     Strip strip{.runs = {run_of("stack", paper), run_of("stack", ours)}, .columns = 6};
     strip.titles = {"paper", "default"};
     strip.cell_aspect = 0.62;
@@ -39,7 +39,7 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{71, 1}) heights.push_back(top(run));
     };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
         "steps a "
@@ -52,9 +52,9 @@ Plate stack_over_time(Workshop& workshop, const Figure& figure) {
     return plate;
 }
 
-Plate intersecting_stack(Workshop& workshop, const Figure& figure) {
-    const Options original{{"preset", "paper"}, {"seconds", "1"}};
-    const Options improved{{"preset", "paper"}, {"push", "single-frame"}, {"seconds", "1"}};
+Plate intersecting_stack(FigureOutput& output, const Figure& figure) {
+    const OptionTexts original{{"preset", "paper"}, {"seconds", "1"}};
+    const OptionTexts improved{{"preset", "paper"}, {"push", "single-frame"}, {"seconds", "1"}};
     Strip strip{.runs = {run_of("intersecting-stack", original), run_of("intersecting-stack", improved)},
                 .columns = 3};
     strip.cell_aspect = 0.72;
@@ -66,7 +66,7 @@ Plate intersecting_stack(Workshop& workshop, const Figure& figure) {
     strip.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{1, 2}) speeds.push_back(upward_speeds(run));
     };
-    Plate plate = draw_plate(workshop, figure, strip);
+    Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
         "from "

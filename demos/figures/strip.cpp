@@ -65,11 +65,11 @@ void write_titles(const Strip& strip, const Layout& layout, int margin, float si
 
 }  // namespace
 
-renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
-    const int margin = strip.titles.empty() ? 0 : workshop.width() / 11;
+renderer::Image draw_strip(FigureOutput& output, const Strip& strip) {
+    const int margin = strip.titles.empty() ? 0 : output.width() / 11;
     const int rows = (static_cast<int>(strip.cells.size()) + strip.columns - 1) / strip.columns;
-    const int across = (workshop.width() - margin) / strip.columns;
-    const Size sheet{workshop.width() - margin, rows * static_cast<int>(across / strip.cell_aspect)};
+    const int across = (output.width() - margin) / strip.columns;
+    const Size sheet{output.width() - margin, rows * static_cast<int>(across / strip.cell_aspect)};
     const Layout layout = pictures::grid(sheet, strip.columns, rows);
     const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
     const View view = camera_of(strip, aspect);
@@ -81,25 +81,25 @@ renderer::Image draw_strip(Workshop& workshop, const Strip& strip) {
         if (strip.overlay) {
             pictures::add_overlay(run.scene(), strip.overlay->kind, *strip.overlay->units_a_metre, picture);
         }
-        images[i] = workshop.studio().draw(picture, layout.cell, workshop.samples());
+        images[i] = output.studio().draw(picture, layout.cell, output.samples());
         if (strip.look) strip.look(strip.cells[i], run);
     });
     renderer::Image image = pictures::assemble(layout, images);
-    const pictures::Lettering& lettering = workshop.studio().lettering();
-    const float size = static_cast<float>(workshop.width()) / 95.0f;
+    const pictures::Lettering& lettering = output.studio().lettering();
+    const float size = static_cast<float>(output.width()) / 95.0f;
     for (std::size_t i = 0; i < strip.cells.size(); ++i) {
         lettering.name(image, layout.place(i), strip.cells[i].label, size);
     }
     if (margin == 0) return image;
-    renderer::Image with_margin = renderer::blank_image(workshop.width(), sheet.height, glm::vec3(1.0f));
+    renderer::Image with_margin = renderer::blank_image(output.width(), sheet.height, glm::vec3(1.0f));
     renderer::paste(with_margin, image, margin, 0);
     write_titles(strip, layout, margin, size, lettering, with_margin);
     return with_margin;
 }
 
-Plate draw_plate(Workshop& workshop, const Figure& figure, const Strip& strip) {
+Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip) {
     Plate plate;
-    plate.pictures.push_back(workshop.save(draw_strip(workshop, strip), std::string(figure.name)));
+    plate.pictures.push_back(output.save(draw_strip(output, strip), std::string(figure.name)));
     return plate;
 }
 

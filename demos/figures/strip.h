@@ -3,7 +3,7 @@
 
 #include "demos/figures/figure.h"
 #include "demos/options/overlay_choice.h"
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 #include "demos/runs/simulation.h"
 
 #include <functional>
@@ -32,9 +32,9 @@ struct Strip {
     std::function<void(const Cell& cell, const Simulation& run)> look{};
 };
 
-renderer::Image draw_strip(Workshop& workshop, const Strip& strip);
+renderer::Image draw_strip(FigureOutput& output, const Strip& strip);
 
 // The same as a figure's picture.
-Plate draw_plate(Workshop& workshop, const Figure& figure, const Strip& strip);
+Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip);
 
 }  // namespace pushfactor::demos::figures

@@ -22,7 +22,7 @@ std::vector<std::string> comparable(const Choices& choices) {
 
 }  // namespace
 
-std::vector<Panel> understand_panels(const std::string& scene, const GivenOptions& given) {
+std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOptions& given) {
     const Choices common = understand(scene, given);
     const auto& comparison = common.frames.compare;
     if (!comparison) return {{.label = "", .choices = common}};
@@ -34,7 +34,7 @@ std::vector<Panel> understand_panels(const std::string& scene, const GivenOption
                                      chosen->text, comparison->option, fmt::join(names, ", "),
                                      suggestion(comparison->option, names)));
     }
-    std::vector<Panel> panels;
+    std::vector<ComparedRun> panels;
     for (const std::string& value : comparison->values) {
         GivenOptions own;
         own.add(comparison->option, value, fmt::format("--compare {}", comparison->option));

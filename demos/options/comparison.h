@@ -8,13 +8,13 @@
 
 namespace pushfactor::demos {
 
-struct Panel {
+struct ComparedRun {
     std::string label;  // "push none"; empty when there is only one
     Choices choices;
 };
 
 // One panel a value of --compare, or just one without it. Throws UsageError as understand() does, and for an option
 // that cannot be compared.
-std::vector<Panel> understand_panels(const std::string& scene, const GivenOptions& given);
+std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOptions& given);
 
 }  // namespace pushfactor::demos

@@ -4,14 +4,14 @@
 
 namespace pushfactor::demos {
 
-Choices run_of(const std::string& scene, const Options& options) {
+Choices run_of(const std::string& scene, const OptionTexts& options) {
     GivenOptions given;
     for (const auto& [name, text] : options) given.add(name, text, "--" + name);
     if (find_scene(scene)) return understand(scene, given);
     return understand((asset_folder("scenes") / (scene + ".json")).string(), given);
 }
 
-std::string command_text(const std::string& command, const std::string& scene, const Options& options) {
+std::string command_text(const std::string& command, const std::string& scene, const OptionTexts& options) {
     std::string text = "pushfactor " + command + " " + scene;
     for (const auto& [name, value] : options) text += " --" + name + " " + value;
     return text;

@@ -10,12 +10,12 @@
 namespace pushfactor::demos {
 
 // Names without dashes, and texts, as on the command line.
-using Options = std::vector<std::pair<std::string, std::string>>;
+using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
 // A run of a scene of the catalogue, or of a file in assets/scenes.
-Choices run_of(const std::string& scene, const Options& options);
+Choices run_of(const std::string& scene, const OptionTexts& options);
 
 // "pushfactor render stack --preset paper"
-std::string command_text(const std::string& command, const std::string& scene, const Options& options);
+std::string command_text(const std::string& command, const std::string& scene, const OptionTexts& options);
 
 }  // namespace pushfactor::demos

@@ -46,7 +46,7 @@ std::string variables_of(const Plot& plot) {
 }  // namespace
 
 bool plots_can_be_drawn() {
-    return find_tool("gnuplot").has_value();
+    return find_program("gnuplot").has_value();
 }
 
 std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
@@ -60,8 +60,9 @@ std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
                         variables_of(plot), quoted(plot.data.string()), quoted((folder / made.back()).string()),
                         quoted(format), plot.width, height, quoted((scripts / "style.gp").string()));
         try {
-            Tool("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()}).finish();
-        } catch (const ToolError& error) {
+            ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
+                .finish();
+        } catch (const ChildProcessError& error) {
             throw OutputError(error.what());
         }
     }

@@ -18,7 +18,7 @@ glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
                               : palette.back());
 }
 
-void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& picture) {
+void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Picture& picture) {
     const Vector3 up = body.orientation * Vector3::UnitY();
     if (up.y() > 0.9999) {
         picture.ground = renderer::Ground{.height = static_cast<float>(body.position.y())};
@@ -30,7 +30,7 @@ void add_plane(const Scene& scene, const engine::Body& body, renderer::Picture& 
 }
 
 // Slender against its own length and against what hangs on it; a ball joint is a ball.
-double bar_radius(const engine::Distance& distance, const Scene& scene) {
+double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     for (const int end : {distance.body_a, distance.body_b}) {
         const auto i = static_cast<std::size_t>(end);
@@ -41,7 +41,7 @@ double bar_radius(const engine::Distance& distance, const Scene& scene) {
     return radius;
 }
 
-void add_bars(const Scene& scene, renderer::Picture& picture) {
+void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
     // Thick enough to be seen from where the scene is usually looked at.
     const double least = 0.0015 * (scene.view.eye - scene.view.target).norm();
@@ -57,7 +57,7 @@ void add_bars(const Scene& scene, renderer::Picture& picture) {
 
 }  // namespace
 
-renderer::Picture draw_list(const Scene& scene, const View& view) {
+renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     renderer::Picture picture;
     picture.camera.eye = to_glm(view.eye);
     picture.camera.target = to_glm(view.target);
@@ -70,15 +70,18 @@ renderer::Picture draw_list(const Scene& scene, const View& view) {
         const engine::Body& body = scene.world.bodies[i];
         const glm::vec3 position = to_glm(body.position);
         const glm::quat orientation = to_glm(body.orientation);
-        if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
-            const glm::vec3 half_size = to_glm(0.5 * box->size);
-            picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
-        } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
-            const auto radius = static_cast<float>(sphere->radius);
-            picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
-        } else {
-            add_plane(scene, body, picture);
-        }
+        std::visit(
+            engine::Overloaded{
+                [&](const BoxShape& box) {
+                    const glm::vec3 half_size = to_glm(0.5 * box.size);
+                    picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
+                },
+                [&](const SphereShape& sphere) {
+                    const auto radius = static_cast<float>(sphere.radius);
+                    picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
+                },
+                [&](const PlaneShape&) { add_plane(scene, body, picture); }},
+            described.shape);
     }
     add_bars(scene, picture);
     return picture;

@@ -7,6 +7,6 @@
 namespace pushfactor::demos::pictures {
 
 // The scene as it is now, seen from `view`.
-renderer::Picture draw_list(const Scene& scene, const View& view);
+renderer::Picture draw_list(const BuiltScene& scene, const View& view);
 
 }  // namespace pushfactor::demos::pictures

@@ -34,7 +34,7 @@ double round_number(double value) {
 
 }  // namespace
 
-Film::Film(Studio& studio, const std::vector<Panel>& panels, std::vector<const Simulation*> runs,
+Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
            const std::vector<std::vector<Frame>>& frames)
     : studio_(studio),
       choices_(panels.front().choices.frames),
@@ -46,7 +46,7 @@ Film::Film(Studio& studio, const std::vector<Panel>& panels, std::vector<const S
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {
         labels_.push_back(panels[i].label);
-        const Scene& scene = runs_[i]->scene();
+        const BuiltScene& scene = runs_[i]->scene();
         const View view = choices_.camera.view.value_or(scene.view);
         const Reach reach = reach_of(movable_balls(scene), view);
         across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
@@ -64,7 +64,7 @@ Film::Film(Studio& studio, const std::vector<Panel>& panels, std::vector<const S
     }
 }
 
-View Film::place_camera(const Scene& scene, double across) const {
+View Film::place_camera(const BuiltScene& scene, double across) const {
     const View view = choices_.camera.view.value_or(scene.view);
     const double aspect = static_cast<double>(layout_.cell.width) / layout_.cell.height;
     return choices_.camera.fit ? fitted(view, survey_.reached, aspect) : widened(view, across, aspect);
@@ -77,8 +77,8 @@ renderer::Picture Film::look(std::size_t panel) const {
     return picture;
 }
 
-Moment Film::look(const std::string& name) const {
-    Moment moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}};
+Snapshot Film::look(const std::string& name) const {
+    Snapshot moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}};
     for (std::size_t i = 0; i < runs_.size(); ++i) moment.pictures.push_back(look(i));
     return moment;
 }
@@ -125,7 +125,7 @@ void Film::write(renderer::Image& sheet, double time) const {
     }
 }
 
-void Film::draw(const Moment& moment, renderer::Image& sheet) const {
+void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
     if (moment.pictures.size() == 1) {
         studio_.draw(moment.pictures.front(), layout_.cell, choices_.samples, sheet);
     } else {

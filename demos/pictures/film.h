@@ -10,7 +10,7 @@
 namespace pushfactor::demos::pictures {
 
 // What the panels of a film show at one moment.
-struct Moment {
+struct Snapshot {
     std::string name;   // of the frame's file
     double time = 0.0;  // s
     std::vector<renderer::Picture> pictures;
@@ -20,15 +20,15 @@ class Film {
   public:
     // `runs` are those of the panels, in the same order, at their start; they must outlive the film. `frames` are
     // the moments of each. Throws UsageError for an overlay that the scene has no part for.
-    Film(Studio& studio, const std::vector<Panel>& panels, std::vector<const Simulation*> runs,
+    Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
          const std::vector<std::vector<Frame>>& frames);
 
     // What the runs show now. It is all that is taken from them, so that they may go on while it is drawn.
-    Moment look(const std::string& name) const;
+    Snapshot look(const std::string& name) const;
 
     // Puts a moment on a sheet, with all that is written on it; what the sheet held before is used for its memory
     // only. Throws renderer::RendererError for what cannot be drawn.
-    void draw(const Moment& moment, renderer::Image& sheet) const;
+    void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:
     struct Scale {
@@ -36,7 +36,7 @@ class Film {
         double units_a_metre = 1.0;
     };
 
-    View place_camera(const Scene& scene, double across) const;
+    View place_camera(const BuiltScene& scene, double across) const;
     renderer::Picture look(std::size_t panel) const;
     std::vector<LegendLine> legend(const View& view) const;
     void write(renderer::Image& sheet, double time) const;

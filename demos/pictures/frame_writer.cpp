@@ -23,7 +23,7 @@ FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::opti
       png_(png),
       video_name_(video),
       fps_(fps),
-      can_film_(video_name_ && find_tool("ffmpeg")),
+      can_film_(video_name_ && find_program("ffmpeg")),
       times_(times),
       waiting_(waiting) {
     if (video_name_ && !can_film_) png_ = true;

@@ -37,20 +37,20 @@ Vector3 force_at(const engine::ContactSite& site, const engine::World& world) {
     return drawn_on(site, world) * force;
 }
 
-void add_contacts(const Scene& scene, std::vector<Quantity>& found) {
+void add_contacts(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (const auto& site : scene.contacts->sites()) {
         const bool apart = answer_of(scene.world, site.normal_row).row.label.gap > 0.0;
         found.push_back({.place = site.position, .kind = apart ? 1u : 0u});
     }
 }
 
-void add_contact_forces(const Scene& scene, std::vector<Quantity>& found) {
+void add_contact_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (const auto& site : scene.contacts->sites()) {
         found.push_back({.place = site.position, .value = force_at(site, scene.world)});
     }
 }
 
-void add_contact_push(const Scene& scene, std::vector<Quantity>& found) {
+void add_contact_push(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (const auto& site : scene.contacts->sites()) {
         const engine::PushFactor& push = answer_of(scene.world, site.normal_row).row.push;
         const Vector3 outwards = drawn_on(site, scene.world) * site.normal;
@@ -62,7 +62,7 @@ void add_contact_push(const Scene& scene, std::vector<Quantity>& found) {
 // Calls `add` with the place of each movable end of a distance and the vector on it of which `number_of` gives, row
 // for row, the part that pushes the ends apart.
 template <typename NumberOf, typename Add>
-void each_end(const Scene& scene, const NumberOf& number_of, const Add& add) {
+void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
     const engine::World& world = scene.world;
     std::size_t row = 0;
     for (const std::size_t acting : scene.distances->acting()) {
@@ -80,7 +80,7 @@ void each_end(const Scene& scene, const NumberOf& number_of, const Add& add) {
     }
 }
 
-void add_distance_forces(const Scene& scene, std::vector<Quantity>& found) {
+void add_distance_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
     each_end(
         scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
         [&](const Vector3& place, const Vector3& force) {
@@ -88,7 +88,7 @@ void add_distance_forces(const Scene& scene, std::vector<Quantity>& found) {
         });
 }
 
-void add_distance_push(const Scene& scene, std::vector<Quantity>& found) {
+void add_distance_push(const BuiltScene& scene, std::vector<Quantity>& found) {
     const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
         each_end(
             scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
@@ -100,7 +100,7 @@ void add_distance_push(const Scene& scene, std::vector<Quantity>& found) {
     add(&engine::PushFactor::lasting, 1);
 }
 
-void add_velocities(const Scene& scene, std::vector<Quantity>& found) {
+void add_velocities(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (const engine::Body& body : scene.world.bodies) {
         if (!body.is_static()) found.push_back({.place = body.position, .value = velocity(body)});
     }
@@ -123,11 +123,11 @@ glm::vec3 colour_of_island(std::size_t first_body) {
 
 constexpr std::string_view colour_of_none = "ivory";
 
-bool is_in_island(const Scene& scene, std::size_t body) {
+bool is_in_island(const BuiltScene& scene, std::size_t body) {
     return !scene.world.rows().empty() && scene.world.islands().of_body(static_cast<int>(body)) >= 0;
 }
 
-void add_islands(const Scene& scene, std::vector<Quantity>& found) {
+void add_islands(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].mass) continue;
         found.push_back({.place = scene.world.bodies[i].position, .kind = is_in_island(scene, i) ? 0u : 1u});
@@ -135,40 +135,42 @@ void add_islands(const Scene& scene, std::vector<Quantity>& found) {
 }
 
 // Which entry of the overlay a movable body belongs to.
-std::size_t rest_of(const Scene& scene, std::size_t body) {
+std::size_t rest_of(const BuiltScene& scene, std::size_t body) {
     const auto index = static_cast<int>(body);
     if (scene.world.rest->is_at_rest(index)) return 0;
     return scene.world.rest->is_still(index) ? 1 : 2;
 }
 
-void add_rest(const Scene& scene, std::vector<Quantity>& found) {
+void add_rest(const BuiltScene& scene, std::vector<Quantity>& found) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].mass) continue;
         found.push_back({.place = scene.world.bodies[i].position, .kind = rest_of(scene, i)});
     }
 }
 
-glm::vec3 island_colour_of(const Scene& scene, std::size_t body) {
+glm::vec3 island_colour_of(const BuiltScene& scene, std::size_t body) {
     if (!is_in_island(scene, body)) return to_glm(*find_colour(colour_of_none));
     const engine::Islands& islands = scene.world.islands();
     const auto island = static_cast<std::size_t>(islands.of_body(static_cast<int>(body)));
     return colour_of_island(static_cast<std::size_t>(islands.all()[island].bodies.front()));
 }
 
-glm::vec3 rest_colour_of(const Scene& scene, std::size_t body) {
+glm::vec3 rest_colour_of(const BuiltScene& scene, std::size_t body) {
     return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
 }
 
 // Each movable body in the colour that `colour_of` gives. They are in the picture in their order, shape by shape.
 template <typename ColourOf>
-void colour_bodies(const Scene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
+void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
-        glm::vec3* colour = nullptr;
-        if (std::holds_alternative<BoxShape>(body.shape)) colour = &(box++)->colour;
-        if (std::holds_alternative<SphereShape>(body.shape)) colour = &(sphere++)->colour;
+        glm::vec3* const colour =
+            std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
+                                          [&](const SphereShape&) { return &(sphere++)->colour; },
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                       body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);
     }
@@ -199,7 +201,7 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
     return {{"velocity", colour("blue"), "m/s"}};
 }
 
-std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
+std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     std::vector<Quantity> found;
     if (kind == OverlayKind::velocities) add_velocities(scene, found);
     if (kind == OverlayKind::islands) add_islands(scene, found);
@@ -213,7 +215,7 @@ std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind) {
     return found;
 }
 
-void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) {
+void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& overlay) {
     for (const OverlayItem& item : overlay) {
         if (item.kind == OverlayKind::rest && !scene.world.rest) {
             throw UsageError("--overlay rest: nothing rests without --rest on");
@@ -227,7 +229,7 @@ void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay) 
     }
 }
 
-void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
+void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
     if (kind == OverlayKind::islands) return colour_bodies(scene, island_colour_of, picture);
     if (kind == OverlayKind::rest) return colour_bodies(scene, rest_colour_of, picture);
     const std::vector<LegendEntry> entries = entries_of(kind);

@@ -30,13 +30,13 @@ std::vector<LegendEntry> entries_of(OverlayKind kind);
 // Of the last step of the world, at its contact points as they were at the step's start; nothing before the first
 // step, except velocities. A force acts on the body that it is drawn on: the movable one of a pair, the upper one
 // of two.
-std::vector<Quantity> quantities(const Scene& scene, OverlayKind kind);
+std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind);
 
 // Throws UsageError for an overlay that can show nothing, because the scene has no such part.
-void require_shown(const Scene& scene, const std::vector<OverlayItem>& overlay);
+void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& overlay);
 
 // Adds one overlay to a picture that draw_list() made of the scene, `units_a_metre` to scale (no matter for points
 // and colours of bodies).
-void add_overlay(const Scene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture);
+void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture);
 
 }  // namespace pushfactor::demos::pictures

@@ -32,7 +32,7 @@ double area(const Polygon& polygon) {
 
 }  // namespace
 
-std::vector<Vector3> plane_outline(const Scene& scene, const engine::Body& plane) {
+std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane) {
     const engine::Matrix3 frame = plane.orientation.toRotationMatrix();
     const Vector3 up = frame.col(1);
     const double reach = (scene.view.eye - scene.view.target).norm();

@@ -13,7 +13,7 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 // Of every body the box around its places, so that a long run needs no more memory than a short one.
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const Scene& scene, std::vector<Ball>& balls) {
+void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].isEmpty()) continue;
         for (int corner = 0; corner < 8; ++corner) {
@@ -39,7 +39,7 @@ bool reaches(Simulation& simulation, long step) {
 
 }  // namespace
 
-std::vector<Ball> movable_balls(const Scene& scene) {
+std::vector<Ball> movable_balls(const BuiltScene& scene) {
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].mass) continue;
@@ -54,13 +54,13 @@ std::vector<Ball> movable_balls(const Scene& scene) {
     return balls;
 }
 
-Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames) {
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Choices& choices = panels[p].choices;
         Simulation simulation(choices);
-        const Scene& scene = simulation.scene();
+        const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
         for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {
             for (std::size_t i = 0; i < places.size(); ++i) {

@@ -22,9 +22,9 @@ struct Survey {
 };
 
 // `frames` are those of the panels, in the same order.
-Survey survey(const std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames);
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
 
 // Around the movable bodies of a scene as it is now, and the points that they hang on.
-std::vector<Ball> movable_balls(const Scene& scene);
+std::vector<Ball> movable_balls(const BuiltScene& scene);
 
 }  // namespace pushfactor::demos::pictures

@@ -93,8 +93,8 @@ Video::Video(fs::path file, int width, int height, const Rational& fps)
     check_video_name(file_);
     make_temporary();
     try {
-        ffmpeg_ = std::make_unique<Tool>("ffmpeg", "ffmpeg", arguments(temporary_, width, height, fps));
-    } catch (const ToolError& error) {
+        ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg", arguments(temporary_, width, height, fps));
+    } catch (const ChildProcessError& error) {
         remove_temporary();
         fail(error.what());
     }
@@ -131,7 +131,7 @@ void Video::add(const renderer::Image& image) {
     if (image.width != width_ || image.height != height_) fail("the frames of a video must be of one size");
     try {
         ffmpeg_->feed(image.rgb);
-    } catch (const ToolError& error) {
+    } catch (const ChildProcessError& error) {
         fail(error.what());
     }
 }
@@ -139,7 +139,7 @@ void Video::add(const renderer::Image& image) {
 void Video::finish() {
     try {
         ffmpeg_->finish();
-    } catch (const ToolError& error) {
+    } catch (const ChildProcessError& error) {
         fail(error.what());
     }
     std::error_code error;

@@ -49,7 +49,7 @@ class Video {
     std::filesystem::path temporary_;  // empty when it is not there
     int width_;
     int height_;
-    std::unique_ptr<Tool> ffmpeg_;
+    std::unique_ptr<ChildProcess> ffmpeg_;
 };
 
 }  // namespace pushfactor::demos::pictures

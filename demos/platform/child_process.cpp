@@ -66,7 +66,7 @@ std::string last_lines(std::FILE* file) {
 }  // namespace
 
 // Searched as a shell does: an empty entry is the working folder.
-std::optional<fs::path> find_tool(const std::string& name) {
+std::optional<fs::path> find_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::string_view folders = path ? path : "/usr/bin:/bin";
     for (bool more = true; more;) {
@@ -80,24 +80,26 @@ std::optional<fs::path> find_tool(const std::string& name) {
     return std::nullopt;
 }
 
-Tool::Tool(const std::string& name, const std::string& package, std::vector<std::string> arguments) : name_(name) {
-    const auto program = find_tool(name);
-    if (!program) throw ToolError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
+ChildProcess::ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments)
+    : name_(name) {
+    const auto program = find_program(name);
+    if (!program)
+        throw ChildProcessError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
 
     // What it says goes to a file: a pipe that nobody reads would fill up, and both would wait for ever.
     said_ = std::tmpfile();
-    if (!said_) throw ToolError(fmt::format("no temporary file: {}", std::strerror(errno)));
+    if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
     arguments.insert(arguments.begin(), name);
     try {
         start(*program, std::move(arguments));
-    } catch (const ToolError&) {
+    } catch (const ChildProcessError&) {
         close_if_open(input_);
         std::fclose(said_);
         throw;
     }
 }
 
-Tool::~Tool() {
+ChildProcess::~ChildProcess() {
     close_if_open(input_);
     if (process_ != 0) {
         // All of its group: some systems wrap a tool in a script.
@@ -107,11 +109,12 @@ Tool::~Tool() {
     std::fclose(said_);
 }
 
-void Tool::start(const fs::path& program, std::vector<std::string> words) {
+void ChildProcess::start(const fs::path& program, std::vector<std::string> words) {
     // A socket and not a pipe, because send() can be told not to raise SIGPIPE. Close-on-exec, or a tool that is
     // started later would hold it open and this one would never see its end.
     int ends[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw ToolError(std::strerror(errno));
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        throw ChildProcessError(std::strerror(errno));
     input_ = ends[0];
 
     posix_spawn_file_actions_t files;
@@ -134,21 +137,22 @@ void Tool::start(const fs::path& program, std::vector<std::string> words) {
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     close(ends[1]);
-    if (error != 0) throw ToolError(fmt::format("{} does not start: {}", program.string(), std::strerror(error)));
+    if (error != 0)
+        throw ChildProcessError(fmt::format("{} does not start: {}", program.string(), std::strerror(error)));
     process_ = started;
 }
 
-int Tool::wait_for_end() {
+int ChildProcess::wait_for_end() {
     close_if_open(input_);
     return wait_for(std::exchange(process_, 0));
 }
 
-void Tool::fail(int status) const {
+void ChildProcess::fail(int status) const {
     const std::string words = last_lines(said_);
-    throw ToolError(fmt::format("{} {}{}{}", name_, describe(status), words.empty() ? "" : ": ", words));
+    throw ChildProcessError(fmt::format("{} {}{}{}", name_, describe(status), words.empty() ? "" : ": ", words));
 }
 
-void Tool::feed(std::span<const std::uint8_t> bytes) {
+void ChildProcess::feed(std::span<const std::uint8_t> bytes) {
     assert(input_ >= 0);
     while (!bytes.empty()) {
         const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -157,25 +161,25 @@ void Tool::feed(std::span<const std::uint8_t> bytes) {
         } else if (errno == EPIPE || errno == ECONNRESET) {
             fail(wait_for_end());
         } else if (errno != EINTR) {
-            throw ToolError(std::strerror(errno));
+            throw ChildProcessError(std::strerror(errno));
         }
     }
 }
 
-void Tool::finish() {
+void ChildProcess::finish() {
     assert(process_ != 0);
     const int status = wait_for_end();
     if (status != 0) fail(status);
 }
 
-bool Tool::has_ended() const {
+bool ChildProcess::has_ended() const {
     assert(process_ != 0);
     siginfo_t info{};
     const int flags = WEXITED | WNOHANG | WNOWAIT;
     return waitid(P_PID, static_cast<id_t>(process_), &info, flags) != 0 || info.si_pid == process_;
 }
 
-Ending Tool::ending() {
+Ending ChildProcess::ending() {
     assert(process_ != 0);
     const int status = wait_for_end();
     const int reported =

@@ -16,13 +16,13 @@ namespace pushfactor::demos {
 
 // A tool that is not there, does not start or fails. The message is one line and ends with the tool's own last
 // words.
-class ToolError : public std::runtime_error {
+class ChildProcessError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 // Where PATH has it.
-std::optional<std::filesystem::path> find_tool(const std::string& name);
+std::optional<std::filesystem::path> find_program(const std::string& name);
 
 // How a tool ended: its exit status, 128 and more for a signal, and its last words.
 struct Ending {
@@ -31,15 +31,15 @@ struct Ending {
 };
 
 // A tool at work. Ctrl-C in a terminal does not reach it: whether its work is finished or dropped is for the
-// program to decide. Any number may be at work at once, each used by one thread at a time. Members throw ToolError;
-// after that only the destructor may be called.
-class Tool {
+// program to decide. Any number may be at work at once, each used by one thread at a time. Members throw
+// ChildProcessError; after that only the destructor may be called.
+class ChildProcess {
   public:
     // `package` is what to install where it is missing.
-    Tool(const std::string& name, const std::string& package, std::vector<std::string> arguments);
-    ~Tool();  // without finish() the tool is stopped
-    Tool(const Tool&) = delete;
-    Tool& operator=(const Tool&) = delete;
+    ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments);
+    ~ChildProcess();  // without finish() the tool is stopped
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
 
     // To its standard input. Waits while the tool is behind.
     void feed(std::span<const std::uint8_t> bytes);

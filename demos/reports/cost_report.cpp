@@ -81,7 +81,7 @@ class CostReport {
         write_file(request_.folder / file, scene_file_text(with_everything(spelled_out(choices))));
         const Choices everything = understand((request_.folder / file).string(), {}).on_one_thread();
 
-        Options run{{"seconds", to_text(one.start)}};
+        OptionTexts run{{"seconds", to_text(one.start)}};
         Entry entry{.name = one.name, .start = one.start, .as_it_is = {}, .with_everything = {}};
         entry.with_everything = {ledger_of(everything, one.start), command_text("run", file, run) + " --timing"};
         run.insert(run.begin(), one.options.begin(), one.options.end());
@@ -91,8 +91,8 @@ class CostReport {
 
     Ledger ledger_of(const Choices& choices, double start) const {
         const auto check_now = [this] { check(); };
-        const Moment moment = moment_at(choices, start, check_now);
-        const Scene scene = moment.build();
+        const MeasuredState moment = moment_at(choices, start, check_now);
+        const BuiltScene scene = moment.build();
         return {.parts = parts_of(scene, moment.settings),
                 .bodies = static_cast<int>(scene.world.bodies.size()),
                 .counts = count_steps(moment),

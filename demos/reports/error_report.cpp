@@ -26,8 +26,8 @@ class ErrorReport {
     explicit ErrorReport(const ErrorRequest& request)
         : request_(request),
           about_(about_this()),
-          sweeps_(wanted_sweeps()),
-          moments_(wants(frozen_part) ? hard_moments(request.quick) : std::vector<Moment>{}),
+          experiments_(wanted_experiments()),
+          moments_(wants(frozen_part) ? hard_moments(request.quick) : std::vector<FrozenMoment>{}),
           plan_(consistency_plan(request.quick)),
           bar_("report error", total()) {
         make_folder(request_.folder);
@@ -36,32 +36,33 @@ class ErrorReport {
     }
 
     void make() {
-        for (const Sweep& sweep : sweeps_) add_sweep(sweep);
-        for (const Moment& moment : moments_) add_moment(moment);
+        for (const Experiment& sweep : experiments_) add_experiment(sweep);
+        for (const FrozenMoment& moment : moments_) add_moment(moment);
         if (wants(consistency_part)) add_consistency();
     }
 
   private:
     bool wants(const std::string& part) const { return is_wanted(part, request_.parts); }
 
-    std::vector<Sweep> wanted_sweeps() const {
-        std::vector<Sweep> sweeps = error_sweeps(request_.quick);
-        std::erase_if(sweeps, [this](const Sweep& sweep) { return !wants(sweep.scene); });
+    std::vector<Experiment> wanted_experiments() const {
+        std::vector<Experiment> sweeps = error_experiments(request_.quick);
+        std::erase_if(sweeps, [this](const Experiment& sweep) { return !wants(sweep.scene); });
         return sweeps;
     }
 
     long total() const {
         std::size_t count = moments_.size() + (wants(consistency_part) ? plan_.cases.size() : 0);
-        for (const Sweep& sweep : sweeps_) {
+        for (const Experiment& sweep : experiments_) {
             for (const Method& method : sweep.methods) count += method.values.size();
         }
         return static_cast<long>(count);
     }
 
     void check() const {
-        stop_if_interrupted(fmt::format("{} of {} plots are in {}", sections_.size(),
-                                        2 * sweeps_.size() + moments_.size() + (wants(consistency_part) ? 1 : 0),
-                                        request_.folder.string()));
+        stop_if_interrupted(
+            fmt::format("{} of {} plots are in {}", sections_.size(),
+                        2 * experiments_.size() + moments_.size() + (wants(consistency_part) ? 1 : 0),
+                        request_.folder.string()));
     }
 
     void one_more() { bar_.show(++done_); }
@@ -70,7 +71,7 @@ class ErrorReport {
         write_file(request_.folder / name, fmt::format("# {}\n{}", line_of(about_), text));
     }
 
-    void add_sweep(const Sweep& sweep) {
+    void add_experiment(const Experiment& sweep) {
         std::vector<ErrorPoint> points;
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values) {
@@ -86,7 +87,7 @@ class ErrorReport {
         write_page();
     }
 
-    void add_moment(const Moment& moment) {
+    void add_moment(const FrozenMoment& moment) {
         const FrozenProblem problem = freeze(moment, [this] { check(); });
         const std::vector<FrozenPoint> points = solve_frozen(problem, request_.quick);
         frozen_.insert(frozen_.end(), points.begin(), points.end());
@@ -128,8 +129,8 @@ class ErrorReport {
 
     ErrorRequest request_;
     About about_;
-    std::vector<Sweep> sweeps_;
-    std::vector<Moment> moments_;
+    std::vector<Experiment> experiments_;
+    std::vector<FrozenMoment> moments_;
     ConsistencyPlan plan_;
     ProgressBar bar_;
     long done_ = 0;
@@ -142,7 +143,7 @@ class ErrorReport {
 
 std::vector<std::string> error_parts() {
     std::vector<std::string> parts;
-    for (const Sweep& sweep : error_sweeps(true)) parts.push_back(sweep.scene);
+    for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.scene);
     parts.emplace_back(frozen_part);
     parts.emplace_back(consistency_part);
     return parts;

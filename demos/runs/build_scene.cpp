@@ -3,6 +3,7 @@
 #include "demos/runs/scene.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
+#include "engine/base/overloaded.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
@@ -22,15 +23,19 @@ Body make_body(const BodyDescription& described) {
     const auto& orientation = described.orientation;
     if (!described.mass) return engine::static_body(described.position, orientation);
 
-    Body body;
-    if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
-        body = engine::box_body(*described.mass, box->size, described.position, orientation);
-    } else if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) {
-        body = engine::ball_body(*described.mass, sphere->radius, described.position, orientation);
-    } else {
-        throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
-                                   "left out: a plane is static");
-    }
+    Body body = std::visit(
+        engine::Overloaded{
+            [&](const BoxShape& box) {
+                return engine::box_body(*described.mass, box.size, described.position, orientation);
+            },
+            [&](const SphereShape& sphere) {
+                return engine::ball_body(*described.mass, sphere.radius, described.position, orientation);
+            },
+            [&](const PlaneShape&) -> Body {
+                throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
+                                           "left out: a plane is static");
+            }},
+        described.shape);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
     const engine::Matrix3 inertia = world_inverse_inertia(body).inverse();
     body.angular_momentum = described.angular_momentum.value_or(inertia * described.angular_velocity);
@@ -38,9 +43,12 @@ Body make_body(const BodyDescription& described) {
 }
 
 collision::Shape make_shape(const BodyDescription& described) {
-    if (const auto* box = std::get_if<BoxShape>(&described.shape)) return collision::Box{0.5 * box->size};
-    if (const auto* sphere = std::get_if<SphereShape>(&described.shape)) return collision::Sphere{sphere->radius};
-    return collision::Plane{};
+    return std::visit(
+        engine::Overloaded{
+            [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
+            [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
+            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; }},
+        described.shape);
 }
 
 int index_of(const std::string& name, const SceneDescription& description) {
@@ -51,7 +59,7 @@ int index_of(const std::string& name, const SceneDescription& description) {
     return static_cast<int>(found - bodies.begin());
 }
 
-void add_forces(Scene& scene, const SceneDescription& description) {
+void add_forces(BuiltScene& scene, const SceneDescription& description) {
     if (!description.gravity.isZero()) {
         scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
     }
@@ -63,7 +71,7 @@ void add_forces(Scene& scene, const SceneDescription& description) {
 }
 
 // The index of the static body that stands for the world; it is made when it is first wanted.
-int world_body(Scene& scene, std::optional<int>& known) {
+int world_body(BuiltScene& scene, std::optional<int>& known) {
     if (!known) {
         known = static_cast<int>(scene.world.bodies.size());
         scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
@@ -93,7 +101,7 @@ void require_joint_without_bounds(const DistanceDescription& described) {
                                "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
 }
 
-void add_distances(Scene& scene, const SceneDescription& description, const Settings& settings) {
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (description.distances.empty()) return;
     std::optional<int> world;
     const auto body_index = [&](const std::string& name) {
@@ -161,7 +169,7 @@ std::vector<collision::Collider> make_colliders(const SceneDescription& descript
     return colliders;
 }
 
-void add_contacts(Scene& scene, const SceneDescription& description, const Settings& settings) {
+void add_contacts(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (!description.contacts) return;
     const std::vector<collision::Collider> colliders = make_colliders(description, settings);
     const auto any = [&](double collision::Collider::*what) {
@@ -173,14 +181,15 @@ void add_contacts(Scene& scene, const SceneDescription& description, const Setti
         .detection = {.margin = settings.margin, .reduce_to_four_points = settings.four_points},
         .order = settings.row_order,
     };
-    auto contacts = std::make_unique<engine::ContactStage>(colliders, choices);
+    auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
     if (any(&collision::Collider::friction)) {
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
     if (any(&collision::Collider::restitution)) {
         contacts->set_restitution(restitution_rule(settings.restitution_model));
     }
-    if (settings.margin > 0.0) contacts->set_sweep(std::make_unique<collision::Sweep>());
+    if (settings.margin > 0.0)
+        contacts->set_continuous_collision(std::make_unique<collision::ContinuousCollision>());
     if (settings.warm_start) {
         contacts->set_cache(std::make_unique<engine::ContactCache>(
             description.state ? description.state->contact_forces : engine::ContactCache{}));
@@ -208,7 +217,7 @@ bool takes_small_steps(const Settings& settings) {
     return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
 }
 
-void add_solver(Scene& scene, const Settings& settings) {
+void add_solver(BuiltScene& scene, const Settings& settings) {
     if (scene.world.constraints.empty()) return;
     scene.world.solver = engine::solvers::make_solver(settings.solver);
     scene.world.termination = {settings.iterations, settings.tolerance_high, settings.tolerance_low};
@@ -233,7 +242,7 @@ void require_bars_alone(const SceneDescription& description, const Settings& set
     }
 }
 
-void set_scheme(Scene& scene, const SceneDescription& description, const Settings& settings) {
+void set_scheme(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (!is_rattle(settings.scheme)) return;
     require_bars_alone(description, settings);
     scene.step = settings.scheme == Scheme::rattle    ? engine::rattle
@@ -241,7 +250,7 @@ void set_scheme(Scene& scene, const SceneDescription& description, const Setting
                                                       : engine::rattle6;
 }
 
-void set_rest(Scene& scene, const SceneDescription& description, const Settings& settings) {
+void set_rest(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (!settings.rest) return;
     if (is_rattle(settings.scheme)) {
         throw engine::InvalidInput("--rest", "on", "off with --scheme " + scheme_name(settings));
@@ -250,12 +259,12 @@ void set_rest(Scene& scene, const SceneDescription& description, const Settings&
     if (description.state) scene.world.rest->set_memory(description.state->rest, scene.world.bodies);
 }
 
-void set_threads(Scene& scene, const Settings& settings) {
+void set_threads(BuiltScene& scene, const Settings& settings) {
     const int count = settings.threads == 0 ? engine::Threads::all() : settings.threads;
     if (count > 1) scene.world.threads = std::make_unique<engine::Threads>(count);
 }
 
-void set_measure(Scene& scene, const SceneDescription& description, const Settings& settings) {
+void set_measure(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (!description.measure) return;
     const auto momenta = is_rattle(settings.scheme) ? MomentaAt::whole_steps : MomentaAt::half_steps;
     scene.measure = [make = description.measure, momenta](const engine::World& world) {
@@ -264,21 +273,21 @@ void set_measure(Scene& scene, const SceneDescription& description, const Settin
 }
 
 // Velocities that are finite may make momenta that are not.
-void require_finite(const Scene& scene) {
+void require_finite(const BuiltScene& scene) {
     const auto found = engine::find_non_finite(scene.world.bodies);
     if (!found) return;
     throw engine::InvalidInput(found->quantity + " of " + scene.bodies[found->body].name, "beyond 1e308", "finite");
 }
 
-void resume(Scene& scene, const RunState& state) {
+void resume(BuiltScene& scene, const RunState& state) {
     scene.world.resume(state.time, state.warm_start);
     scene.substeps_before = state.substeps;
 }
 
 }  // namespace
 
-Scene build_scene(const SceneDescription& description, const Settings& settings) {
-    Scene scene;
+BuiltScene build_scene(const SceneDescription& description, const Settings& settings) {
+    BuiltScene scene;
     scene.name = description.name;
     scene.gravity = description.gravity;
     scene.bodies = description.bodies;
@@ -299,7 +308,7 @@ Scene build_scene(const SceneDescription& description, const Settings& settings)
     return scene;
 }
 
-Scene build_scene(const Choices& choices) {
+BuiltScene build_scene(const Choices& choices) {
     return build_scene(choices.description, choices.settings);
 }
 

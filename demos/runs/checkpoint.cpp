@@ -2,7 +2,7 @@
 
 namespace pushfactor::demos {
 
-void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
+void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into) {
     into.bodies = scene.world.bodies;
     into.state.time = scene.world.time();
     scene.world.take_memory(into.state.warm_start);
@@ -15,7 +15,7 @@ void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into) {
     }
 }
 
-SceneDescription resumed(SceneDescription description, const Scene& scene, const Checkpoint& checkpoint) {
+SceneDescription resumed(SceneDescription description, const BuiltScene& scene, const Checkpoint& checkpoint) {
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
         const engine::Body& body = checkpoint.bodies[i];
         BodyDescription& described = description.bodies[i];

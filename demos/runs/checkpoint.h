@@ -12,10 +12,10 @@ struct Checkpoint {
 };
 
 // Overwrites `into`, whose memory is used again. `substeps` as of StepDivision::level().
-void take_checkpoint(const Scene& scene, double substeps, Checkpoint& into);
+void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into);
 
 // The description whose world takes the steps that the one of `scene` takes after the checkpoint, to the last bit.
 // `description` is what `scene` was built from, with every option in it.
-SceneDescription resumed(SceneDescription description, const Scene& scene, const Checkpoint& checkpoint);
+SceneDescription resumed(SceneDescription description, const BuiltScene& scene, const Checkpoint& checkpoint);
 
 }  // namespace pushfactor::demos

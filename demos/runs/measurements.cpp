@@ -31,7 +31,7 @@ double sideways(const Vector3& from, const Vector3& to) {
 }
 
 // The length L by which a scene is judged: the smallest movable body that can touch something.
-double judged_size(const Scene& scene) {
+double judged_size(const BuiltScene& scene) {
     double size = std::numeric_limits<double>::infinity();
     if (!scene.contacts) return 1.0;
     for (const auto& collider : scene.contacts->colliders()) {
@@ -42,13 +42,13 @@ double judged_size(const Scene& scene) {
 }
 
 // How fast a body is by which a scene is judged: gravity's speed over the length L, without gravity L a second.
-double judged_speed(const Scene& scene, double size) {
+double judged_speed(const BuiltScene& scene, double size) {
     const double gravity = scene.gravity.norm();
     return gravity > 0.0 ? std::sqrt(gravity * size) : size;
 }
 
 // Of movable bodies: how far their corners are from the centre [m]. What is round does not change by turning.
-std::vector<double> corners_of(const Scene& scene) {
+std::vector<double> corners_of(const BuiltScene& scene) {
     std::vector<double> corners;
     for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
         if (scene.world.bodies[i].is_static()) continue;
@@ -59,7 +59,7 @@ std::vector<double> corners_of(const Scene& scene) {
 }
 
 // Which movable bodies a distance holds.
-std::vector<bool> held_in(const Scene& scene) {
+std::vector<bool> held_in(const BuiltScene& scene) {
     std::vector<bool> all(scene.world.bodies.size(), false), held;
     if (scene.distances) {
         for (const engine::Distance& distance : scene.distances->distances()) {

@@ -27,7 +27,7 @@ double distance_to_way(const Vector3& point, const Vector3& from, const Vector3&
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene) {
+Obstacles::Obstacles(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];

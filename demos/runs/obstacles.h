@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 class Obstacles {
   public:
-    explicit Obstacles(const Scene& scene);  // static bodies stay where they are
+    explicit Obstacles(const BuiltScene& scene);  // static bodies stay where they are
 
     // Whether a centre is on the wrong side of a plane. Positions in m, world frame.
     bool is_behind_plane(const engine::Vector3& centre) const;

@@ -4,7 +4,7 @@
 
 #include "demos/options/settings.h"
 #include "demos/scenes/scene_description.h"
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/rattle.h"
 #include "engine/world.h"
 
@@ -16,12 +16,12 @@ namespace pushfactor::demos {
 
 struct Choices;
 
-struct Scene {
+struct BuiltScene {
     std::string name;
     engine::World world;
     engine::StepMethod step = [](engine::World& w, double dt) { return w.step(dt); };  // the paper's
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
-    const engine::ContactStage* contacts = nullptr;          // part of the world; null when bodies never touch
+    const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
 
     std::optional<double> substeps_before{};  // when it goes on: StepDivision::level()
@@ -35,8 +35,8 @@ struct Scene {
 // The world of a description under the settings. What either leaves out is not constructed. When distances hang on
 // "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, for an
 // scheme that does not fit the scene, and for what the engine refuses.
-Scene build_scene(const SceneDescription& description, const Settings& settings);
+BuiltScene build_scene(const SceneDescription& description, const Settings& settings);
 // Of a run.
-Scene build_scene(const Choices& choices);
+BuiltScene build_scene(const Choices& choices);
 
 }  // namespace pushfactor::demos

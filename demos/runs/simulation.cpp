@@ -22,7 +22,7 @@ double max_length_error(std::span<const engine::ConstraintRow> rows) {
     return largest;
 }
 
-bool wants_kick(const Scene& scene, const Settings& settings) {
+bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     const StartKick choice = settings.start_kick;
     if (is_rattle(settings.scheme)) return false;
     if (choice != StartKick::where_it_fits) return choice == StartKick::on;
@@ -32,7 +32,7 @@ bool wants_kick(const Scene& scene, const Settings& settings) {
     return at_rest && !scene.contacts;
 }
 
-StepDivision division_of(const Scene& scene, const Settings& settings) {
+StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
     if (settings.substeps) return StepDivision(*settings.substeps);
     return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
 }
@@ -55,12 +55,12 @@ long whole_steps(const Settings& settings) {
     return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
 }
 
-std::string_view body_name(const Scene& scene, int body) {
+std::string_view body_name(const BuiltScene& scene, int body) {
     const auto index = static_cast<std::size_t>(body);
     return index < scene.bodies.size() ? std::string_view(scene.bodies[index].name) : "world";
 }
 
-Simulation::Simulation(Scene scene, const Settings& settings, Clock clock)
+Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
     : scene_(std::move(scene)),
       settings_(settings),
       division_(division_of(scene_, settings)),

@@ -42,7 +42,7 @@ struct Sample {
 long whole_steps(const Settings& settings);
 
 // How messages call a body of the world.
-std::string_view body_name(const Scene& scene, int body);
+std::string_view body_name(const BuiltScene& scene, int body);
 
 class Simulation {
   public:
@@ -50,7 +50,7 @@ class Simulation {
 
     // Gives the momenta half a kick back first where the settings ask for it. Of a scene with several threads
     // a clock counts the work of one.
-    Simulation(Scene scene, const Settings& settings, Clock clock = nullptr);
+    Simulation(BuiltScene scene, const Settings& settings, Clock clock = nullptr);
     // Of the scene and with the settings of a run.
     explicit Simulation(const Choices& choices, Clock clock = nullptr);
 
@@ -62,7 +62,7 @@ class Simulation {
     Checkpoint checkpoint() const;
     const Checkpoint& checkpoint_before() const { return before_; }
 
-    const Scene& scene() const { return scene_; }
+    const BuiltScene& scene() const { return scene_; }
     const Settings& settings() const { return settings_; }
     const Sample& sample() const { return sample_; }  // of the last step; of the start before the first
 
@@ -76,7 +76,7 @@ class Simulation {
     void require_finite_sample() const;
     [[noreturn]] void fail(std::size_t body, std::string_view quantity) const;
 
-    Scene scene_;
+    BuiltScene scene_;
     Settings settings_;
     StepDivision division_;
     Clock clock_;

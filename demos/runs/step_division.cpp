@@ -23,7 +23,7 @@ int whole(double parts) {
 
 }  // namespace
 
-std::vector<StepRule> step_rules(const Scene& scene) {
+std::vector<StepRule> step_rules(const BuiltScene& scene) {
     using engine::World;
     std::vector<StepRule> rules;
     if (const auto* distances = scene.distances) {

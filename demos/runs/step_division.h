@@ -20,7 +20,7 @@ struct StepRule {
 };
 
 // The rules for the parts that the scene has. They look at parts of its world, which must outlive them.
-std::vector<StepRule> step_rules(const Scene& scene);
+std::vector<StepRule> step_rules(const BuiltScene& scene);
 
 class StepDivision {
   public:

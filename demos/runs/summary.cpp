@@ -55,7 +55,7 @@ double mean(const std::vector<double>& values) {
 }  // namespace
 
 std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured) {
-    const Scene& scene = simulation.scene();
+    const BuiltScene& scene = simulation.scene();
     Json summary;
     summary["scene"] = scene.name;
     summary["preset"] = choices.settings.preset;

@@ -14,7 +14,7 @@ std::string text_of(const UnsolvedSteps::Place& place) {
 }
 
 // ", between 'a' and 'b'"
-std::string bodies_of(const UnsolvedSteps::Place& place, const Scene& scene) {
+std::string bodies_of(const UnsolvedSteps::Place& place, const BuiltScene& scene) {
     if (!place.bodies) return "";
     return fmt::format(", between '{}' and '{}'", body_name(scene, place.bodies->a),
                        body_name(scene, place.bodies->b));
@@ -62,7 +62,7 @@ std::vector<std::string> faults_of(const Measurements& measured) {
 
 std::string warning_text(const std::string& name, const Simulation& simulation, const Measurements& measured) {
     const UnsolvedSteps& steps = measured.unsolved();
-    const Scene& scene = simulation.scene();
+    const BuiltScene& scene = simulation.scene();
     std::string text;
     if (steps.first) {
         text += fmt::format("pushfactor: warning: {}: {} of {} steps {} not solved to {} m/s, the first is {}",

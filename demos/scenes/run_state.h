@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/constraints/contact_cache.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/step/island_solver.h"
 #include "engine/step/rest.h"
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "engine/base/math.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/base/overloaded.h"
+#include "engine/constraints/distance_constraints.h"
 
 #include <functional>
 #include <map>
@@ -47,9 +48,10 @@ struct BodyDescription {
 
 // Of a sphere around the body's centre that holds it, m; 0 for a plane, which nothing holds.
 inline double bounding_radius(const BodyDescription& body) {
-    if (const auto* box = std::get_if<BoxShape>(&body.shape)) return 0.5 * box->size.norm();
-    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return sphere->radius;
-    return 0.0;
+    return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
+                                         [](const SphereShape& sphere) { return sphere.radius; },
+                                         [](const PlaneShape&) { return 0.0; }},
+                      body.shape);
 }
 
 struct DistanceDescription {

@@ -69,13 +69,14 @@ void refuse_if_given(const JsonReader& json, std::initializer_list<const char*> 
 // What would be read by nobody was meant for something.
 void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bool fixed) {
     const bool plane = std::holds_alternative<PlaneShape>(body.shape);
-    if (plane) refuse_if_given(json, {"size_m", "radius_m"}, "left out: a plane has no size");
-    if (std::holds_alternative<BoxShape>(body.shape)) {
-        refuse_if_given(json, {"radius_m"}, "left out: a box has size_m");
-    }
-    if (std::holds_alternative<SphereShape>(body.shape)) {
-        refuse_if_given(json, {"size_m"}, "left out: a sphere has radius_m");
-    }
+    std::visit(
+        engine::Overloaded{
+            [&](const BoxShape&) { refuse_if_given(json, {"radius_m"}, "left out: a box has size_m"); },
+            [&](const SphereShape&) { refuse_if_given(json, {"size_m"}, "left out: a sphere has radius_m"); },
+            [&](const PlaneShape&) {
+                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a plane has no size");
+            }},
+        body.shape);
     if (plane) refuse_if_given(json, {"mass_kg"}, "left out: a plane is static");
     if (plane || fixed) {
         refuse_if_given(json,

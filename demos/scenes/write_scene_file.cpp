@@ -16,15 +16,16 @@ Json to_json(const Vector3& v) {
 
 Json to_json(const BodyDescription& body) {
     Json json{{"name", body.name}};
-    if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
-        json["shape"] = "box";
-        json["size_m"] = to_json(box->size);
-    } else if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) {
-        json["shape"] = "sphere";
-        json["radius_m"] = sphere->radius;
-    } else {
-        json["shape"] = "plane";
-    }
+    std::visit(engine::Overloaded{[&](const BoxShape& box) {
+                                      json["shape"] = "box";
+                                      json["size_m"] = to_json(box.size);
+                                  },
+                                  [&](const SphereShape& sphere) {
+                                      json["shape"] = "sphere";
+                                      json["radius_m"] = sphere.radius;
+                                  },
+                                  [&](const PlaneShape&) { json["shape"] = "plane"; }},
+               body.shape);
     if (body.mass) {
         json["mass_kg"] = *body.mass;
     } else if (!std::holds_alternative<PlaneShape>(body.shape)) {

@@ -11,12 +11,6 @@ const Collider& at(std::span<const Collider> colliders, int index) {
     return colliders[static_cast<std::size_t>(index)];
 }
 
-// Half the edges of the box around a finite shape, world axes.
-Vector3 reach_of(const Shape& shape, const Pose& pose) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
-    return pose.rotation.cwiseAbs() * std::get<Box>(shape).half_size;
-}
-
 // So many are compared each with each in less time than a grid takes to fill and search.
 constexpr std::size_t few = 96;
 
@@ -59,7 +53,7 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
     int place = 0;
     for (const int i : moved) {
         const Collider& collider = at(colliders, i);
-        if (std::holds_alternative<collision::Plane>(collider.shape)) {
+        if (!is_finite(collider.shape)) {
             const Pose& pose = poses[static_cast<std::size_t>(collider.body)];
             planes_.push_back({.point = pose.position, .up = pose.rotation.col(1), .collider = i});
             continue;
@@ -77,13 +71,13 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
     share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int i : moved.subspan(begin, end - begin)) {
             const Collider& collider = at(colliders, i);
-            if (std::holds_alternative<collision::Plane>(collider.shape)) continue;
+            if (!is_finite(collider.shape)) continue;
             const auto body = static_cast<std::size_t>(collider.body);
             const Pose& pose = poses[body];
             const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
             Bounds& box = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
             box.centre = pose.position;
-            box.reach = reach_of(collider.shape, pose) + Vector3::Constant(margin * size + path);
+            box.reach = half_extents(collider.shape, pose.rotation) + Vector3::Constant(margin * size + path);
             box.slack = slack_share * size;
             box.collider = i;
             box.body = collider.body;

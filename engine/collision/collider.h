@@ -50,4 +50,20 @@ Pose pose_of(const Body& body);
 // diameter; infinite for a plane.
 double size_of(const Shape& shape);
 
+// Half the edges of a box around the shape along the world's axes [m]; infinite for a plane.
+Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
+
+// How far the shape reaches from its centre along `direction`, times the length of that [m]; infinite for a plane.
+double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& direction);
+
+// How far from its centre the shape has points that turning moves [m^2, squared]; zero for a sphere, which turns in
+// itself, and for a plane, which never turns.
+double squared_turning_radius(const Shape& shape);
+
+// Whether the shape stays the same however it turns about its centre.
+bool turns_in_itself(const Shape& shape);
+
+// Whether the shape has an end in every direction.
+bool is_finite(const Shape& shape);
+
 }  // namespace pushfactor::engine::collision

@@ -8,32 +8,32 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-double margin_of(const Collider& collider, const Sweep::Step& step) {
+double margin_of(const Collider& collider, const ContinuousCollision::Step& step) {
     return step.detection.margin * size_of(collider.shape);
 }
 
 // By the velocities before the step: what rests on something is not fast because of its weight. The largest inverse
 // moment bounds the rate of turning.
-double free_path(const Collider& collider, const Body& body, const Sweep::Step& step) {
+double free_path(const Collider& collider, const Body& body, const ContinuousCollision::Step& step) {
     const double rate = body.angular_momentum.norm() * body.inverse_inertia.maxCoeff();
     return path_of(collider, velocity(body).norm(), rate, step.dt);
 }
 
 // Whether the external forces of the step bring the collider into that danger.
-bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity, const Sweep::Step& step) {
+bool is_pressed(const Collider& collider, const Body& body, const Vector3& velocity,
+                const ContinuousCollision::Step& step) {
     const double rate = (body.angular_momentum + step.dt * body.torque).norm() * body.inverse_inertia.maxCoeff();
     return path_of(collider, velocity.norm(), rate, step.dt) > dangerous * size_of(collider.shape);
 }
 
 // What is_pressed() asks of a body that its velocity alone takes so far [m], for certain where the answer is no. In
 // squares, because every body is asked in every step.
-bool could_be_pressed(const Collider& collider, const Body& body, double path, const Sweep::Step& step) {
+bool could_be_pressed(const Collider& collider, const Body& body, double path,
+                      const ContinuousCollision::Step& step) {
     double acceleration =
         body.inverse_mass * body.inverse_mass * body.force.squaredNorm();  // squared, of any point
-    if (const auto* box = std::get_if<Box>(&collider.shape)) {
-        const double turning = body.inverse_inertia.maxCoeff();
-        acceleration += turning * turning * body.torque.squaredNorm() * box->half_size.squaredNorm();
-    }
+    const double turning = body.inverse_inertia.maxCoeff();
+    acceleration += turning * turning * body.torque.squaredNorm() * squared_turning_radius(collider.shape);
     const double room = (dangerous * size_of(collider.shape) - path) / (step.dt * step.dt);
     return room <= 0.0 || 2.0 * acceleration > room * room;  // (x + y)^2 <= 2 (x^2 + y^2)
 }
@@ -59,7 +59,7 @@ constexpr double loose = 0.1;
 // Whether the constraint force makes the body move otherwise than foreseen, and fast: by more than its margin, or
 // more than that where it comes from small steps.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
-               const Sweep::Step& step) {
+               const ContinuousCollision::Step& step) {
     if (kind == NewForce::none) return false;
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
@@ -135,13 +135,13 @@ Body moved_to(const Body& body, const Pose& pose) {
 
 }  // namespace
 
-Moving Sweep::moving(int collider, const Step& step) const {
+Moving ContinuousCollision::moving(int collider, const Step& step) const {
     const Collider& which = step.colliders[static_cast<std::size_t>(collider)];
     const auto body = static_cast<std::size_t>(which.body);
     return {which.shape, pose_of(step.bodies[body]), fast_pairs_.motion_of(collider)};
 }
 
-bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
+bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& step) {
     fast_.assign(step.colliders.size(), false);
     dangerous_.assign(step.colliders.size(), false);
     bool any = false, any_pressed = false;
@@ -163,7 +163,7 @@ bool Sweep::any_fast(std::span<const Touch> touches, const Step& step) {
 }
 
 // What lies on something is held and not fast, however it is pressed.
-void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
+void ContinuousCollision::find_pressed(std::span<const Touch> touches, const Step& step) {
     freely_.resize(step.bodies.size());
     for (const int index : step.awake) {
         const auto body = static_cast<std::size_t>(step.colliders[static_cast<std::size_t>(index)].body);
@@ -184,7 +184,8 @@ void Sweep::find_pressed(std::span<const Touch> touches, const Step& step) {
     }
 }
 
-bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step) {
+bool ContinuousCollision::any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed,
+                                     const Step& step) {
     fast_.assign(step.colliders.size(), false);
     bool any = false;
     for (const int index : step.awake) {
@@ -197,13 +198,14 @@ bool Sweep::any_thrown(std::span<const Vector6> forces, std::span<const NewForce
     return any;
 }
 
-bool Sweep::is_swept(const Pair& pair, const Step& step) const {
+bool ContinuousCollision::is_swept(const Pair& pair, const Step& step) const {
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
     return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
 }
 
 // Adds the touch of a pair that meets, with the motions of the moment.
-Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vector<Touch>& touches) {
+ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, const Step& step,
+                                                              std::vector<Touch>& touches) {
     const Moving a = moving(pair.a, step);
     const Moving b = moving(pair.b, step);
     Touch touch;
@@ -224,14 +226,14 @@ Sweep::Outcome Sweep::add_meeting(const Pair& pair, const Step& step, std::vecto
     return Outcome::meets;
 }
 
-void Sweep::keep_bodies(const Meeting& meeting, const Step& step, Touch& touch) {
+void ContinuousCollision::keep_bodies(const Meeting& meeting, const Step& step, Touch& touch) {
     const Body& body_a = step.bodies[static_cast<std::size_t>(touch.body_a)];
     const Body& body_b = step.bodies[static_cast<std::size_t>(touch.body_b)];
     found_.bodies.push_back({moved_to(body_a, meeting.pose_a), moved_to(body_b, meeting.pose_b), meeting.time});
     touch.meeting = &found_.bodies.back();
 }
 
-void Sweep::keep_points(Manifold& manifold, const Moving& a, const Step& step, Touch& touch) {
+void ContinuousCollision::keep_points(Manifold& manifold, const Moving& a, const Step& step, Touch& touch) {
     if (step.detection.reduce_to_four_points) reduce_to_four(manifold, a.start.rotation);
     touch.normal = manifold.normal;
     touch.points = found_.keep(manifold.points());
@@ -239,7 +241,7 @@ void Sweep::keep_points(Manifold& manifold, const Moving& a, const Step& step, T
 
 // Adds another touch of a pair that has one, but is turned by its rows so that it ends the step deep in each other
 // all the same: with the points and the normal of that end.
-void Sweep::add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches) {
+void ContinuousCollision::add_turned(const Touch& first, const Step& step, std::vector<Touch>& touches) {
     if (first.restitution > 0.0) return;
     const Moving a = moving(first.pair.a, step);
     const Moving b = moving(first.pair.b, step);
@@ -254,7 +256,7 @@ void Sweep::add_turned(const Touch& first, const Step& step, std::vector<Touch>&
     touches.push_back(touch);
 }
 
-void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector) {
+void ContinuousCollision::refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector) {
     auto touch = touches.begin();
     const Outlook outlook{step.colliders, step.bodies, {}, step.dt, step.detection.margin};
     const std::span<const Pair> beside = detector.beside();
@@ -277,7 +279,8 @@ void Sweep::refine_fast(std::span<const Touch> touches, const Step& step, Detect
     passing_.take_out_held(refined_, step);
 }
 
-std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step& step, Detector& detector) {
+std::span<const Touch> ContinuousCollision::refine(std::span<const Touch> touches, const Step& step,
+                                                   Detector& detector) {
     found_.clear();
     seen_.clear();
     fast_pairs_.begin(step.colliders.size());
@@ -289,13 +292,13 @@ std::span<const Touch> Sweep::refine(std::span<const Touch> touches, const Step&
     return known_;
 }
 
-const Touch* Sweep::known(const Pair& pair) const {
+const Touch* ContinuousCollision::known(const Pair& pair) const {
     const auto touch = std::lower_bound(known_.begin(), known_.end(), pair, before);
     return touch != known_.end() && touch->pair == pair ? &*touch : nullptr;
 }
 
-std::span<const Touch> Sweep::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
-                                   const Step& step, Detector& detector) {
+std::span<const Touch> ContinuousCollision::look(std::span<const Vector6> forces, std::span<const NewForce> changed,
+                                                 const Step& step, Detector& detector) {
     unforeseen_.clear();
     if (!any_thrown(forces, changed, step)) return unforeseen_;
     const Outlook outlook{step.colliders, step.bodies, forces, step.dt, step.detection.margin};

@@ -27,7 +27,7 @@
 
 namespace pushfactor::engine::collision {
 
-class Sweep {
+class ContinuousCollision {
   public:
     using Step = Passing::Step;
 

@@ -1,6 +1,7 @@
 #include "engine/collision/fast_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace pushfactor::engine::collision {
@@ -9,11 +10,11 @@ namespace {
 
 // Half the edges of a box around the shape, however it turns within the step [m].
 Vector3 reach_of(const Shape& shape, const Body& body, double turning_path, double margin) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vector3::Constant(sphere->radius);
-    const Vector3& half = std::get<Box>(shape).half_size;
+    const Matrix3 rotation = pose_of(body).rotation;
+    if (turns_in_itself(shape)) return half_extents(shape, rotation);
     const double room = margin * size_of(shape);
-    if (turning_path > room) return Vector3::Constant(half.norm());
-    return pose_of(body).rotation.cwiseAbs() * half + Vector3::Constant(room);
+    if (turning_path > room) return Vector3::Constant(std::sqrt(squared_turning_radius(shape)));
+    return half_extents(shape, rotation) + Vector3::Constant(room);
 }
 
 const Body& body_of(const Outlook& outlook, std::size_t collider) {
@@ -26,7 +27,7 @@ Vector6 constraint_force_on(const Outlook& outlook, std::size_t collider) {
 }
 
 bool is_plane(const Outlook& outlook, std::size_t collider) {
-    return std::holds_alternative<Plane>(outlook.colliders[collider].shape);
+    return !is_finite(outlook.colliders[collider].shape);
 }
 
 }  // namespace

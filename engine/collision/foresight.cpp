@@ -1,12 +1,12 @@
 #include "engine/collision/foresight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pushfactor::engine::collision {
 
 double path_of(const Collider& collider, double speed, double rate, double dt) {
-    const auto* box = std::get_if<Box>(&collider.shape);
-    return dt * (speed + (box ? rate * box->half_size.norm() : 0.0));  // a sphere turns in itself
+    return dt * (speed + rate * std::sqrt(squared_turning_radius(collider.shape)));
 }
 
 void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,

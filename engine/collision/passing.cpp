@@ -1,5 +1,6 @@
 #include "engine/collision/passing.h"
 
+#include "engine/base/overloaded.h"
 #include "engine/collision/box_box.h"
 #include "engine/collision/sphere_pairs.h"
 
@@ -24,7 +25,7 @@ struct Mover {
 
 Mover mover_of(const Body& body, const Shape& shape, double dt) {
     Mover mover{body.position, motion_of(body), motion_of(body, dt)};
-    if (std::holds_alternative<Sphere>(shape)) {  // which turns in itself
+    if (turns_in_itself(shape)) {
         mover.before.angular_velocity.setZero();
         mover.with_forces.angular_velocity.setZero();
     }
@@ -67,6 +68,11 @@ Movers movers_of(const Touch& touch, const Passing::Step& step) {
             mover_of(b, step.colliders[static_cast<std::size_t>(touch.pair.b)].shape, step.dt)};
 }
 
+Separation reversed(Separation axis) {
+    axis.normal = -axis.normal;
+    return axis;
+}
+
 // The two shapes of a touch at the start of the step.
 struct Shapes {
     const Shape &a, &b;
@@ -78,47 +84,45 @@ struct Shapes {
           pose_a(pose_of(body_of(touch.body_a, step))),
           pose_b(pose_of(body_of(touch.body_b, step))) {}
 
-    bool are_boxes() const { return std::holds_alternative<Box>(a) && std::holds_alternative<Box>(b); }
-
-    bool is_box_and_sphere() const {
-        return (std::holds_alternative<Box>(a) && std::holds_alternative<Sphere>(b)) ||
-               (std::holds_alternative<Sphere>(a) && std::holds_alternative<Box>(b));
-    }
-
-    // Calls `visit` with the other ways to be apart than along `normal`.
+    // Calls `visit` with the other ways to be apart than along `normal`. Two spheres, and planes, have none.
     template <typename Visit>
-    void visit_others(const Vector3& normal, Visit visit) const {
-        if (are_boxes()) {
-            const Separations separations(std::get<Box>(a), pose_a, std::get<Box>(b), pose_b);
-            for (const Separation& axis : separations.all()) {
-                if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
-            }
-        } else if (!is_box_and_sphere()) {
-            return;
-        } else if (const auto* box = std::get_if<Box>(&a)) {
-            const Separations separations(*box, pose_a, std::get<Sphere>(b), pose_b);
-            for (const Separation& axis : separations.all()) visit(axis);
-        } else {
-            const Separations separations(std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a);
-            for (Separation axis : separations.all()) {
-                axis.normal = -axis.normal;
-                visit(axis);
-            }
-        }
+    void visit_others(const Vector3& normal, const Visit& visit) const {
+        std::visit(Overloaded{[&](const Box& box_a, const Box& box_b) {
+                                  const Separations separations(box_a, pose_a, box_b, pose_b);
+                                  for (const Separation& axis : separations.all()) {
+                                      if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
+                                  }
+                              },
+                              [&](const Box& box, const Sphere& sphere) {
+                                  const Separations separations(box, pose_a, sphere, pose_b);
+                                  for (const Separation& axis : separations.all()) visit(axis);
+                              },
+                              [&](const Sphere& sphere, const Box& box) {
+                                  const Separations separations(box, pose_b, sphere, pose_a);
+                                  for (const Separation& axis : separations.all()) visit(reversed(axis));
+                              },
+                              [](const Sphere&, const Sphere&) {}, [](const Plane&, const auto&) {},
+                              [](const auto&, const Plane&) {}, [](const Plane&, const Plane&) {}},
+                   a, b);
     }
 
+    // Along one of these ways.
     void collide_along(const Separation& axis, double room, double margin, Manifold& manifold) const {
-        if (are_boxes()) {
-            collide_box_box_along(axis, std::get<Box>(a), pose_a, std::get<Box>(b), pose_b, room, margin, manifold);
-        } else if (const auto* box = std::get_if<Box>(&a)) {
-            collide_box_sphere_along(axis, *box, pose_a, std::get<Sphere>(b), pose_b, room, margin, manifold);
-        } else {
-            Separation turned = axis;
-            turned.normal = -axis.normal;
-            collide_box_sphere_along(turned, std::get<Box>(b), pose_b, std::get<Sphere>(a), pose_a, room, margin,
-                                     manifold);
-            manifold.normal = -manifold.normal;
-        }
+        std::visit(Overloaded{[&](const Box& box_a, const Box& box_b) {
+                                  collide_box_box_along(axis, box_a, pose_a, box_b, pose_b, room, margin, manifold);
+                              },
+                              [&](const Box& box, const Sphere& sphere) {
+                                  collide_box_sphere_along(axis, box, pose_a, sphere, pose_b, room, margin,
+                                                           manifold);
+                              },
+                              [&](const Sphere& sphere, const Box& box) {
+                                  collide_box_sphere_along(reversed(axis), box, pose_b, sphere, pose_a, room,
+                                                           margin, manifold);
+                                  manifold.normal = -manifold.normal;
+                              },
+                              [](const Sphere&, const Sphere&) {}, [](const Plane&, const auto&) {},
+                              [](const auto&, const Plane&) {}, [](const Plane&, const Plane&) {}},
+                   a, b);
     }
 };
 

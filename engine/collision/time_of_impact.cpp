@@ -33,12 +33,12 @@ Reach operator+(const Reach& p, const Reach& q) {
 
 Reach reach_along(const Moving& moving, const Pose& pose, const Vector3& direction) {
     Reach reach{.speed = moving.motion.velocity.dot(direction)};
-    const auto* box = std::get_if<Box>(&moving.shape);
-    if (!box) return reach;  // turning moves nothing of a sphere, and planes stand still
+    const double radius = std::sqrt(squared_turning_radius(moving.shape));
+    if (radius == 0.0) return reach;
     // direction . (w x r) = r . across, and its rate of change is (w x r) . -across.
     const Vector3 across = direction.cross(moving.motion.angular_velocity);
-    reach.speed += (pose.rotation.transpose() * across).cwiseAbs().dot(box->half_size);
-    reach.acceleration = across.norm() * moving.motion.angular_velocity.norm() * box->half_size.norm();
+    reach.speed += reach_along(moving.shape, pose.rotation, across);
+    reach.acceleration = across.norm() * moving.motion.angular_velocity.norm() * radius;
     return reach;
 }
 

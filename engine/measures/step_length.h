@@ -16,7 +16,7 @@
 #pragma once
 
 #include "engine/collision/collider.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 
 #include <span>
 

@@ -58,7 +58,7 @@ std::vector<Instance> seen_in(const Tiles& tiles, const FrameView& view, std::ve
     return bodies;
 }
 
-bool reaches_below(const Ground& ground, const Scene& scene) {
+bool reaches_below(const Ground& ground, const Drawing& scene) {
     const auto is_below = [&](const glm::vec3& point, float radius) { return point.y - radius < ground.height; };
     const std::vector<Instance> bodies = scene.bodies.all();
     return std::ranges::any_of(
@@ -107,7 +107,7 @@ void Painter::end(Stage stage) const {
     stages_->end(stage);
 }
 
-void Painter::draw_shadow(const Scene& scene) {
+void Painter::draw_shadow(const Drawing& scene) {
     boxes_.set_instances(scene.bodies.boxes);
     spheres_.set_instances(scene.bodies.spheres, scene.picture.camera.eye, scene.view.pixel);
     bars_.set_instances(scene.bodies.bars);
@@ -132,7 +132,7 @@ void Painter::draw_shadow(const Scene& scene) {
     end(Stage::shadow);
 }
 
-void Painter::draw(const Scene& scene, const Tiles& tiles, const RenderTarget& target) {
+void Painter::draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target) {
     draw_shadow(scene);
     shadow_map_.bind_texture();
     draw_floor(scene, tiles, target);
@@ -148,7 +148,7 @@ void Painter::draw(const Scene& scene, const Tiles& tiles, const RenderTarget& t
 
 // All that is behind the bodies, and the depth of the ground. Where nothing depends on it, more than the tiles is
 // drawn: each area of its own takes time.
-void Painter::draw_floor(const Scene& scene, const Tiles& tiles, const RenderTarget& target) {
+void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target) {
     const std::optional<Ground>& ground = scene.picture.ground;
     const Tiles shadowed = ground ? shadowed_tiles(scene.view, scene.bodies.all(), *ground)
                                   : Tiles(scene.view.width, scene.view.height);
@@ -180,7 +180,7 @@ void Painter::draw_floor(const Scene& scene, const Tiles& tiles, const RenderTar
     if (ground && reaches_below(*ground, scene)) draw_ground_depth(scene, all);
 }
 
-void Painter::draw_backdrop(const Scene& scene, const std::vector<PixelArea>& cleared,
+void Painter::draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                             const std::vector<PixelArea>& lit) {
     gl_.ClearColor(background.r, background.g, background.b, 0.0f);
     within(cleared, [&] { gl_.Clear(GL_COLOR_BUFFER_BIT); });
@@ -198,7 +198,7 @@ void Painter::within(const std::vector<PixelArea>& areas, const Draw& draw) cons
 }
 
 // Takes a program into use and sets all that does not depend on what it draws.
-void Painter::use(const ShaderProgram& program, const Scene& scene) const {
+void Painter::use(const ShaderProgram& program, const Drawing& scene) const {
     program.use();
     program.set("world_to_clip", scene.view.world_to_clip);
     program.set("eye", scene.picture.camera.eye);
@@ -218,13 +218,13 @@ void Painter::place_ground(const Ground& ground, const Camera& camera) {
     ground_.set_instances(std::span(&square, 1));
 }
 
-void Painter::draw_ground(const Scene& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas) {
+void Painter::draw_ground(const Drawing& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas) {
     use(program, scene);
     within(areas, [&] { ground_.draw(); });
 }
 
 // Hides what bodies and panels have below the ground.
-void Painter::draw_ground_depth(const Scene& scene, const std::vector<PixelArea>& areas) {
+void Painter::draw_ground_depth(const Drawing& scene, const std::vector<PixelArea>& areas) {
     shadow_program_.use();
     shadow_program_.set("world_to_clip", scene.view.world_to_clip);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -233,7 +233,7 @@ void Painter::draw_ground_depth(const Scene& scene, const std::vector<PixelArea>
 }
 
 // Nothing but the ground has been drawn when this darkens it.
-void Painter::draw_contacts(const Scene& scene, const Tiles& tiles) {
+void Painter::draw_contacts(const Drawing& scene, const Tiles& tiles) {
     const Ground& ground = *scene.picture.ground;
     std::vector<Instance> bodies = touching(ground, scene.bodies.thick());
     std::erase_if(bodies, [&](const Instance& body) {
@@ -249,7 +249,7 @@ void Painter::draw_contacts(const Scene& scene, const Tiles& tiles) {
     gl_.Disable(GL_BLEND);
 }
 
-void Painter::draw_bodies(const Scene& scene, const Tiles& tiles) {
+void Painter::draw_bodies(const Drawing& scene, const Tiles& tiles) {
     boxes_.set_instances(seen_in(tiles, scene.view, scene.bodies.boxes));
     use(body_program_, scene);
     boxes_.draw();
@@ -260,7 +260,7 @@ void Painter::draw_bodies(const Scene& scene, const Tiles& tiles) {
 }
 
 // Their edges are blended with what is behind them, so the farthest comes first; they are smooth as they are drawn.
-void Painter::draw_bars(const Scene& scene, const Tiles& tiles) {
+void Painter::draw_bars(const Drawing& scene, const Tiles& tiles) {
     std::vector<Instance> bars = seen_in(tiles, scene.view, scene.bodies.bars);
     std::ranges::reverse(bars);
     bars_.set_instances(bars);
@@ -276,7 +276,7 @@ void Painter::draw_bars(const Scene& scene, const Tiles& tiles) {
 }
 
 // Last, over all that they let through; they hide nothing from each other.
-void Painter::draw_panels(const Scene& scene) {
+void Painter::draw_panels(const Drawing& scene) {
     panels_.set_triangles(panel_triangles(scene.picture.panels, scene.picture.camera.eye));
     use(panel_program_, scene);
     gl_.Disable(GL_CULL_FACE);

@@ -29,7 +29,7 @@ extern const glm::vec3 background;
 constexpr float ground_reach = 12.0f;
 
 // One drawing of a picture.
-struct Scene {
+struct Drawing {
     const Picture& picture;
     const Bodies& bodies;  // those of the picture that are drawn
     const SunView& sun;
@@ -45,21 +45,21 @@ class Painter {
 
     // Draws these tiles of the scene, of which there is one at least; what is outside of them has no meaning in the
     // target afterwards.
-    void draw(const Scene& scene, const Tiles& tiles, const RenderTarget& target);
+    void draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
 
   private:
-    void draw_shadow(const Scene& scene);
-    void draw_floor(const Scene& scene, const Tiles& tiles, const RenderTarget& target);
-    void draw_backdrop(const Scene& scene, const std::vector<PixelArea>& cleared,
+    void draw_shadow(const Drawing& scene);
+    void draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
+    void draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                        const std::vector<PixelArea>& lit);
-    void use(const ShaderProgram& program, const Scene& scene) const;
+    void use(const ShaderProgram& program, const Drawing& scene) const;
     void place_ground(const Ground& ground, const Camera& camera);
-    void draw_ground(const Scene& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas);
-    void draw_ground_depth(const Scene& scene, const std::vector<PixelArea>& areas);
-    void draw_contacts(const Scene& scene, const Tiles& tiles);
-    void draw_bodies(const Scene& scene, const Tiles& tiles);
-    void draw_bars(const Scene& scene, const Tiles& tiles);
-    void draw_panels(const Scene& scene);
+    void draw_ground(const Drawing& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas);
+    void draw_ground_depth(const Drawing& scene, const std::vector<PixelArea>& areas);
+    void draw_contacts(const Drawing& scene, const Tiles& tiles);
+    void draw_bodies(const Drawing& scene, const Tiles& tiles);
+    void draw_bars(const Drawing& scene, const Tiles& tiles);
+    void draw_panels(const Drawing& scene);
     // Calls `draw` once for each area, and nothing outside of it changes.
     template <typename Draw>
     void within(const std::vector<PixelArea>& areas, const Draw& draw) const;

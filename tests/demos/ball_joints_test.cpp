@@ -49,7 +49,7 @@ TEST_CASE(
     "a distance without a length whose points coincide as written is a ball joint, one of a millimetre is a bar") {
     const Settings settings = preset_settings("default");
     const auto lengths = [&](const std::string& text) {
-        const Scene scene = build_scene(read(text), settings);
+        const BuiltScene scene = build_scene(read(text), settings);
         return std::pair{scene.distances->distances()[0].length, scene.distances->distances()[1].length};
     };
     // 0.1 + 1 - 1.1 and 0.3 - 0.1 - 0.1 - 0.1 are not zero in binary.

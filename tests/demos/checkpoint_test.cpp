@@ -50,7 +50,7 @@ engine::IslandSolver::Memory memory_of(const Simulation& simulation, std::size_t
 
 struct Case {
     std::string scene;
-    Options options;
+    OptionTexts options;
     int steps;  // before it is saved
 };
 

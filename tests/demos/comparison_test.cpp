@@ -7,10 +7,10 @@ using namespace pushfactor::demos;
 
 namespace {
 
-std::vector<Panel> panels_of(std::initializer_list<std::pair<const char*, const char*>> options) {
+std::vector<ComparedRun> panels_of(std::initializer_list<std::pair<const char*, const char*>> options) {
     GivenOptions given;
     for (const auto& [name, text] : options) given.add(name, text, std::string("--") + name);
-    return understand_panels("stack", given);
+    return compared_runs("stack", given);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ TEST_CASE("panels differ in what is compared and in nothing else") {
     CHECK(panels[0].label == "push none");
     CHECK(panels[0].choices.settings.contacts.kind == pushfactor::engine::PushKind::none);
     CHECK(panels[1].choices.settings.contacts.kind == pushfactor::engine::PushKind::single_frame);
-    for (const Panel& panel : panels) CHECK(panel.choices.settings.contacts.beta == 0.4);
+    for (const ComparedRun& panel : panels) CHECK(panel.choices.settings.contacts.beta == 0.4);
 }
 
 TEST_CASE("presets and the scene's own parameters can be compared, and come before what else was given") {
@@ -44,7 +44,7 @@ TEST_CASE("a config of compared runs holds what was given, so that it makes the 
     GivenOptions given;
     given.add("compare", "preset=paper,default", "--compare");
     given.add("beta", "0.5", "--beta");
-    const auto panels = understand_panels("stack", given);
+    const auto panels = compared_runs("stack", given);
     const std::string config = config_text(panels.front().choices, given);
     CHECK(config == "{\n  \"scene\": \"stack\",\n  \"beta\": 0.5,\n  \"compare\": \"preset=paper,default\"\n}\n");
 }

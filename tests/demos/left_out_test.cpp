@@ -67,7 +67,7 @@ TEST_CASE("a scene of spheres never enters the box-box code") {
 
 TEST_CASE("the pendulum wave has one force source, one constraint source, bars alone for rows and one column") {
     auto wave = simulate("pendulum-wave", preset_settings("default"));
-    const Scene& scene = wave.scene();
+    const BuiltScene& scene = wave.scene();
     CHECK(scene.world.forces.size() == 1);
     CHECK(scene.world.constraints.size() == 1);
     CHECK(scene.contacts == nullptr);
@@ -94,13 +94,13 @@ TEST_CASE("without friction there is no rule, and no friction row") {
 TEST_CASE("without restitution, sweep or cache there is no such part") {
     Settings settings = preset_settings("default");
     CHECK(simulate("stack", settings).scene().contacts->restitution() == nullptr);
-    CHECK(simulate("stack", settings).scene().contacts->sweep() != nullptr);
+    CHECK(simulate("stack", settings).scene().contacts->continuous_collision() != nullptr);
     CHECK(simulate("stack", settings).scene().contacts->cache() != nullptr);
     settings.restitution = 0.5;
     settings.margin = 0.0;
     settings.warm_start = false;
     CHECK(simulate("stack", settings).scene().contacts->restitution() != nullptr);
-    CHECK(simulate("stack", settings).scene().contacts->sweep() == nullptr);
+    CHECK(simulate("stack", settings).scene().contacts->continuous_collision() == nullptr);
     CHECK(simulate("stack", settings).scene().contacts->cache() == nullptr);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE(
     free.gravity.setZero();
     free.bodies.push_back({.name = "ball", .shape = SphereShape{}, .mass = 1.0});
     const Settings settings = preset_settings("default");
-    Scene scene = build_scene(free, settings);
+    BuiltScene scene = build_scene(free, settings);
     CHECK(scene.world.forces.empty());
     CHECK(scene.world.constraints.empty());
     CHECK(scene.world.solver == nullptr);

@@ -20,7 +20,7 @@ Settings settings() {
 }
 
 // One cube that rests on the ground, for whoever wants to disturb it.
-Scene one_cube() {
+BuiltScene one_cube() {
     return build_scene(scenes::cube_tower({.count = 1, .gap = 0.0, .ground_gap = -0.001}), settings());
 }
 
@@ -30,7 +30,7 @@ struct Judged {
     double max_off_axis;
 };
 
-Judged judge(Scene scene, double seconds) {
+Judged judge(BuiltScene scene, double seconds) {
     Simulation simulation(std::move(scene), settings());
     Measurements measurements(simulation);
     for (int i = 0; i < seconds * 60; ++i) {
@@ -92,15 +92,15 @@ TEST_CASE("a cube that is left alone rests") {
 }
 
 TEST_CASE("a cube that is thrown up flies, one that slides moves, one that slips through the ground tunnels") {
-    Scene thrown = one_cube();
+    BuiltScene thrown = one_cube();
     thrown.world.bodies[1].linear_momentum = Vector3(0, 30, 0) / thrown.world.bodies[1].inverse_mass;
     CHECK(judge(std::move(thrown), 1).outcome == Outcome::fly);
 
-    Scene sliding = one_cube();
+    BuiltScene sliding = one_cube();
     sliding.world.bodies[1].linear_momentum = Vector3(20, 0, 0) / sliding.world.bodies[1].inverse_mass;
     CHECK(judge(std::move(sliding), 2).outcome == Outcome::moving);
 
-    Scene below = one_cube();
+    BuiltScene below = one_cube();
     below.world.constraints.clear();  // nothing holds it
     below.contacts = nullptr;
     const Judged fallen = judge(std::move(below), 1);
@@ -166,14 +166,14 @@ TEST_CASE("a slack rope is not torn, one that holds nothing back is") {
     scene.distances = {
         {.a = {.body = "world"}, .b = {.body = "ball"}, .length = 1.0, .acts = engine::Distance::Acts::pulls}};
     const Settings settings = preset_settings("default");
-    Scene built = build_scene(scene, settings);
+    BuiltScene built = build_scene(scene, settings);
     CHECK(Stretch(built).worst(built) == 0.0);
     built.world.bodies[0].position.y() = -1.6;
     CHECK(Stretch(built).worst(built) == Approx(0.6));
 }
 
 TEST_CASE("lean time is the first moment at half a side sideways") {
-    Scene sliding = one_cube();
+    BuiltScene sliding = one_cube();
     sliding.world.bodies[1].linear_momentum = Vector3(20, 0, 0) / sliding.world.bodies[1].inverse_mass;
     const Judged judged = judge(std::move(sliding), 1);
     REQUIRE(judged.lean_time);
@@ -183,7 +183,7 @@ TEST_CASE("lean time is the first moment at half a side sideways") {
 }
 
 TEST_CASE("a number that is not finite ends the run with body, quantity and step") {
-    Scene scene = one_cube();
+    BuiltScene scene = one_cube();
     scene.world.bodies[1].linear_momentum.x() = std::numeric_limits<double>::quiet_NaN();
     Simulation simulation(std::move(scene), settings());
     CHECK_THROWS_AS(simulation.advance(), NonFiniteError);
@@ -195,7 +195,7 @@ TEST_CASE("a run is judged the same with small steps as with large ones") {
     for (const Rational dt : {Rational{1, 60}, Rational{1, 1000}, Rational{1, 30}}) {
         Settings small = settings();
         small.dt = dt;
-        Scene sliding = one_cube();
+        BuiltScene sliding = one_cube();
         sliding.world.bodies[1].linear_momentum = Vector3(5.5, 0, 0) / sliding.world.bodies[1].inverse_mass;
         Simulation simulation(std::move(sliding), small);
         Measurements measurements(simulation);

@@ -166,7 +166,7 @@ TEST_CASE("a summary holds the fields that design and README promise") {
 }
 
 TEST_CASE("README's table of scenes is what the program lists") {
-    const std::string readme = read_file(PUSHFACTOR_SOURCE_DIR "/README.md");
+    const std::string readme = read_file(PUSHFACTOR_SOURCE_DIR "/demos/README.md");
     std::istringstream lines(run_program("list").out);
     int scenes = 0;
     for (std::string name; std::getline(lines, name);) {

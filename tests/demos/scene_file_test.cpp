@@ -101,7 +101,7 @@ TEST_CASE("the schema knows the keys that the reader knows, and no other") {
 TEST_CASE("what a file does not mention is not constructed") {
     const Folder folder;
     folder.write("my.json", scene_of(ball));
-    const Scene scene = build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
+    const BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
     CHECK(scene.world.bodies.size() == 1);
     CHECK(scene.world.forces.empty());
     CHECK(scene.world.constraints.empty());

@@ -36,7 +36,7 @@ std::vector<double> column_of(const std::string& csv, const std::string& name) {
     return column;
 }
 
-Simulation start(const std::string& scene, const Options& options) {
+Simulation start(const std::string& scene, const OptionTexts& options) {
     const Choices choices = run_of(scene, options);
     return Simulation(choices);
 }
@@ -154,8 +154,8 @@ TEST_CASE("the bodies that are named are those of the bar that is most wrong, by
 }
 
 TEST_CASE("of the substeps of a step the one with the most unsolved islands counts") {
-    const Options heap{{"solver", "pgs"}, {"iterations", "3"}};
-    Options halved = heap, whole = heap;
+    const OptionTexts heap{{"solver", "pgs"}, {"iterations", "3"}};
+    OptionTexts halved = heap, whole = heap;
     whole.insert(whole.end(), {{"dt", "1/60"}, {"substeps", "2"}});
     halved.emplace_back("dt", "1/120");
     Simulation together = start("funnel", whole), alone = start("funnel", halved);

@@ -1,6 +1,6 @@
 // Distances of length zero.
 #include "engine/bodies/diagnostics.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/forces/gravity.h"
 #include "engine/rattle.h"
 #include "tests/catch.h"

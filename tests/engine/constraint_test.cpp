@@ -1,6 +1,6 @@
 // Contact and friction rows, paper sections 5.3 and 5.4.
-#include "engine/constraints/contact_constraint.h"
-#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/contact_row.h"
+#include "engine/constraints/friction_row.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

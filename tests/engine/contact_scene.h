@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/bodies/diagnostics.h"
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/forces/gravity.h"
 #include "engine/measures/penetration.h"
 #include "engine/world.h"
@@ -70,7 +70,7 @@ struct ContactScene {
     }
 
     // For a sweep of all colliders; good until the next call.
-    engine::collision::Sweep::Step step_of(const engine::collision::Detection& detection) {
+    engine::collision::ContinuousCollision::Step step_of(const engine::collision::Detection& detection) {
         all_ = engine::Awake(colliders.size());
         return {colliders, world.bodies, dt, detection, all_.members()};
     }
@@ -89,7 +89,7 @@ struct ContactScene {
     // Puts the parts together, after the last body.
     void build(const engine::Vector3& gravity = {0, -10, 0}) {
         if (!gravity.isZero(0.0)) world.forces.push_back(std::make_unique<engine::Gravity>(gravity));
-        auto stage = std::make_unique<engine::ContactStage>(
+        auto stage = std::make_unique<engine::ContactConstraints>(
             colliders, engine::ContactChoices{.correction = {}, .slop = 0.002, .detection = {.margin = 0.01}});
         const auto any = [this](double engine::collision::Collider::*what) {
             for (const auto& collider : colliders) {
@@ -100,7 +100,7 @@ struct ContactScene {
         using engine::collision::Collider;
         if (any(&Collider::friction)) stage->set_friction(std::make_unique<engine::ConeFriction>());
         if (any(&Collider::restitution)) stage->set_restitution(engine::restitution_larger);
-        stage->set_sweep(std::make_unique<engine::collision::Sweep>());
+        stage->set_continuous_collision(std::make_unique<engine::collision::ContinuousCollision>());
         stage->set_cache(std::make_unique<engine::ContactCache>());
         world.constraints.push_back(std::move(stage));
         world.solver = engine::solvers::make_solver("auto");

@@ -239,7 +239,7 @@ TEST_CASE("where no body is fast the touches are handed on untouched") {
     for (int i = 0; i < 3; ++i) scene.add_box(Vector3::Ones(), {0, 0.5 + i, 0}, {0.3, 0, 0});
     scene.add_ball(0.5, {0, 3.5, 0}, {0.3, 0, 0});
     collision::Detector detector;
-    collision::Sweep sweep;
+    collision::ContinuousCollision sweep;
     const collision::Detection detection{.margin = 0.01};
     const auto touches = detector.detect(scene.colliders, scene.world.bodies, detection);
     const auto refined = sweep.refine(touches, scene.step_of(detection), detector);

@@ -1,5 +1,5 @@
 // Coulomb friction on a round cone: the same in every direction and for every step, and none without a contact.
-#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/friction_row.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/random_contacts.h"
@@ -170,7 +170,7 @@ TEST_CASE("a cube that hovers in the margin keeps its speed, whatever the rule o
         World world;
         world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.505, 0})};
         world.bodies[1].linear_momentum = {1, 0, 0};
-        auto stage = std::make_unique<ContactStage>(
+        auto stage = std::make_unique<ContactConstraints>(
             std::vector<collision::Collider>{{.body = 0, .shape = collision::Plane{}},
                                              {.body = 1, .shape = collision::Box{}}},
             ContactChoices{.correction = {}, .detection = {.margin = 0.01}});

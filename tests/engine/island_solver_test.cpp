@@ -280,8 +280,8 @@ TEST_CASE("islands that meet and part carry their debts with them") {
 TEST_CASE("a world with a solver that lies goes on, and says how often it was not solved") {
     for (const double force : {1e9, std::numeric_limits<double>::quiet_NaN()}) {
         const demos::SceneEntry& entry = *demos::find_scene("stack");
-        demos::Scene scene = demos::build_scene(entry.describe(demos::ParameterValues(entry.parameters)),
-                                                demos::preset_settings("default"));
+        demos::BuiltScene scene = demos::build_scene(entry.describe(demos::ParameterValues(entry.parameters)),
+                                                     demos::preset_settings("default"));
         World& world = scene.world;
         world.solver = std::make_unique<Puppet>(filling(force));
         int unsolved = 0;

@@ -118,7 +118,7 @@ TEST_CASE("what rests under its weight is not swept, however small") {
             if (!body.is_static()) body.force = {0, -10 * body.mass(), 0};
         }
         collision::Detector detector;
-        collision::Sweep sweep;
+        collision::ContinuousCollision sweep;
         const collision::Detection detection{.margin = 0.01, .permitted = 0.0022};
         const auto& touches = detector.detect(scene.colliders, scene.world.bodies, detection);
         REQUIRE(touches.size() >= 4);
@@ -166,7 +166,7 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
     box.angular_momentum = world_inverse_inertia(box).inverse() * Vector3(3e2, 3e5, 0);
     const collision::Detection detection{.margin = 0.01, .permitted = 0.0022};
     collision::Detector detector;
-    collision::Sweep sweep;
+    collision::ContinuousCollision sweep;
     const auto& touches = detector.detect(scene.colliders, scene.world.bodies, detection);
     REQUIRE(touches.size() == 1);
     const auto& bodies = scene.world.bodies;
@@ -177,6 +177,6 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
         follow(moving(0), moving(1), ContactScene::dt, {.tolerance = 2e-5, .margin = 2e-3, .permitted = 4e-4});
     CHECK(!course.meeting);
     CHECK(!course.decided);
-    const collision::Sweep::Step step = scene.step_of(detection);
+    const collision::ContinuousCollision::Step step = scene.step_of(detection);
     CHECK(sweep.refine(touches, step, detector).size() == 1);
 }

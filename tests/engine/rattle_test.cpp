@@ -3,7 +3,7 @@
 
 #include "engine/base/invalid_input.h"
 #include "engine/bodies/diagnostics.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
 #include "tests/catch.h"

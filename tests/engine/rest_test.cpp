@@ -1,7 +1,7 @@
 // Rest: which bodies may be left out of steps and which may not, and that the others move alike.
 #include "engine/step/rest.h"
 
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "tests/catch.h"
 #include "tests/engine/rest_scene.h"
 

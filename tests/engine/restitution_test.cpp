@@ -1,7 +1,7 @@
 // Elastic collisions, paper section 8.2, and the push that lasts: a conveyor (8.1, "constant speed motors").
 #include "engine/constraints/restitution.h"
 
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
 #include "engine/world.h"
@@ -32,7 +32,7 @@ World above_floor(const Body& body, const collision::Shape& shape, const Floor& 
     World world;
     world.bodies = {static_body(Vector3::Zero()), body};
     world.forces.push_back(std::make_unique<Gravity>(gravity));
-    auto stage = std::make_unique<ContactStage>(
+    auto stage = std::make_unique<ContactConstraints>(
         std::vector<collision::Collider>{{.body = 0,
                                           .shape = collision::Plane{},
                                           .friction = floor.friction,

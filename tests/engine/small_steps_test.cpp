@@ -1,7 +1,7 @@
 // Islands that go through a step in small ones.
 #include "engine/step/small_steps.h"
 
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 

@@ -1,5 +1,5 @@
 // What wakes bodies that rest and what does not, in which step, and that neither brings energy.
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/forces/poke.h"
 #include "engine/step/rest.h"
 #include "tests/catch.h"

@@ -2,7 +2,7 @@
 #include "engine/world.h"
 
 #include "engine/bodies/diagnostics.h"
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/forces/gravity.h"
 #include "tests/catch.h"
 #include "tests/random.h"
@@ -17,9 +17,10 @@ namespace {
 constexpr double dt = 1.0 / 60.0;
 const Vector3 gravity(0, -10, 0);
 
-std::unique_ptr<ContactStage> contacts(std::vector<collision::Collider> colliders, const ContactChoices& choices,
-                                       std::unique_ptr<FrictionRule> friction = nullptr) {
-    auto stage = std::make_unique<ContactStage>(std::move(colliders), choices);
+std::unique_ptr<ContactConstraints> contacts(std::vector<collision::Collider> colliders,
+                                             const ContactChoices& choices,
+                                             std::unique_ptr<FrictionRule> friction = nullptr) {
+    auto stage = std::make_unique<ContactConstraints>(std::move(colliders), choices);
     stage->set_cache(std::make_unique<ContactCache>());
     if (friction) stage->set_friction(std::move(friction));
     return stage;
@@ -135,15 +136,15 @@ TEST_CASE("an isolated collision keeps the momenta: all with push none, the line
 }
 
 TEST_CASE("the observer hears of every stage in the order of the step") {
-    struct Listener : StageObserver {
-        std::vector<Stage> heard;
-        void stage_ended(Stage stage) override { heard.push_back(stage); }
+    struct Listener : PhaseObserver {
+        std::vector<Phase> heard;
+        void phase_ended(Phase stage) override { heard.push_back(stage); }
     } listener;
     World world;
     world.bodies.push_back(box_body(1.0, Vector3::Ones(), Vector3::Zero()));
     world.step(dt, &listener);
     CHECK(listener.heard ==
-          std::vector{Stage::forces, Stage::rows, Stage::system, Stage::solve, Stage::remember, Stage::integrate});
+          std::vector{Phase::forces, Phase::rows, Phase::system, Phase::solve, Phase::remember, Phase::integrate});
 }
 
 TEST_CASE("every source gets back its own range of the answers") {

@@ -33,7 +33,7 @@ void report_solvers(const SolversRequest& request) {
     section.plate.files = {"solvers.csv"};
     section.plate.table = {{"solver", "median residual [m/s]", "deepest penetration [m]", "outcome"}};
     for (const engine::solvers::SolverEntry& solver : engine::solvers::solver_table()) {
-        const Options options{{"seconds", seconds}, {"solver", std::string(solver.name)}};
+        const OptionTexts options{{"seconds", seconds}, {"solver", std::string(solver.name)}};
         const Choices choices = run_of(scene, options);
         Simulation simulation(choices);
         Measurements measurements(simulation);

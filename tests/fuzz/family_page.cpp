@@ -59,7 +59,7 @@ bool ends_elsewhere(const JudgedMember& one) {
 }
 
 // Near enough for all but a few that have left.
-demos::View camera(const demos::Scene& scene, const demos::View& from, double aspect) {
+demos::View camera(const demos::BuiltScene& scene, const demos::View& from, double aspect) {
     std::vector<demos::pictures::Ball> balls = demos::pictures::movable_balls(scene);
     engine::Vector3 middle = engine::Vector3::Zero();
     for (int axis = 0; axis < 3; ++axis) {

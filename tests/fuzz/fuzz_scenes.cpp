@@ -18,7 +18,7 @@ using namespace pushfactor::tests;
 
 namespace {
 
-struct Options {
+struct OptionTexts {
     long scenes = 10000;
     std::uint64_t seed = 1;
     std::filesystem::path out = "out/fuzz";
@@ -44,7 +44,7 @@ bool is_interrupted() {
     return false;
 }
 
-Campaign watched_campaign(const Options& options) {
+Campaign watched_campaign(const OptionTexts& options) {
     demos::note_interrupts();
     demos::ProgressBar bar("scenes", options.scenes);
     return judge_scenes(options.seed, options.scenes, [&](long done) {
@@ -53,7 +53,7 @@ Campaign watched_campaign(const Options& options) {
     });
 }
 
-int fuzz(const Options& options) {
+int fuzz(const OptionTexts& options) {
     const Campaign campaign = watched_campaign(options);
     for (const Failure& failure : campaign.failures) report(failure, options.out);
     fmt::print("{} scenes: {} hold, {} became non-finite, {} fail\n", campaign.judged,
@@ -63,7 +63,7 @@ int fuzz(const Options& options) {
     return campaign.judged < options.scenes ? demos::run_failed : demos::done;
 }
 
-void report(const JudgedMember& judged, const Options& options) {
+void report(const JudgedMember& judged, const OptionTexts& options) {
     demos::make_folder(options.out);
     const demos::SceneDescription scene = as_judged(judged.member, options.families.preset);
     const std::filesystem::path file = options.out / (scene.name + ".json");
@@ -71,7 +71,7 @@ void report(const JudgedMember& judged, const Options& options) {
     fmt::print("{}: {}\n  {}\n", scene.name, failures_of(judged.judgement), judged.member.command());
 }
 
-int judge_families(const Options& options) {
+int judge_families(const OptionTexts& options) {
     const FamilyRequest& request = options.families;
     if (!request.only.empty() && !demos::families::find_family(request.only)) {
         throw demos::UsageError(
@@ -105,7 +105,7 @@ bool holds(const std::filesystem::path& file) {
     return verdict.kind != Verdict::Kind::fails;
 }
 
-int run(const Options& options) {
+int run(const OptionTexts& options) {
     try {
         if (options.families.members > 0) return judge_families(options);
         if (options.files.empty()) return fuzz(options);
@@ -124,7 +124,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Options options;
+    OptionTexts options;
     CLI::App app(
         "Judges random scenes: finite, forces within bounds, momentum and energy kept. A scene that fails "
         "is shrunk and written as a scene file.");

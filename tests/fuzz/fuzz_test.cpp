@@ -45,7 +45,7 @@ struct JudgedStep {
     engine::Body& body(std::size_t i) { return built.world.bodies[i]; }
 
     demos::Settings settings;
-    demos::Scene built;
+    demos::BuiltScene built;
     std::vector<engine::Body> before;
 };
 

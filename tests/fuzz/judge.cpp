@@ -41,7 +41,7 @@ bool any_small_steps(const engine::World& world) {
                        [&](const auto& island) { return world.outcome_of(island).in_small_steps; });
 }
 
-bool any_swept(const demos::Scene& scene) {
+bool any_swept(const demos::BuiltScene& scene) {
     if (!scene.contacts) return false;
     const std::vector<engine::ContactSite> sites = scene.contacts->sites();
     return std::any_of(sites.begin(), sites.end(), [](const auto& site) { return site.swept; });

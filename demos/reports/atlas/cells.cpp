@@ -16,8 +16,8 @@ namespace pushfactor::demos::reports::atlas {
 
 namespace {
 
-Options options_of(const AtlasCell& cell) {
-    Options options = cell.map->common;
+OptionTexts options_of(const AtlasCell& cell) {
+    OptionTexts options = cell.map->common;
     options.emplace_back(cell.map->x.option, cell.x);
     options.emplace_back(cell.map->y.option, cell.y);
     return options;

@@ -39,8 +39,8 @@ struct AtlasMap {
     std::string name;
     std::string title;
     std::string caption;
-    std::string scene;  // of the catalogue
-    Options common;     // of all its runs
+    std::string scene;   // of the catalogue
+    OptionTexts common;  // of all its runs
     AtlasAxis x, y;
     AtlasMeasure measure;
     std::optional<AtlasTheory> theory{};

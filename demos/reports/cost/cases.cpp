@@ -14,7 +14,7 @@ constexpr double falling = 1.0;   // s
 struct Size {
     const char* name;
     const char* scene;
-    Options options;
+    OptionTexts options;
     bool large = false;
 };
 

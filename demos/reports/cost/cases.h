@@ -9,10 +9,10 @@
 namespace pushfactor::demos::reports::cost {
 
 struct CostCase {
-    std::string name;    // "funnel of 200, falling"
-    std::string scene;   // of the catalogue
-    Options options;     // of the command line
-    double start = 0.0;  // s, simulated, when counting begins
+    std::string name;     // "funnel of 200, falling"
+    std::string scene;    // of the catalogue
+    OptionTexts options;  // of the command line
+    double start = 0.0;   // s, simulated, when counting begins
 
     // Without blanks, for the names of files.
     std::string file_name() const;

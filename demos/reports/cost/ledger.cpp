@@ -20,14 +20,14 @@ constexpr int steps_counted = 120;
 // Takes the steps of a run and does nothing else.
 class Walk {
   public:
-    explicit Walk(const Moment& moment)
+    explicit Walk(const MeasuredState& moment)
         : scene_(moment.build()), dt_(moment.settings.dt.value()), division_(division_of(moment.settings)) {}
 
-    Scene& scene() { return scene_; }
+    BuiltScene& scene() { return scene_; }
 
     // One step of the run; `seen` is told of each engine step. Returns how many there were.
     template <typename Seen>
-    int step(StageClock* clock, Seen seen) {
+    int step(PhaseClock* clock, Seen seen) {
         if (clock) clock->begin();
         const int parts = division_.divide(scene_.world, dt_);
         if (clock) clock->rules_ended();
@@ -35,7 +35,7 @@ class Walk {
         return parts;
     }
 
-    void go(int steps, StageClock* clock = nullptr) {
+    void go(int steps, PhaseClock* clock = nullptr) {
         for (int i = 0; i < steps; ++i) step(clock, [](const engine::StepCount&) {});
     }
 
@@ -45,12 +45,12 @@ class Walk {
         return StepDivision(step_rules(scene_), scene_.substeps_before.value_or(0.0));
     }
 
-    Scene scene_;
+    BuiltScene scene_;
     double dt_;
     StepDivision division_;
 };
 
-double pairs_of(const Scene& scene, double margin) {
+double pairs_of(const BuiltScene& scene, double margin) {
     if (!scene.contacts) return 0.0;
     std::vector<engine::collision::Pose> poses;
     for (const engine::Body& body : scene.world.bodies) poses.push_back(engine::collision::pose_of(body));
@@ -59,7 +59,7 @@ double pairs_of(const Scene& scene, double margin) {
         broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
 }
 
-double touches_of(const Scene& scene) {
+double touches_of(const BuiltScene& scene) {
     if (!scene.contacts) return 0.0;
     const std::vector<engine::ContactSite> sites = scene.contacts->sites();
     std::vector<std::pair<int, int>> pairs;
@@ -125,17 +125,17 @@ Counts means_of(Counts sum) {
     return sum;
 }
 
-StageTimes time_of_stages(const Moment& moment, double cost) {
+PhaseTimes time_of_phases(const MeasuredState& moment, double cost) {
     Walk walk(moment);
     walk.go(steps_before);
-    StageClock clock(cost);
+    PhaseClock clock(cost);
     walk.go(steps_counted, &clock);
     return clock.times();
 }
 
 }  // namespace
 
-Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check) {
+MeasuredState moment_at(const Choices& choices, double seconds, const std::function<void()>& check) {
     Simulation simulation(choices);
     while (simulation.sample().time < seconds) {
         check();
@@ -144,7 +144,7 @@ Moment moment_at(const Choices& choices, double seconds, const std::function<voi
     return {resumed(spelled_out(choices), simulation.scene(), simulation.checkpoint()), choices.settings};
 }
 
-Counts count_steps(const Moment& moment) {
+Counts count_steps(const MeasuredState& moment) {
     Walk walk(moment);
     walk.go(steps_before);
     Counts sum;
@@ -167,7 +167,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-double time_of_step(const Moment& moment) {
+double time_of_step(const MeasuredState& moment) {
     Walk walk(moment);
     walk.go(steps_before);
     const double before = thread_cpu_us();
@@ -175,15 +175,15 @@ double time_of_step(const Moment& moment) {
     return (thread_cpu_us() - before) / steps_counted;
 }
 
-Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check) {
+Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check) {
     const double cost = clock_cost();
     std::vector<double> steps;
-    std::array<std::vector<double>, stage_names.size()> stages;
+    std::array<std::vector<double>, phase_names.size()> stages;
     for (int i = 0; i < repeats; ++i) {
         check();
         steps.push_back(time_of_step(moment));
         check();
-        const StageTimes times = time_of_stages(moment, cost);
+        const PhaseTimes times = time_of_phases(moment, cost);
         for (std::size_t k = 0; k < times.size(); ++k) stages[k].push_back(times[k] / steps_counted);
     }
     Times result{.step = median(steps)};

@@ -3,7 +3,7 @@
 
 #include "demos/options/choices.h"
 #include "demos/reports/cost/parts.h"
-#include "demos/reports/cost/stage_clock.h"
+#include "demos/reports/cost/phase_clock.h"
 
 #include <array>
 #include <functional>
@@ -13,15 +13,15 @@
 namespace pushfactor::demos::reports::cost {
 
 // A scene at the moment from which its steps are counted; each build of it takes the same steps.
-struct Moment {
+struct MeasuredState {
     SceneDescription description;
     Settings settings;
 
-    Scene build() const { return build_scene(description, settings); }
+    BuiltScene build() const { return build_scene(description, settings); }
 };
 
 // Calls `check` now and then, which may throw.
-Moment moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
+MeasuredState moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
 
 // Islands by how their bodies are connected: one body, at most 1.5 pairs a body, more.
 enum class IslandKind { single, thread, heap };
@@ -54,7 +54,7 @@ struct Counts {
 
 struct Times {
     double step = 0.0;    // us, with no clock inside
-    StageTimes stages{};  // us
+    PhaseTimes stages{};  // us
 };
 
 struct Ledger {
@@ -65,15 +65,15 @@ struct Ledger {
 };
 
 // Of the same steps always, so that equal programs give equal counts.
-Counts count_steps(const Moment& moment);
+Counts count_steps(const MeasuredState& moment);
 
 // The upper one of the middle two of an even number of values; at least one.
 double median(std::vector<double> values);
 
 // CPU time of those steps once, us per step.
-double time_of_step(const Moment& moment);
+double time_of_step(const MeasuredState& moment);
 
 // CPU times of those steps: the median of `repeats` goes of the mean over the steps.
-Times time_steps(const Moment& moment, int repeats, const std::function<void()>& check);
+Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports::cost

@@ -119,7 +119,7 @@ Neighbours many(const std::string& name, int count, const std::function<SceneDes
             .start = start};
 }
 
-Moment moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
+MeasuredState moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
     Choices choices;
     choices.description = scene;
     choices.settings = preset_settings("default");
@@ -129,8 +129,8 @@ Moment moment_of(const SceneDescription& scene, double start, const std::functio
 }
 
 // The largest distance between the movable bodies of the first part alone and in the common world, at the moment.
-double distance(const Moment& alone, const Moment& together) {
-    const Scene a = alone.build(), b = together.build();
+double distance(const MeasuredState& alone, const MeasuredState& together) {
+    const BuiltScene a = alone.build(), b = together.build();
     double largest = 0.0;
     std::size_t other = 0;
     for (const engine::Body& body : a.world.bodies) {
@@ -165,8 +165,8 @@ std::vector<Neighbours> neighbours(bool quick) {
 }
 
 SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check) {
-    const Moment together = moment_of(scenes.together, scenes.start, check);
-    std::vector<Moment> parts;
+    const MeasuredState together = moment_of(scenes.together, scenes.start, check);
+    std::vector<MeasuredState> parts;
     for (const SceneDescription& part : scenes.parts) parts.push_back(moment_of(part, scenes.start, check));
 
     SumOfParts sum{.name = scenes.name, .moved = distance(parts.front(), together)};

@@ -17,18 +17,18 @@ std::vector<std::string> forces_of(const engine::World& world) {
     return names;
 }
 
-std::vector<std::string> parts_of(const engine::ContactStage& contacts) {
+std::vector<std::string> parts_of(const engine::ContactConstraints& contacts) {
     std::vector<std::string> names;
     if (contacts.friction()) names.emplace_back("friction");
     if (contacts.restitution()) names.emplace_back("restitution");
-    if (contacts.sweep()) names.emplace_back("sweep");
+    if (contacts.continuous_collision()) names.emplace_back("sweep");
     if (contacts.cache()) names.emplace_back("cache");
     return names;
 }
 
 }  // namespace
 
-Parts parts_of(const Scene& scene, const Settings& settings) {
+Parts parts_of(const BuiltScene& scene, const Settings& settings) {
     Parts parts;
     parts.forces = forces_of(scene.world);
     if (scene.distances)

@@ -16,6 +16,6 @@ struct Parts {
     std::vector<std::string> step_rules;   // that divide a step
 };
 
-Parts parts_of(const Scene& scene, const Settings& settings);
+Parts parts_of(const BuiltScene& scene, const Settings& settings);
 
 }  // namespace pushfactor::demos::reports::cost

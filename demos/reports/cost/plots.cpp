@@ -15,7 +15,7 @@ namespace {
 // Bars from the top down, in the order of the tables.
 std::string stages_data(std::span<const Entry> entries) {
     std::string text = "# scene";
-    for (const std::string_view stage : stage_names) text += fmt::format(",end of {} in %", stage);
+    for (const std::string_view stage : phase_names) text += fmt::format(",end of {} in %", stage);
     text += "\n";
     for (const Entry& entry : entries) {
         const Times& times = entry.as_it_is.ledger.times;

@@ -109,7 +109,7 @@ Lines islands_table(std::span<const Entry> entries) {
 
 Lines times_table(std::span<const Entry> entries) {
     Lines lines{{"scene", "step"}};
-    lines.front().insert(lines.front().end(), stage_names.begin(), stage_names.end());
+    lines.front().insert(lines.front().end(), phase_names.begin(), phase_names.end());
     for (const Entry& entry : entries) {
         const Times& times = entry.as_it_is.ledger.times;
         std::vector<std::string> line{entry.name, three_digits(times.step)};
@@ -154,7 +154,7 @@ std::string csv_text(std::span<const Entry> entries) {
         text += fmt::format(",{0}_kept,{0}_swept,{0}_exact,{0}_small_steps", kind);
     }
     text += fmt::format(",{}", columns_after_islands);
-    for (const std::string_view stage : stage_names) text += fmt::format(",{}_us", stage);
+    for (const std::string_view stage : phase_names) text += fmt::format(",{}_us", stage);
     text += ",command\n";
     for (const Entry& entry : entries) {
         text += csv_line(entry, "as it is", entry.as_it_is);

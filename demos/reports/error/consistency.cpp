@@ -23,7 +23,7 @@ double length_of(const SceneDescription& scene) {
 }
 
 Choices choices_at(const ConsistencyCase& which, const Rational& dt) {
-    Options options{{"dt", to_text(dt)}};
+    OptionTexts options{{"dt", to_text(dt)}};
     options.insert(options.end(), which.options.begin(), which.options.end());
     return run_of(which.scene, options);
 }

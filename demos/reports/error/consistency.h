@@ -20,7 +20,7 @@ namespace pushfactor::demos::reports::error {
 
 struct ConsistencyCase {
     std::string scene;
-    Options options;
+    OptionTexts options;
     std::string colour;  // in the plot
 };
 

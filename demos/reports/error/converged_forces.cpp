@@ -125,7 +125,7 @@ std::optional<double> force_error(const SystemEquation& system, const Columns& l
 }
 
 ConvergedSolver::ConvergedSolver()
-    : direct_(solver_if_any("direct")), sweeps_(engine::solvers::make_solver("pgs")) {}
+    : direct_(solver_if_any("direct")), experiments_(engine::solvers::make_solver("pgs")) {}
 
 std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, const Columns& guess) {
     // Without tolerances, because a guess that is good enough to be kept would be its own reference, without error.
@@ -139,14 +139,14 @@ std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, cons
     // Sweeps find out which rows are at their bounds long before the others are exact, which is linear then. Some
     // modes they would not solve in a hundred thousand sweeps: bars that hold each other through contacts.
     answer = guess;
-    if (attempt(*sweeps_, 500, answer)) return answer;
+    if (attempt(*experiments_, 500, answer)) return answer;
     const engine::MatrixX A = dense_matrix(system);
     for (int round = 0; round < 40; ++round) {
         for (Eigen::Index column = 0; column < answer.cols(); ++column) {
             finish_free_rows(system, A, answer, column);
         }
         if (natural_residual(system, answer) <= residual) return answer;
-        if (attempt(*sweeps_, 25, answer)) return answer;
+        if (attempt(*experiments_, 25, answer)) return answer;
     }
     return std::nullopt;
 }

@@ -29,7 +29,7 @@ class ConvergedSolver {
 
   private:
     std::unique_ptr<engine::solvers::Solver> direct_;  // null when there is none
-    std::unique_ptr<engine::solvers::Solver> sweeps_;
+    std::unique_ptr<engine::solvers::Solver> experiments_;
 };
 
 }  // namespace pushfactor::demos::reports::error

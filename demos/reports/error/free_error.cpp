@@ -43,7 +43,7 @@ Flight flight_of(const BodyDescription& described, const Body& body) {
 class FreeError : public TrueError {
   public:
     explicit FreeError(const Simulation& start) : gravity_(start.scene().gravity) {
-        const Scene& scene = start.scene();
+        const BuiltScene& scene = start.scene();
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
             flights_.push_back(flight_of(scene.bodies[i], scene.world.bodies[i]));
         }

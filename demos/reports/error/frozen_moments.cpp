@@ -13,35 +13,35 @@ namespace {
 
 // No cube is exactly above the next: symmetry would hide what Jacobi does. The paper's bound of friction makes the
 // problem convex, so that there is one answer to compare with.
-const Options jitter{{"jitter", "0.01"}, {"seed", "1"}, {"friction-model", "paper"}};
+const OptionTexts jitter{{"jitter", "0.01"}, {"seed", "1"}, {"friction-model", "paper"}};
 
-Moment stack(const std::string& name, const Options& options) {
-    Moment moment{name, "stack", options};
+FrozenMoment stack(const std::string& name, const OptionTexts& options) {
+    FrozenMoment moment{name, "stack", options};
     moment.options.insert(moment.options.end(), jitter.begin(), jitter.end());
     return moment;
 }
 
 // Stacks land in the step in which the topmost cube, which falls through all gaps, meets the one below it.
-Moment landing(const std::string& count, const std::string& seconds) {
+FrozenMoment landing(const std::string& count, const std::string& seconds) {
     return stack("stack of " + count + ", landing", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}});
 }
 
 // After some time with many iterations, before a tall stack has leaned.
-Moment settled(const std::string& count, const std::string& seconds) {
+FrozenMoment settled(const std::string& count, const std::string& seconds) {
     return stack("stack of " + count + ", settled",
                  {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}});
 }
 
 // So many substeps that the bars stay whole.
-Moment heavy_chain(const std::string& links, const std::string& substeps) {
+FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) {
     return {"chain of " + links + ", end 1000 times heavier",
             "chain",
             {{"links", links}, {"end-mass", "1000"}, {"substeps", substeps}, {"seconds", "1"}}};
 }
 
 // What solvers are given is the system of a whole step, and the forces of one.
-std::vector<Moment> in_whole_steps(std::vector<Moment> moments) {
-    for (Moment& moment : moments) moment.options.emplace_back("scheme", "whole");
+std::vector<FrozenMoment> in_whole_steps(std::vector<FrozenMoment> moments) {
+    for (FrozenMoment& moment : moments) moment.options.emplace_back("scheme", "whole");
     return moments;
 }
 
@@ -56,10 +56,10 @@ std::string colour_of(std::string_view solver) {
 
 }  // namespace
 
-std::vector<Moment> hard_moments(bool quick) {
+std::vector<FrozenMoment> hard_moments(bool quick) {
     // Convex, so that there is one answer to compare with.
-    const Options::value_type convex{"friction-model", "paper"};
-    std::vector<Moment> moments{
+    const OptionTexts::value_type convex{"friction-model", "paper"};
+    std::vector<FrozenMoment> moments{
         landing("5", "0.32"),
         settled("5", "2"),
         {"funnel of 20", "funnel", {{"count", "20"}, {"seconds", "5"}, convex}},
@@ -79,7 +79,7 @@ std::vector<Moment> hard_moments(bool quick) {
     return in_whole_steps(moments);
 }
 
-FrozenProblem freeze(const Moment& moment, const std::function<void()>& check) {
+FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check) {
     const Choices choices = run_of(moment.scene, moment.options);
     Simulation run(choices);
     while (run.sample().step < std::max(1L, whole_steps(choices.settings))) {

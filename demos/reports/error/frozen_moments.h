@@ -12,16 +12,16 @@
 
 namespace pushfactor::demos::reports::error {
 
-struct Moment {
-    std::string name;   // "stack of 5, landing"
-    std::string scene;  // of the catalogue or of assets/scenes
-    Options options;    // "seconds" is the moment
+struct FrozenMoment {
+    std::string name;     // "stack of 5, landing"
+    std::string scene;    // of the catalogue or of assets/scenes
+    OptionTexts options;  // "seconds" is the moment
 };
 
-std::vector<Moment> hard_moments(bool quick);
+std::vector<FrozenMoment> hard_moments(bool quick);
 
 // Runs the scene up to the moment. `check` is called at each step; what it throws ends the run.
-FrozenProblem freeze(const Moment& moment, const std::function<void()>& check);
+FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check);
 
 struct FrozenPoint {
     std::string problem, method;

@@ -28,7 +28,8 @@ std::string file_name(const std::string& prefix, const std::string& text) {
     return name;
 }
 
-std::vector<WorkLine> lines_of(const Sweep& sweep, const std::vector<ErrorPoint>& points, const MakeWork& work) {
+std::vector<WorkLine> lines_of(const Experiment& sweep, const std::vector<ErrorPoint>& points,
+                               const MakeWork& work) {
     std::vector<WorkLine> lines;
     for (const Method& method : sweep.methods) {
         WorkLine line{method.name, method.colour, method.dash, method.mark, {}};
@@ -62,7 +63,7 @@ TheoryLine contraction_line(double contraction, const WorkPoint& through) {
     return theory;
 }
 
-std::vector<TheoryLine> theory_of(const Sweep& sweep, const std::vector<WorkLine>& lines) {
+std::vector<TheoryLine> theory_of(const Experiment& sweep, const std::vector<WorkLine>& lines) {
     std::vector<TheoryLine> theory;
     std::vector<double> orders;
     for (std::size_t i = 0; i < sweep.methods.size(); ++i) {
@@ -106,7 +107,7 @@ std::string numbers_of(const std::vector<ErrorPoint>& points) {
 
 }  // namespace
 
-std::vector<Section> error_sections(const Sweep& sweep, const std::vector<ErrorPoint>& points,
+std::vector<Section> error_sections(const Experiment& sweep, const std::vector<ErrorPoint>& points,
                                     const std::string& machine, const std::filesystem::path& folder) {
     const MakeWork work = [&sweep](const ErrorPoint& point) {
         return sweep.solves ? point.multiply_adds : point.moves;
@@ -132,8 +133,9 @@ std::vector<Section> error_sections(const Sweep& sweep, const std::vector<ErrorP
     return sections;
 }
 
-Section frozen_section(const Moment& moment, const FrozenProblem& problem, const std::vector<FrozenPoint>& points,
-                       const std::string& machine, const std::filesystem::path& folder) {
+Section frozen_section(const FrozenMoment& moment, const FrozenProblem& problem,
+                       const std::vector<FrozenPoint>& points, const std::string& machine,
+                       const std::filesystem::path& folder) {
     const WorkPlot plot{.name = file_name("frozen_", moment.name),
                         .error_axis = "residual [m/s]",
                         .work_axis = "work of the solve [multiply-adds]",

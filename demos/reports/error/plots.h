@@ -14,11 +14,12 @@
 namespace pushfactor::demos::reports::error {
 
 // Two: against work, and against CPU time.
-std::vector<Section> error_sections(const Sweep& sweep, const std::vector<ErrorPoint>& points,
+std::vector<Section> error_sections(const Experiment& sweep, const std::vector<ErrorPoint>& points,
                                     const std::string& machine, const std::filesystem::path& folder);
 
-Section frozen_section(const Moment& moment, const FrozenProblem& problem, const std::vector<FrozenPoint>& points,
-                       const std::string& machine, const std::filesystem::path& folder);
+Section frozen_section(const FrozenMoment& moment, const FrozenProblem& problem,
+                       const std::vector<FrozenPoint>& points, const std::string& machine,
+                       const std::filesystem::path& folder);
 
 Section consistency_section(const ConsistencyPlan& plan, const std::vector<ConsistencyPoint>& points,
                             const std::string& machine, const std::filesystem::path& folder);

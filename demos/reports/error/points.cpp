@@ -15,7 +15,7 @@ namespace pushfactor::demos::reports::error {
 namespace {
 
 // Fills in all but the times.
-void run_for_errors(const Sweep& sweep, const Choices& choices, const std::function<void()>& check,
+void run_for_errors(const Experiment& sweep, const Choices& choices, const std::function<void()>& check,
                     ErrorPoint& point) {
     Simulation run(choices);
     Measurements measurements(run);
@@ -71,7 +71,7 @@ CpuShare time_runs(const Choices& choices, int repeats, const std::function<void
 
 }  // namespace
 
-ErrorPoint run_point(const Sweep& sweep, const Method& method, const std::string& value, int repeats,
+ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
                      const std::function<void()>& check) {
     Choices choices = run_at(sweep, method, value);
     ErrorPoint point{.scene = sweep.scene,

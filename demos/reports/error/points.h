@@ -2,7 +2,7 @@
 // times more for the clock, which measuring would disturb.
 #pragma once
 
-#include "demos/reports/error/sweep_table.h"
+#include "demos/reports/error/experiments.h"
 
 #include <functional>
 #include <string>
@@ -28,7 +28,7 @@ struct ErrorPoint {
 };
 
 // `check` is called often; what it throws ends the run.
-ErrorPoint run_point(const Sweep& sweep, const Method& method, const std::string& value, int repeats,
+ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
                      const std::function<void()>& check);
 
 // The smallest value that at least 95 % of all do not exceed; `values` is not empty.

@@ -34,7 +34,7 @@ struct Case {
     std::string scene{};  // of the catalogue; empty for a scene of its own
     std::optional<SceneDescription> own{};
     std::optional<std::string> text{};  // of a scene file that is refused
-    Options options{};
+    OptionTexts options{};
     std::string wanted{};  // the outcome that the case asks for; any other that is expected leaves its bars open
     std::vector<Check> checks{};
     std::vector<Expected> expected{};

@@ -72,7 +72,7 @@ void shift(SceneDescription& scene, const Vector3& by) {
 }
 
 // Shows how it began and where it ended, but for what ended so far away that nothing else would be seen.
-View camera(const SceneDescription& start, const Scene& end, double aspect) {
+View camera(const SceneDescription& start, const BuiltScene& end, double aspect) {
     std::vector<pictures::Ball> balls = balls_of(start);
     const std::vector<pictures::Ball> ended = pictures::movable_balls(end);
     if (balls.empty()) return pictures::fitted(start.view, ended, aspect);
@@ -90,7 +90,7 @@ renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const
     const Vector3 here = -origin_of(start);
     shift(start, here);
     shift(choices.description, here);
-    const Scene scene = build_scene(choices);
+    const BuiltScene scene = build_scene(choices);
     const double aspect = static_cast<double>(size.width) / size.height;
     try {
         return studio.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);

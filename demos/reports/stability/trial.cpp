@@ -49,7 +49,7 @@ Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
       runs_(folder / "runs"),
       scene_(brings_scene(one) ? scene_file(one, folder).string() : one.scene),
       start_(description_of(one)) {
-    Options options{{"preset", expected.preset}};
+    OptionTexts options{{"preset", expected.preset}};
     options.insert(options.end(), one.options.begin(), one.options.end());
     command_ = command_text("run", scene_, options);
     for (const std::string& output : outputs()) command_ += " --" + output + " " + output + ".csv";
@@ -71,7 +71,7 @@ void Trial::start(const fs::path& program) {
     words.insert(words.end(), {"--summary", file(".json"), "--save-state", state()});
     for (const std::string& output : outputs())
         words.insert(words.end(), {"--" + output, file("." + output + ".csv")});
-    tool_ = std::make_unique<Tool>(program.string(), "pushfactor", words);
+    tool_ = std::make_unique<ChildProcess>(program.string(), "pushfactor", words);
 }
 
 fs::path Trial::state() const {

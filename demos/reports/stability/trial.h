@@ -30,7 +30,7 @@ class Trial {
     std::string name() const { return one_.name + "-" + expected_.preset; }
     const std::string& command() const { return command_; }  // that shows the same
 
-    // `program` is this one. Throws ToolError.
+    // `program` is this one. Throws ChildProcessError.
     void start(const std::filesystem::path& program);
     bool has_ended() const { return tool_->has_ended(); }
     void judge();  // after it has ended
@@ -58,7 +58,7 @@ class Trial {
     std::string scene_;
     SceneDescription start_;
     std::string command_;
-    std::unique_ptr<Tool> tool_;
+    std::unique_ptr<ChildProcess> tool_;
     std::string outcome_;
     std::vector<Verdict> verdicts_;
 };

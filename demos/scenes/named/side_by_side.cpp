@@ -7,10 +7,13 @@ namespace pushfactor::demos::scenes {
 namespace {
 
 bool same_shape(const BodyDescription& a, const BodyDescription& b) {
-    const auto* box = std::get_if<BoxShape>(&a.shape);
-    const auto* sphere = std::get_if<SphereShape>(&a.shape);
-    return a.shape.index() == b.shape.index() && (!box || box->size == std::get<BoxShape>(b.shape).size) &&
-           (!sphere || sphere->radius == std::get<SphereShape>(b.shape).radius);
+    if (a.shape.index() != b.shape.index()) return false;
+    return std::visit(
+        engine::Overloaded{
+            [&](const BoxShape& box) { return box.size == std::get<BoxShape>(b.shape).size; },
+            [&](const SphereShape& sphere) { return sphere.radius == std::get<SphereShape>(b.shape).radius; },
+            [](const PlaneShape&) { return true; }},
+        a.shape);
 }
 
 bool same_static_body(const BodyDescription& a, const BodyDescription& b) {

@@ -199,13 +199,13 @@ TEST_CASE("without ffmpeg the error says what to install, and nothing is left") 
     const Folder folder, empty;
     {
         const Path path(empty.path().string());
-        CHECK(!find_tool("ffmpeg"));
+        CHECK(!find_program("ffmpeg"));
         CHECK_THAT(error_of([&] { make_video(folder / "film.mp4"); }),
                    Catch::Contains("film.mp4: ffmpeg is not installed; on Debian: apt install ffmpeg"));
     }
     CHECK(folder.files().empty());
     const FakeFfmpeg ffmpeg;
-    CHECK(find_tool("ffmpeg"));
+    CHECK(find_program("ffmpeg"));
 }
 
 TEST_CASE("an ffmpeg that cannot be started is no video either") {

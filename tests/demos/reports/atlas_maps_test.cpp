@@ -42,7 +42,7 @@ TEST_CASE("every cell of the atlas is a run that the program takes, and no two a
         }
         for (const AtlasCell& cell : cells_of(map)) {
             INFO(command_of(cell));
-            Options options = map.common;
+            OptionTexts options = map.common;
             options.emplace_back(map.x.option, cell.x);
             options.emplace_back(map.y.option, cell.y);
             CHECK_NOTHROW(run_of(map.scene, options));

@@ -48,7 +48,7 @@ struct Table {
 };
 
 Ledger counted(const Choices& choices, double start) {
-    const Moment moment = moment_at(choices, start, [] {});
+    const MeasuredState moment = moment_at(choices, start, [] {});
     return {.parts = parts_of(moment.build(), moment.settings), .counts = count_steps(moment), .times = {}};
 }
 
@@ -167,14 +167,14 @@ TEST_CASE("the ledger counts the islands of a scene by kind and by what is done 
 
 TEST_CASE("stages add up in the order of the step, and reading the clock is not among them") {
     CHECK(clock_cost() > 0.0);
-    StageClock clock(0.0);
+    PhaseClock clock(0.0);
     clock.begin();
     clock.rules_ended();
     CHECK(clock.times()[0] > 0.0);
-    clock.stage_ended(engine::Stage::integrate);
+    clock.phase_ended(engine::Phase::integrate);
     CHECK(clock.times().back() > 0.0);
     CHECK(std::accumulate(clock.times().begin() + 1, clock.times().end() - 1, 0.0) == 0.0);
-    CHECK(stage_names.size() == 1 + static_cast<std::size_t>(engine::Stage::integrate) + 1);
+    CHECK(phase_names.size() == 1 + static_cast<std::size_t>(engine::Phase::integrate) + 1);
 }
 
 TEST_CASE("an interrupted cost report ends with status 1 and leaves whole files only") {

@@ -1,7 +1,7 @@
 // Which solver to choose, as the README says: orderings of errors by work, which is counted in multiply-adds and
 // the same on every machine. The measured numbers stand beside; times are in no test.
+#include "demos/reports/error/experiments.h"
 #include "demos/reports/error/frozen_moments.h"
-#include "demos/reports/error/sweep_table.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 
@@ -20,7 +20,7 @@ struct Cost {
 };
 
 // The first error of a run, and the work of all its steps.
-Cost cost_of(const std::string& scene, const Options& options, const MakeTrueError& make) {
+Cost cost_of(const std::string& scene, const OptionTexts& options, const MakeTrueError& make) {
     const Choices choices = run_of(scene, options);
     Simulation run(choices);
     const auto error = make(run);
@@ -53,7 +53,7 @@ Cost solve(const FrozenProblem& problem, std::string_view solver, bool warm, int
 }  // namespace
 
 TEST_CASE("a stack: direct and auto reach rounding for less work than sweeps leave centimetres with") {
-    const auto fall = [](Options options) {
+    const auto fall = [](OptionTexts options) {
         options.insert(options.end(), {{"jitter", "0.01"},
                                        {"seed", "1"},
                                        {"slop", "0"},
@@ -105,8 +105,8 @@ TEST_CASE("a heap: sweeps from the last forces are enough, and auto takes them")
 }
 
 TEST_CASE("a mass ratio of 1000: sweeps leave what direct does not, for more work") {
-    const auto stand = [](const Options& options) {
-        Options all{{"mass-ratio", "1000"}, {"seconds", "2"}, {"slop", "0"}};
+    const auto stand = [](const OptionTexts& options) {
+        OptionTexts all{{"mass-ratio", "1000"}, {"seconds", "2"}, {"slop", "0"}};
         all.insert(all.end(), options.begin(), options.end());
         return cost_of("heavy-on-light", all, rest_error);
     };
@@ -118,8 +118,8 @@ TEST_CASE("a mass ratio of 1000: sweeps leave what direct does not, for more wor
 }
 
 TEST_CASE("swinging bars: the step decides and not the solver, and composed steps give more digits for the work") {
-    const auto swing = [](const std::string& dt, const Options& options) {
-        Options all{{"count", "10"}, {"seconds", "10"}, {"dt", dt}};
+    const auto swing = [](const std::string& dt, const OptionTexts& options) {
+        OptionTexts all{{"count", "10"}, {"seconds", "10"}, {"dt", dt}};
         all.insert(all.end(), options.begin(), options.end());
         return cost_of("pendulum-wave", all, scene_error);
     };

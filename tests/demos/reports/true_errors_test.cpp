@@ -2,8 +2,8 @@
 #include "demos/reports/error/true_errors.h"
 
 #include "demos/reports/error/converged_forces.h"
+#include "demos/reports/error/experiments.h"
 #include "demos/reports/error/points.h"
-#include "demos/reports/error/sweep_table.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 
@@ -19,7 +19,7 @@ using namespace pushfactor::demos::reports::error;
 namespace {
 
 // The errors of a run, by name.
-std::map<std::string, double> errors_of(const std::string& scene, const Options& options, MakeTrueError make) {
+std::map<std::string, double> errors_of(const std::string& scene, const OptionTexts& options, MakeTrueError make) {
     const Choices choices = run_of(scene, options);
     Simulation run(choices);
     const auto error = make(run);
@@ -32,9 +32,9 @@ std::map<std::string, double> errors_of(const std::string& scene, const Options&
     return errors;
 }
 
-const Options solved_exactly{{"slop", "0"}, {"iterations", "20000"}, {"tolerance", "1e-11/1e-11"}};
+const OptionTexts solved_exactly{{"slop", "0"}, {"iterations", "20000"}, {"tolerance", "1e-11/1e-11"}};
 
-Options exactly(Options options) {
+OptionTexts exactly(OptionTexts options) {
     options.insert(options.end(), solved_exactly.begin(), solved_exactly.end());
     return options;
 }
@@ -67,8 +67,8 @@ TEST_CASE("the converged solver finds the weights of a column, and of scenes all
     for (int i = 0; i < 10; ++i) CHECK((*forces)(i, 0) == Approx(weight_above(i, 10, 1.0, 10.0)).epsilon(1e-9));
 
     // Bars that hold each other through contacts, and balls that slide: sweeps alone stall at 1e-9 and 1e-5 m/s.
-    const Options cold{{"tolerance", "0"}, {"warm-start", "off"}, {"friction-model", "paper"}};
-    const Options warm{{"tolerance", "0"}, {"iterations", "100"}, {"friction-model", "paper"}};
+    const OptionTexts cold{{"tolerance", "0"}, {"warm-start", "off"}, {"friction-model", "paper"}};
+    const OptionTexts warm{{"tolerance", "0"}, {"iterations", "100"}, {"friction-model", "paper"}};
     for (const auto& [scene, options, first, last] :
          {std::tuple{"intersecting-stack", cold, 1, 6}, std::tuple{"pendulum-grid", cold, 12, 18},
           std::tuple{"funnel", warm, 114, 120}}) {
@@ -130,7 +130,7 @@ TEST_CASE("the closed form of parting cubes is that of the paper's facts") {
 TEST_CASE("a stack that is solved exactly rests where it must and carries its weight, aligned or not") {
     for (const char* jitter : {"0", "0.01", "0.1"}) {
         INFO(jitter);
-        const Options fall = exactly(
+        const OptionTexts fall = exactly(
             {{"seconds", "4"}, {"gap", "0.05"}, {"jitter", jitter}, {"seed", "2"}, {"friction-model", "paper"}});
         const auto errors = errors_of("stack", fall, rest_error);
         CHECK(errors.at("rest_position_rms_m") < 1e-6);
@@ -142,12 +142,12 @@ TEST_CASE("a stack that is solved exactly rests where it must and carries its we
 }
 
 TEST_CASE("an aligned stack flatters Jacobi, so that of the report is jittered") {
-    const auto sideways = [](Options options) {
+    const auto sideways = [](OptionTexts options) {
         options.insert(options.end(), {{"solver", "jacobi"}, {"tolerance", "0"}, {"slop", "0"}, {"seconds", "4"}});
         return errors_of("stack", options, rest_error).at("max_sideways_m");
     };
     CHECK(sideways({}) < 1e-9);
-    for (const Sweep& sweep : error_sweeps(false)) {
+    for (const Experiment& sweep : error_experiments(false)) {
         if (sweep.scene == "stack") CHECK(sideways(sweep.common) > 1e-3);
     }
 }
@@ -175,7 +175,7 @@ TEST_CASE("only methods that this build has are compared") {
     CHECK(available({.name = "a", .differs = {{"solver", "pgs"}}, .knob = "iterations", .colour = "blue"}));
     CHECK(!available({.name = "b", .differs = {{"solver", "magic"}}, .knob = "iterations", .colour = "blue"}));
     CHECK(!available({.name = "c", .differs = {{"no-option", "1"}}, .knob = "iterations", .colour = "blue"}));
-    for (Sweep sweep : error_sweeps(false)) {
+    for (Experiment sweep : error_experiments(false)) {
         INFO(sweep.scene);
         // To find the lengths of all fifty pendulums takes long.
         if (sweep.scene == "pendulum-wave") sweep.common.emplace_back("count", "1");
@@ -190,9 +190,10 @@ TEST_CASE("only methods that this build has are compared") {
 }
 
 TEST_CASE("a run that breaks is named, and its time is that of the steps before") {
-    Sweep sweep{.scene = "chain",
-                .common = {{"preset", "paper"}, {"end-mass", "1000000"}, {"distance-beta", "1"}, {"seconds", "20"}},
-                .error = converged_error};
+    Experiment sweep{
+        .scene = "chain",
+        .common = {{"preset", "paper"}, {"end-mass", "1000000"}, {"distance-beta", "1"}, {"seconds", "20"}},
+        .error = converged_error};
     const Method method{.name = "pgs", .differs = {}, .knob = "iterations", .colour = "blue"};
     const ErrorPoint point = run_point(sweep, method, "25", 1, [] {});
     CHECK(point.failed);

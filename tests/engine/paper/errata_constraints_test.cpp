@@ -1,7 +1,7 @@
 // Errata of paper section 5: what the text gives, and what is right.
-#include "engine/constraints/contact_constraint.h"
-#include "engine/constraints/distance_constraint.h"
-#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/contact_row.h"
+#include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/friction_row.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/literal.h"
 #include "tests/random.h"

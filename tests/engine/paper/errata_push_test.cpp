@@ -1,5 +1,5 @@
 // Errata of paper section 8: what the text gives, and what is right.
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/constraints/restitution.h"
 #include "engine/forces/gravity.h"
 #include "engine/world.h"
@@ -22,10 +22,10 @@ World falling_cube(const Correction& correction) {
     World world;
     world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.52, 0})};
     world.bodies[1].linear_momentum = {0, -3, 0};
-    world.constraints.push_back(
-        std::make_unique<ContactStage>(std::vector<collision::Collider>{{.body = 0, .shape = collision::Plane{}},
-                                                                        {.body = 1, .shape = collision::Box{}}},
-                                       ContactChoices{.correction = correction, .slop = 0.0, .detection = {}}));
+    world.constraints.push_back(std::make_unique<ContactConstraints>(
+        std::vector<collision::Collider>{{.body = 0, .shape = collision::Plane{}},
+                                         {.body = 1, .shape = collision::Box{}}},
+        ContactChoices{.correction = correction, .slop = 0.0, .detection = {}}));
     world.solver = solvers::make_solver("direct");
     world.termination = {.iterations = 25};
     return world;
@@ -68,7 +68,7 @@ double fastest_of_intersecting_stack(double share) {
         bodies.back().force = {0, -12, 0};
         colliders.push_back({.body = i + 1, .shape = collision::Box{Vector3::Constant(1.2)}});
     }
-    ContactStage stage(colliders, {.correction = {PushKind::persistent, 0.6}, .slop = 0.0, .detection = {}});
+    ContactConstraints stage(colliders, {.correction = {PushKind::persistent, 0.6}, .slop = 0.0, .detection = {}});
     stage.set_friction(tests::weight_friction());
     double fastest = 0.0;
     for (int n = 0; n < 30; ++n) {
@@ -141,7 +141,7 @@ TEST_CASE(
         World world;
         world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.45, 0})};
         world.forces.push_back(std::make_unique<Gravity>(Vector3(0, -10, 0)));
-        world.constraints.push_back(std::make_unique<ContactStage>(
+        world.constraints.push_back(std::make_unique<ContactConstraints>(
             std::vector<collision::Collider>{{.body = 0, .shape = collision::Plane{}},
                                              {.body = 1, .shape = collision::Box{}}},
             ContactChoices{

@@ -1,5 +1,5 @@
 // Errata of paper sections 6, 7, 9, 10 and 12.3: what the text gives, and what is right.
-#include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/contact_row.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/literal.h"
 #include "tests/engine/random_rows.h"

@@ -4,8 +4,8 @@
 // at which the material points of the bodies slide over each other.
 #include "engine/collision/pair_table.h"
 #include "engine/collision/time_of_impact.h"
-#include "engine/constraints/contact_stage.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/contact_constraints.h"
+#include "engine/constraints/distance_constraints.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
@@ -232,12 +232,12 @@ void compare_rows(const ShapePair& shapes, const Body& a, const Body& b, std::sp
     }
 }
 
-ContactStage stage_of(const ShapePair& shapes, double margin) {
-    ContactStage stage({{.body = 0, .shape = shapes.a}, {.body = 1, .shape = shapes.b}},
-                       {.correction = {},
-                        .slop = 0.0,
-                        .detection = {.margin = margin, .reduce_to_four_points = false},
-                        .order = RowOrder::bottom_up});
+ContactConstraints stage_of(const ShapePair& shapes, double margin) {
+    ContactConstraints stage({{.body = 0, .shape = shapes.a}, {.body = 1, .shape = shapes.b}},
+                             {.correction = {},
+                              .slop = 0.0,
+                              .detection = {.margin = margin, .reduce_to_four_points = false},
+                              .order = RowOrder::bottom_up});
     stage.set_friction(std::make_unique<CoulombFriction>());
     return stage;
 }
@@ -251,7 +251,7 @@ TEST_CASE("every row's j_c is the derivative of its c: contacts and friction, in
         Compared compared;
         for (int i = 0; i < 150; ++i) {
             const std::array<Body, 2> bodies = random_pair(shapes, random.in(-0.1, 0.1), random);
-            ContactStage stage = stage_of(shapes, 0.3);
+            ContactConstraints stage = stage_of(shapes, 0.3);
             std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
             REQUIRE(rows.size() >= 3);
             compare_rows(shapes, bodies[0], bodies[1], rows, stage.sites(), compared);
@@ -274,8 +274,8 @@ TEST_CASE("every row's j_c is the derivative of its c where fast bodies meet wit
                 body.linear_momentum = (&body == &bodies[0] ? 60.0 : -60.0) * normal + random.vector(-5, 5);
                 body.angular_momentum = random.vector(-1, 1);
             }
-            ContactStage stage = stage_of(shapes, 0.01);
-            stage.set_sweep(std::make_unique<Sweep>());
+            ContactConstraints stage = stage_of(shapes, 0.01);
+            stage.set_continuous_collision(std::make_unique<ContinuousCollision>());
             std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
             REQUIRE(rows.size() >= 3);
             REQUIRE(stage.sites()[0].swept);

@@ -5,8 +5,8 @@
 // and after the step, f_ext external forces, v push factors, lambda, A and b of 6.2.9; q orientation, w angular
 // velocity.
 #include "engine/bodies/integrator.h"
-#include "engine/constraints/contact_stage.h"
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/contact_constraints.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/paper/whole_system.h"
@@ -76,10 +76,10 @@ TEST_CASE("12.2: products with J are those of Figure 11") {
     const Eigen::Vector2d centre = normals.inverse() * Eigen::Vector2d(0.5, 0.5);
     std::vector<Body> bodies{plane(a), plane(b), ball_body(2.0, 0.5, {centre.x(), centre.y(), 0})};
     bodies[2].force = {0, -20, 0};
-    ContactStage stage({{.body = 0, .shape = collision::Plane{}},
-                        {.body = 1, .shape = collision::Plane{}},
-                        {.body = 2, .shape = collision::Sphere{0.5}}},
-                       {.correction = no_push, .slop = 0.0, .detection = {.margin = 0.01}});
+    ContactConstraints stage({{.body = 0, .shape = collision::Plane{}},
+                              {.body = 1, .shape = collision::Plane{}},
+                              {.body = 2, .shape = collision::Sphere{0.5}}},
+                             {.correction = no_push, .slop = 0.0, .detection = {.margin = 0.01}});
     std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(stage, {bodies, dt});
     REQUIRE(rows.size() == 2);
 

@@ -7,7 +7,7 @@
 // equations make them.
 #include "tests/engine/paper/units.h"
 
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"

@@ -5,7 +5,7 @@
 // and after the step, f_ext external forces, v push factors, lambda, A and b of 6.2.9; dt time step. SI units.
 #pragma once
 
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 

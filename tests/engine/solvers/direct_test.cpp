@@ -1,5 +1,5 @@
 // The exact answer on problems where others fail, and where there is more than one.
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/random_rows.h"

@@ -1,7 +1,7 @@
 // Frozen problems for solvers, and A and the residual worked out the long way.
 #pragma once
 
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/engine/rows.h"
 
@@ -56,7 +56,7 @@ inline Problem contact_problem(std::string name, std::vector<engine::Body> bodie
     for (engine::Body& body : bodies) {
         if (!body.is_static()) body.force = engine::Vector3(0, -10, 0) / body.inverse_mass;
     }
-    engine::ContactStage stage(std::move(colliders), choices);
+    engine::ContactConstraints stage(std::move(colliders), choices);
     stage.set_friction(std::move(friction));
     Problem problem{std::move(name), std::move(bodies), {}};
     problem.rows = rows_of(stage, {problem.bodies, problem_dt});

@@ -2,7 +2,7 @@
 #include "engine/solvers/solver.h"
 
 #include "engine/base/invalid_input.h"
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"

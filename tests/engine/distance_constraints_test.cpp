@@ -1,5 +1,5 @@
 // The distance constraint, paper section 5.2, against closed forms and finite differences.
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 
 #include "engine/bodies/diagnostics.h"
 #include "engine/forces/gravity.h"

@@ -1,4 +1,4 @@
-#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/friction_row.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/constraints/distance_constraint.h"
+#include "engine/constraints/distance_constraints.h"
 
 #include "engine/constraints/point_jacobian.h"
 

@@ -7,9 +7,9 @@
 #include "engine/collision/passing.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/constraints/contact_cache.h"
-#include "engine/constraints/contact_constraint.h"
 #include "engine/constraints/contact_order.h"
-#include "engine/constraints/friction_constraint.h"
+#include "engine/constraints/contact_row.h"
+#include "engine/constraints/friction_row.h"
 #include "engine/constraints/restitution.h"
 
 #include <array>
@@ -39,15 +39,17 @@ struct ContactSite {
     bool swept = false;  // found by the sweep: its rows act where the bodies meet within the step
 };
 
-class ContactStage : public ConstraintSource {
+class ContactConstraints : public ConstraintSource {
   public:
-    ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices);
+    ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices);
 
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
     // Without a sweep a fast body is not noticed before it is in the margin, or past it.
-    void set_sweep(std::unique_ptr<collision::Sweep> sweep) { sweep_ = std::move(sweep); }
+    void set_continuous_collision(std::unique_ptr<collision::ContinuousCollision> part) {
+        continuous_collision_ = std::move(part);
+    }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
 
     void append_rows(const StepStart& step, RowList& rows) override;
@@ -63,7 +65,7 @@ class ContactStage : public ConstraintSource {
     // Null without.
     const FrictionRule* friction() const { return friction_.get(); }
     RestitutionRule restitution() const { return restitution_; }
-    const collision::Sweep* sweep() const { return sweep_.get(); }
+    const collision::ContinuousCollision* continuous_collision() const { return continuous_collision_.get(); }
     const ContactCache* cache() const { return cache_.get(); }  // without the contacts of bodies at rest
     // Overwrites `into` with those of all contacts, bodies at rest included; nothing without a cache.
     void all_forces(ContactCache& into) const;
@@ -100,7 +102,7 @@ class ContactStage : public ConstraintSource {
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                         std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
-    collision::Sweep::Step collision_step(const StepStart& step) const;
+    collision::ContinuousCollision::Step collision_step(const StepStart& step) const;
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
     void store_forces();
@@ -110,7 +112,7 @@ class ContactStage : public ConstraintSource {
     std::unique_ptr<const FrictionRule> friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
-    std::unique_ptr<collision::Sweep> sweep_;
+    std::unique_ptr<collision::ContinuousCollision> continuous_collision_;
     ContactCache at_rest_;  // the forces between bodies at rest
     bool any_bounces_ = false;
 

@@ -1,4 +1,4 @@
-#include "engine/constraints/contact_stage.h"
+#include "engine/constraints/contact_constraints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
 
 }  // namespace
 
-ContactStage::ContactStage(std::vector<collision::Collider> colliders, const ContactChoices& choices)
+ContactConstraints::ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices)
     : colliders_(std::move(colliders)), choices_(choices) {
     choices_.detection.permitted = permitted_overlap(choices.slop, choices.detection.margin);
     any_bounces_ = std::any_of(colliders_.begin(), colliders_.end(),
@@ -60,13 +60,13 @@ ContactStage::ContactStage(std::vector<collision::Collider> colliders, const Con
 }
 
 // The default, until leave_out_others() is called.
-void ContactStage::wake_all(std::size_t bodies) {
+void ContactConstraints::wake_all(std::size_t bodies) {
     all_bodies_ = awake_bodies_ = Awake(bodies);
     all_colliders_ = awake_colliders_ = Awake(colliders_.size());
     awake_anew_ = true;
 }
 
-void ContactStage::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+void ContactConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
     wake_all(bodies.size());
     awake_bodies_ = awake;
     std::vector<char> is_awake;
@@ -81,14 +81,14 @@ void ContactStage::leave_out_others(std::span<const Body> bodies, const Awake& a
     at_rest_.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
 }
 
-bool ContactStage::turns_unseen(int body) const {
+bool ContactConstraints::turns_unseen(int body) const {
     return std::none_of(colliders_.begin(), colliders_.end(), [body](const collision::Collider& collider) {
-        return collider.body == body && !std::holds_alternative<collision::Sphere>(collider.shape);
+        return collider.body == body && !collision::turns_in_itself(collider.shape);
     });
 }
 
 // Those on a belt that begins to run.
-SomeBodies ContactStage::changed_anew(double from, double until) const {
+SomeBodies ContactConstraints::changed_anew(double from, double until) const {
     SomeBodies changed;
     const auto begins = [&](int collider) {
         const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
@@ -111,7 +111,7 @@ SomeBodies ContactStage::changed_anew(double from, double until) const {
     return changed;
 }
 
-void ContactStage::all_forces(ContactCache& into) const {
+void ContactConstraints::all_forces(ContactCache& into) const {
     into = cache_ ? *cache_ : ContactCache{};
     if (at_rest_.entries().empty()) return;
     ContactCache at_rest = at_rest_;
@@ -119,7 +119,7 @@ void ContactStage::all_forces(ContactCache& into) const {
 }
 
 // Each surface velocity is across the normal as far as friction is concerned.
-Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const {
+Vector3 ContactConstraints::belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const {
     const auto run = [&](int collider, const Body& body) -> Vector3 {
         const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
         return runs_at(own, time) ? Vector3(body.orientation * own.surface_velocity) : Vector3::Zero();
@@ -128,15 +128,16 @@ Vector3 ContactStage::belt_of(const collision::Touch& touch, const BodyPair& pai
 }
 
 // What the contact points of one touch have in common as far as friction is concerned.
-struct ContactStage::TouchFriction {
+struct ContactConstraints::TouchFriction {
     FrictionBound bound, apart;  // of points that touch, and of those that are still apart
     Vector3 belt;                // m/s
     RelativeMotion motion;       // at the start of the step
     Vector3 resting;             // the tangent of points that slide less
 };
 
-ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& touch, const BodyPair& pair,
-                                                      const StepStart& step) const {
+ContactConstraints::TouchFriction ContactConstraints::friction_of(const collision::Touch& touch,
+                                                                  const BodyPair& pair,
+                                                                  const StepStart& step) const {
     const Vector3 belt = belt_of(touch, pair, step.time);
     const Vector3& normal = touch.normal;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
@@ -154,8 +155,8 @@ ContactStage::TouchFriction ContactStage::friction_of(const collision::Touch& to
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
-void ContactStage::write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
-                                ConstraintRow& row) const {
+void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
+                                      ConstraintRow& row) const {
     const collision::Touch& touch = *contact.touch;
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
     std::construct_at(&row);
@@ -169,8 +170,8 @@ void ContactStage::write_normal(const Contact& contact, const BodyPair& pair, co
     row.guess = forces_[contact.force].normal;
 }
 
-void ContactStage::write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
-                                  std::span<ConstraintRow> rows) const {
+void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
+                                        std::span<ConstraintRow> rows) const {
     const Vector3& normal = contact.touch->normal;
     const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
@@ -192,8 +193,9 @@ void ContactStage::write_friction(Contact& contact, const PairPoint& at, const T
 }
 
 // The contacts of the touches in the order given.
-std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const collision::Touch> touches,
-                                                            std::span<const ContactIndex> order, Threads* threads) {
+std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::span<const collision::Touch> touches,
+                                                                        std::span<const ContactIndex> order,
+                                                                        Threads* threads) {
     std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
     for (const collision::Touch& touch : touches) {
@@ -217,7 +219,7 @@ std::span<ContactStage::Contact> ContactStage::add_contacts(std::span<const coll
 }
 
 // A row each and two of friction, side by side, or all of friction after all others.
-void ContactStage::number_rows(std::span<Contact> contacts, std::size_t first_row) {
+void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t first_row) {
     const int foreign_rows = static_cast<int>(first_row) - own_rows_;
     const bool interleaved = choices_.order != RowOrder::normals_first;
     const int normals = friction_ && interleaved ? 3 : 1;
@@ -234,7 +236,7 @@ void ContactStage::number_rows(std::span<Contact> contacts, std::size_t first_ro
 }
 
 // As motion_of() has them, with the rotations that the detector has made.
-void ContactStage::find_motions(const StepStart& step) {
+void ContactConstraints::find_motions(const StepStart& step) {
     motions_.resize(step.bodies.size());
     accelerations_.resize(step.bodies.size(), 0.0);
     const std::span<const int> awake = awake_bodies_.members();
@@ -251,8 +253,8 @@ void ContactStage::find_motions(const StepStart& step) {
     });
 }
 
-void ContactStage::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                                  const StepStart& step, RowList& rows) {
+void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
+                                        const StepStart& step, RowList& rows) {
     const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
     number_rows(contacts, rows.size());
@@ -262,8 +264,8 @@ void ContactStage::append_touches(std::span<const collision::Touch> touches, Con
 }
 
 // Of the contacts from `begin` up to `end`.
-void ContactStage::write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end,
-                              const StepStart& step, std::span<ConstraintRow> rows) const {
+void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end,
+                                    const StepStart& step, std::span<ConstraintRow> rows) const {
     for (std::size_t i = begin; i < end;) {
         const collision::Touch& touch = *contacts[i].touch;
         const BodyPair pair = bodies_of(touch, step.bodies);
@@ -278,11 +280,11 @@ void ContactStage::write_rows(std::span<Contact> contacts, std::size_t begin, st
     }
 }
 
-collision::Sweep::Step ContactStage::collision_step(const StepStart& step) const {
+collision::ContinuousCollision::Step ContactConstraints::collision_step(const StepStart& step) const {
     return {colliders_, step.bodies, step.dt, choices_.detection, awake_colliders_.members(), any_bounces_};
 }
 
-void ContactStage::append_rows(const StepStart& step, RowList& rows) {
+void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     const std::span<const Body> bodies = step.bodies;
     threads_ = step.threads;
     // First what refers to the touches of the last step, whose points and meetings the search throws away.
@@ -296,12 +298,13 @@ void ContactStage::append_rows(const StepStart& step, RowList& rows) {
         (awake_anew_ ? all_bodies_ : awake_bodies_).members(),
     };
     awake_anew_ = false;
-    if (sweep_) foresight_.look_ahead(colliders_, bodies, step.dt, awake.moved_colliders, step.threads);
-    std::vector<collision::Touch>& touches = detector_.detect(colliders_, bodies, choices_.detection,
-                                                              sweep_ ? &foresight_ : nullptr, awake, step.threads);
+    if (continuous_collision_)
+        foresight_.look_ahead(colliders_, bodies, step.dt, awake.moved_colliders, step.threads);
+    std::vector<collision::Touch>& touches = detector_.detect(
+        colliders_, bodies, choices_.detection, continuous_collision_ ? &foresight_ : nullptr, awake, step.threads);
     if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(step));
     touches_ = touches;
-    if (sweep_) touches_ = sweep_->refine(touches_, collision_step(step), detector_);
+    if (continuous_collision_) touches_ = continuous_collision_->refine(touches_, collision_step(step), detector_);
     if (friction_) find_motions(step);
     forces_.clear();
     own_rows_ = 0;
@@ -309,10 +312,10 @@ void ContactStage::append_rows(const StepStart& step, RowList& rows) {
     append_touches(touches_, order_, step, rows);
 }
 
-void ContactStage::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
-                                     std::span<const NewForce> changed, RowList& rows) {
-    if (!sweep_) return;
-    const auto found = sweep_->look(forces, changed, collision_step(step), detector_);
+void ContactConstraints::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
+                                           std::span<const NewForce> changed, RowList& rows) {
+    if (!continuous_collision_) return;
+    const auto found = continuous_collision_->look(forces, changed, collision_step(step), detector_);
     if (found.empty()) return;
     // Without forces from the cache: the answer that takes the bodies there was found without any.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();
@@ -324,7 +327,7 @@ void ContactStage::append_unforeseen(const StepStart& step, std::span<const Vect
     }
 }
 
-std::vector<ContactSite> ContactStage::sites() const {
+std::vector<ContactSite> ContactConstraints::sites() const {
     std::vector<ContactSite> sites;
     for (const Contact& contact : contacts_) {
         const collision::Touch& touch = *contact.touch;
@@ -343,7 +346,7 @@ std::vector<ContactSite> ContactStage::sites() const {
     return sites;
 }
 
-void ContactStage::remember(std::span<const Lambda> answers) {
+void ContactConstraints::remember(std::span<const Lambda> answers) {
     if (!cache_) return;
     const auto take = [&](const Contact& contact) {
         ContactForce& force = forces_[contact.force];
@@ -362,7 +365,7 @@ void ContactStage::remember(std::span<const Lambda> answers) {
 }
 
 // The cache wants them in ascending order of the pair.
-void ContactStage::store_forces() {
+void ContactConstraints::store_forces() {
     if (unforeseen_.empty()) {
         cache_->store(touches_, forces_, threads_);
         return;

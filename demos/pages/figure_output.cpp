@@ -1,4 +1,4 @@
-#include "demos/pages/workshop.h"
+#include "demos/pages/figure_output.h"
 
 #include "demos/pages/plot.h"
 #include "demos/platform/output_file.h"
@@ -8,16 +8,16 @@ namespace pushfactor::demos::figures {
 
 namespace fs = std::filesystem;
 
-Workshop::Workshop(fs::path folder, int width, int samples)
+FigureOutput::FigureOutput(fs::path folder, int width, int samples)
     : folder_(std::move(folder)), width_(width), samples_(samples) {}
 
-std::string Workshop::save(const renderer::Image& image, const std::string& name) const {
+std::string FigureOutput::save(const renderer::Image& image, const std::string& name) const {
     const std::vector<std::uint8_t> bytes = renderer::encode_png(image);
     write_file(folder_ / (name + ".png"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return name + ".png";
 }
 
-void Workshop::plot(const Table& table, const std::string& name, double aspect, Plate& plate) const {
+void FigureOutput::plot(const Table& table, const std::string& name, double aspect, Plate& plate) const {
     const fs::path csv = folder_ / (name + ".csv");
     write_file(csv, csv_text(table));
     plate.files.push_back(name + ".csv");

@@ -1,4 +1,4 @@
-#include "engine/constraints/contact_constraint.h"
+#include "engine/constraints/contact_row.h"
 
 namespace pushfactor::engine {
 

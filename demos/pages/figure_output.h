@@ -11,9 +11,9 @@
 
 namespace pushfactor::demos::figures {
 
-class Workshop {
+class FigureOutput {
   public:
-    Workshop(std::filesystem::path folder, int width, int samples);
+    FigureOutput(std::filesystem::path folder, int width, int samples);
 
     int width() const { return width_; }      // pixels, of every figure
     int samples() const { return samples_; }  // drawings that a picture is the mean of

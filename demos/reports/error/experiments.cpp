@@ -1,4 +1,4 @@
-#include "demos/reports/error/sweep_table.h"
+#include "demos/reports/error/experiments.h"
 
 #include "demos/options/simulation_options.h"
 
@@ -20,8 +20,8 @@ constexpr int solid = 1, dashed = 2, dotted = 3;
 // Solvers, by the colours that they have in all plots. Sweeps run all their iterations (tolerance 0); what works to
 // a tolerance is swept over that.
 std::vector<Method> solvers(bool push_matters) {
-    const Options all{{"tolerance", "0"}};
-    const auto with = [](Options options, const Options& more) {
+    const OptionTexts all{{"tolerance", "0"}};
+    const auto with = [](OptionTexts options, const OptionTexts& more) {
         options.insert(options.end(), more.begin(), more.end());
         return options;
     };
@@ -29,13 +29,13 @@ std::vector<Method> solvers(bool push_matters) {
     for (const auto& [solver, colour] :
          {std::pair{"pgs", "blue"}, std::pair{"nncg", "green"}, std::pair{"jacobi", "orange"}}) {
         const std::string name = solver;
-        const Options own = with(all, {{"solver", solver}});
+        const OptionTexts own = with(all, {{"solver", solver}});
         methods.push_back({name + ", warm", own, "iterations", colour, solid, filled_circle});
         methods.push_back(
             {name + ", cold", with(own, {{"warm-start", "off"}}), "iterations", colour, dashed, filled_square});
     }
     if (push_matters) {
-        const Options persistent = with(all, {{"solver", "pgs"}, {"push", "persistent"}});
+        const OptionTexts persistent = with(all, {{"solver", "pgs"}, {"push", "persistent"}});
         methods.push_back({"pgs, warm, persistent", persistent, "iterations", "vermilion", solid, filled_circle});
         methods.push_back({"pgs, cold, persistent", with(persistent, {{"warm-start", "off"}}), "iterations",
                            "vermilion", dashed, filled_square});
@@ -140,11 +140,11 @@ Values values_of(const std::string& knob, bool quick) {
                  : Values{"1/60", "1/120", "1/240", "1/480", "1/960", "1/1920", "1/3840"};
 }
 
-std::vector<Sweep> all_sweeps(bool quick) {
+std::vector<Experiment> all_experiments(bool quick) {
     const auto seconds = [quick](const char* full, const char* short_run) {
         return std::pair<std::string, std::string>("seconds", quick ? short_run : full);
     };
-    const Options::value_type convex{"friction-model", "paper"};
+    const OptionTexts::value_type convex{"friction-model", "paper"};
     std::vector<Method> standing = solvers(true);
     standing.push_back(substeps_of_few());
     std::vector<Method> parting = solvers(true);
@@ -253,9 +253,9 @@ std::vector<Sweep> all_sweeps(bool quick) {
 
 }  // namespace
 
-std::vector<Sweep> error_sweeps(bool quick) {
-    std::vector<Sweep> sweeps = all_sweeps(quick);
-    for (Sweep& sweep : sweeps) {
+std::vector<Experiment> error_experiments(bool quick) {
+    std::vector<Experiment> sweeps = all_experiments(quick);
+    for (Experiment& sweep : sweeps) {
         std::erase_if(sweep.methods, [](const Method& method) { return !available(method); });
         for (Method& method : sweep.methods) {
             if (method.values.empty()) method.values = values_of(method.knob, quick);
@@ -274,9 +274,9 @@ bool available(const Method& method) {
     });
 }
 
-std::string differences(const Sweep& sweep, const Method& method) {
+std::string differences(const Experiment& sweep, const Method& method) {
     std::string text;
-    for (const Options* options : {&sweep.common, &method.differs}) {
+    for (const OptionTexts* options : {&sweep.common, &method.differs}) {
         for (const auto& [name, value] : *options) {
             if (name == "preset" || name == "seconds") continue;
             text += (text.empty() ? "" : " ") + name + "=" + value;
@@ -285,8 +285,8 @@ std::string differences(const Sweep& sweep, const Method& method) {
     return text;
 }
 
-Choices run_at(const Sweep& sweep, const Method& method, const std::string& value) {
-    Options options{{method.knob, value}};
+Choices run_at(const Experiment& sweep, const Method& method, const std::string& value) {
+    OptionTexts options{{method.knob, value}};
     options.insert(options.end(), method.differs.begin(), method.differs.end());
     options.insert(options.end(), sweep.common.begin(), sweep.common.end());
     return run_of(sweep.scene, options);

@@ -1,4 +1,4 @@
-#include "demos/reports/cost/stage_clock.h"
+#include "demos/reports/cost/phase_clock.h"
 
 #include "demos/platform/cpu_clock.h"
 
@@ -20,11 +20,11 @@ double clock_cost() {
     return *middle;
 }
 
-void StageClock::begin() {
+void PhaseClock::begin() {
     last_ = thread_cpu_us();
 }
 
-void StageClock::end(std::size_t stage) {
+void PhaseClock::end(std::size_t stage) {
     const double now = thread_cpu_us();
     times_[stage] += now - last_ - cost_;
     last_ = now;
