@@ -27,7 +27,7 @@ Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
 
 }  // namespace
 
-void add_overview(std::vector<Panel>& panels, const std::vector<std::vector<Frame>>& frames) {
+void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
     const Choices& first = panels.front().choices;
     if (first.description.has_camera || first.frames.camera.view) return;
     const std::vector<Ball> start = movable_balls(build_scene(first));
@@ -40,7 +40,7 @@ void add_overview(std::vector<Panel>& panels, const std::vector<std::vector<Fram
     const double across = static_cast<double>(first.frames.width) / static_cast<double>(panels.size());
     const double aspect = across / first.frames.height;
     const View view = fitted(first.description.view, balls, aspect);
-    for (Panel& panel : panels) panel.choices.description.view = view;
+    for (ComparedRun& panel : panels) panel.choices.description.view = view;
 }
 
 }  // namespace pushfactor::demos::pictures

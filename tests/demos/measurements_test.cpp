@@ -52,7 +52,7 @@ Outcome outcome_of(const SceneDescription& scene, double seconds, const std::str
     return measurements.outcome();
 }
 
-Outcome outcome_of_chain(const Options& options) {
+Outcome outcome_of_chain(const OptionTexts& options) {
     const Choices choices = run_of("chain", options);
     Simulation simulation(choices);
     Measurements measurements(simulation);

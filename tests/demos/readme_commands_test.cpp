@@ -59,7 +59,7 @@ void understand(const demos::Request& request, bool values) {
     for (const std::string& scene : request.scenes) {
         const bool file = scene.find('/') != std::string::npos && fs::exists(root / scene);
         if (values && (file || is_scene(scene))) {
-            demos::understand_panels(file ? (root / scene).string() : scene, request.given);
+            demos::compared_runs(file ? (root / scene).string() : scene, request.given);
         }
     }
 }

@@ -24,7 +24,7 @@ std::string thrown(const std::string& camera = "", const std::string& velocity =
 }
 
 struct Shown {
-    std::vector<Panel> panels;
+    std::vector<ComparedRun> panels;
     std::vector<std::vector<Frame>> frames;
 };
 
@@ -34,8 +34,8 @@ Shown shown(const std::string& text, const std::string& compare = "") {
     GivenOptions given;
     given.add("seconds", "3", "--seconds");
     if (!compare.empty()) given.add("compare", compare, "--compare");
-    Shown all{.panels = understand_panels((folder / "my.json").string(), given), .frames = {}};
-    for (const Panel& panel : all.panels) {
+    Shown all{.panels = compared_runs((folder / "my.json").string(), given), .frames = {}};
+    for (const ComparedRun& panel : all.panels) {
         const Settings& settings = panel.choices.settings;
         all.frames.push_back(plan_frames(panel.choices.frames, settings.dt, whole_steps(settings)));
     }
@@ -62,7 +62,7 @@ TEST_CASE("a scene file without a camera gets one that sees the whole motion, in
         const double aspect = 1280.0 / 720.0 / static_cast<double>(all.panels.size());
         CHECK(!is_seen(all.panels.front().choices, aspect));
         add_overview(all.panels, all.frames);
-        for (const Panel& panel : all.panels) {
+        for (const ComparedRun& panel : all.panels) {
             INFO(panel.label);
             CHECK(is_seen(panel.choices, aspect));
         }
