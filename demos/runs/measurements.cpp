@@ -1,5 +1,7 @@
 #include "demos/runs/measurements.h"
 
+#include "engine/base/overloaded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,13 +49,20 @@ double judged_speed(const BuiltScene& scene, double size) {
     return gravity > 0.0 ? std::sqrt(gravity * size) : size;
 }
 
-// Of movable bodies: how far their corners are from the centre [m]. What is round does not change by turning.
+// How far its corners are from the centre [m]; 0 for what is round and does not change by turning.
+double corner_distance(const BodyDescription& body) {
+    return std::visit(
+        engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
+                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; }},
+        body.shape);
+}
+
+// Of the movable bodies.
 std::vector<double> corners_of(const BuiltScene& scene) {
     std::vector<double> corners;
     for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
         if (scene.world.bodies[i].is_static()) continue;
-        const bool box = i < scene.bodies.size() && std::holds_alternative<BoxShape>(scene.bodies[i].shape);
-        corners.push_back(box ? bounding_radius(scene.bodies[i]) : 0.0);
+        corners.push_back(i < scene.bodies.size() ? corner_distance(scene.bodies[i]) : 0.0);
     }
     return corners;
 }

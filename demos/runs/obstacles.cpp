@@ -1,5 +1,7 @@
 #include "demos/runs/obstacles.h"
 
+#include "engine/base/overloaded.h"
+
 #include <algorithm>
 
 namespace pushfactor::demos {
@@ -32,13 +34,17 @@ Obstacles::Obstacles(const BuiltScene& scene) {
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
         if (!body.is_static()) continue;
-        if (std::holds_alternative<engine::collision::Plane>(collider.shape)) {
-            planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
-        } else if (const auto* box = std::get_if<engine::collision::Box>(&collider.shape)) {
-            boxes_.push_back({body.position, box->half_size, body.orientation.conjugate()});
-        } else if (const auto* sphere = std::get_if<engine::collision::Sphere>(&collider.shape)) {
-            spheres_.push_back({body.position, sphere->radius});
-        }
+        std::visit(
+            engine::Overloaded{[&](const engine::collision::Plane&) {
+                                   planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
+                               },
+                               [&](const engine::collision::Box& box) {
+                                   boxes_.push_back({body.position, box.half_size, body.orientation.conjugate()});
+                               },
+                               [&](const engine::collision::Sphere& sphere) {
+                                   spheres_.push_back({body.position, sphere.radius});
+                               }},
+            collider.shape);
     }
 }
 
