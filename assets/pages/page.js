@@ -1,5 +1,5 @@
-// Buttons that copy commands, and commands that are printed although they are folded. Without this script a page
-// lacks nothing but these.
+// Buttons that copy commands, commands whose lines break between words alone, and commands that are printed although
+// they are folded. Without this script a page lacks nothing but these.
 (() => {
     let printing = false;
     const said = document.getElementById("said");
@@ -39,6 +39,16 @@
                 said.textContent = "";
             }, 2000);
         });
+    }
+
+    // Browsers would break the line after the hyphens of an option.
+    for (const code of document.querySelectorAll(".command code")) {
+        const words = code.textContent.split(/( +)/).map((word) => {
+            const span = document.createElement("span");
+            span.textContent = word;
+            return word.trim() ? span : word;
+        });
+        code.replaceChildren(...words);
     }
 
     // A command that is opened at the far end of a table is scrolled to.

@@ -21,17 +21,32 @@ bool is_number(std::string_view text) {
     return parse_number(text).has_value();
 }
 
+// The table without columns that say nothing of any line, and with lines of one length.
+TextTable without_empty_columns(const TextTable& table) {
+    TextTable result(table.size());
+    for (std::size_t column = 0; column < table.front().size(); ++column) {
+        const auto says_something = [column](const auto& line) {
+            return column < line.size() && !line[column].empty();
+        };
+        if (table.size() > 1 && std::none_of(table.begin() + 1, table.end(), says_something)) continue;
+        for (std::size_t line = 0; line < table.size(); ++line)
+            result[line].push_back(column < table[line].size() ? table[line][column] : "");
+    }
+    return result;
+}
+
 class TableWriter {
   public:
-    TableWriter(const TextTable& table, const std::string& name) : table_(table), name_(name) {
-        const auto& heading = table.front();
+    TableWriter(const TextTable& table, const std::string& name)
+        : table_(without_empty_columns(table)), name_(name) {
+        const auto& heading = table_.front();
         for (std::size_t column = 0; column < heading.size(); ++column) {
             columns_.push_back({.verdict = heading[column] == verdict_column,
                                 .command = heading[column] == command_column,
                                 .numeric = is_numeric(column)});
         }
-        const auto naming = std::find_if(columns_.begin(), columns_.end(),
-                                         [](const Column& c) { return !c.verdict && !c.command && !c.numeric; });
+        const auto naming =
+            std::find_if(columns_.begin(), columns_.end(), [](const Column& c) { return c.is_text(); });
         naming_ = static_cast<std::size_t>(naming - columns_.begin());
     }
 
@@ -41,8 +56,10 @@ class TableWriter {
             "{}\">\n<table>\n<thead>\n<tr>",
             html::escaped(name_));
         for (std::size_t column = 0; column < columns_.size(); ++column) {
-            text += fmt::format("<th scope=\"col\"{}>{}</th>", columns_[column].numeric ? " class=\"number\"" : "",
-                                html::escaped(table_.front()[column]));
+            const char* const style = columns_[column].numeric ? " class=\"number\""
+                                      : column == naming_      ? " class=\"name\""
+                                                               : "";
+            text += fmt::format("<th scope=\"col\"{}>{}</th>", style, html::escaped(table_.front()[column]));
         }
         text += "</tr>\n</thead>\n<tbody>\n";
         for (std::size_t line = 1; line < table_.size(); ++line) {
@@ -56,12 +73,11 @@ class TableWriter {
   private:
     struct Column {
         bool verdict = false, command = false, numeric = false;
+
+        bool is_text() const { return !verdict && !command && !numeric; }
     };
 
-    const std::string& at(std::size_t line, std::size_t column) const {
-        static const std::string none;
-        return column < table_[line].size() ? table_[line][column] : none;
-    }
+    const std::string& at(std::size_t line, std::size_t column) const { return table_[line][column]; }
 
     bool is_numeric(std::size_t column) const {
         std::size_t numbers = 0, texts = 0;
@@ -102,11 +118,13 @@ class TableWriter {
 
     std::string folded(std::size_t line, const std::string& command) const {
         if (command.empty()) return "";
-        const std::string& what = naming_ < columns_.size() ? at(line, naming_) : name_;
+        std::string what = naming_ < columns_.size() ? at(line, naming_) : name_;
+        if (const std::size_t next = naming_ + 1; next < columns_.size() && columns_[next].is_text())
+            what += ", " + at(line, next);
         return fmt::format("<details><summary>show</summary>{}</details>", html::command(command, what));
     }
 
-    const TextTable& table_;
+    const TextTable table_;
     const std::string& name_;
     std::vector<Column> columns_;
     std::size_t naming_ = 0;  // the column that says what a line is of

@@ -173,11 +173,9 @@ class StabilityReport {
     void write_page() const {
         const std::string opening = fmt::format(
             "Stiff and extreme cases, each run by the program and judged by it. An outcome is that of the last "
-            "second; "
-            "the bar is what is asked, and where it is known not to be met the table says under \"expected\" what "
-            "is "
-            "reached instead. {} runs, {} numbers beyond their bar, {} not as expected. The numbers are in "
-            "stability.csv. Made with {}.{}{}",
+            "second; the bar is what is asked. A known miss is beyond its bar or has another outcome than the "
+            "wanted one, but is no worse than the table says under \"expected\". {} runs, {} numbers beyond their "
+            "bar, {} not as expected. The numbers are in stability.csv. Made with {}.{}{}",
             count_.trials, count_.missed_bars, count_.unexpected.size(), line_of(about_this()),
             request_.quick ? " This is the quick report: the short cases." : "",
             gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing());

@@ -106,6 +106,14 @@ TEST_CASE("a page of few sections has no contents") {
     CHECK(page_text("Title", "Opening", sections_of(4)).find("<nav") != std::string::npos);
 }
 
+TEST_CASE("a column that is empty in every line is left out") {
+    const std::string page = page_of({{"case", "measure", "value"}, {"a", "", "1"}, {"b"}});
+    check_page(page);
+    CHECK(page.find("measure") == std::string::npos);
+    CHECK(times(page, "<td") == 2);
+    CHECK(page_of({{"case", "measure"}}).find("measure") != std::string::npos);
+}
+
 TEST_CASE("verdicts are a word and a sign besides the colour, and are counted where the section begins") {
     const std::string page =
         page_of({{"verdict", "case"}, {"holds", "a"}, {"holds", "b"}, {"known miss", "c"}, {"fails", "d"}});
@@ -130,6 +138,7 @@ TEST_CASE("what a line only repeats is one cell with the line above, numbers nev
     CHECK(times(page, "<code>") == 3);
     CHECK(times(page, "class=\"copy\"") == 3);
     CHECK(times(page, "<th scope=\"col\" class=\"number\">value</th>") == 1);
+    CHECK(times(page, "aria-label=\"Copy the command: a, exact\"") == 1);
 }
 
 TEST_CASE("colours of the pages have the contrast that WCAG 2 asks for at level AA, in light and in dark") {
