@@ -1,79 +1,127 @@
 #include "demos/pages/page.h"
 
+#include "demos/pages/html.h"
+#include "demos/pages/short_numbers.h"
+#include "demos/platform/assets.h"
+#include "demos/text/errors.h"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 
 namespace pushfactor::demos {
 
 namespace {
 
-const char* const style = R"(<style>
-body { font: 17px/1.5 "DejaVu Sans", Verdana, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-figure { margin: 2.5rem 0; }
-img { width: 100%; height: auto; border: 1px solid #ddd; box-sizing: border-box; }
-figcaption { margin-top: 0.5rem; }
-h2 { font-size: 1.15rem; margin-bottom: 0.6rem; }
-code { font: 0.85em/1.4 "DejaVu Sans Mono", monospace; background: #f3f3f3; padding: 0.15em 0.3em; }
-table { border-collapse: collapse; font-size: 0.75em; margin: 0.6rem 0; overflow-wrap: anywhere; }
-th, td { border-bottom: 1px solid #ddd; padding: 0.2em 0.5em; text-align: left; vertical-align: top; }
-p.more { font-size: 0.85em; margin: 0.4rem 0; }
-</style>
-)";
+// A page with more sections than that has a table of contents.
+constexpr std::size_t few_sections = 3;
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
+std::string asset(const std::string& name) {
+    const std::filesystem::path file = asset_folder("pages") / name;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw OutputError("cannot read " + file.string());
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string table_text(const std::vector<std::vector<std::string>>& table) {
-    std::string text = "<table>\n";
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        text += "<tr>";
-        for (const std::string& field : table[i])
-            text += fmt::format("<{0}>{1}</{0}>", i == 0 ? "th" : "td", escaped(field));
-        text += "</tr>\n";
+std::string shown(const std::string& text) {
+    return html::escaped(with_short_numbers(text));
+}
+
+// Ids of the sections, each once.
+std::vector<std::string> anchors_of(std::span<const Section> sections) {
+    std::vector<std::string> taken{"contents", "said"}, anchors;
+    for (const Section& section : sections) {
+        const std::string wanted = html::anchor(section.name);
+        std::string anchor = wanted;
+        for (int i = 2; std::find(taken.begin(), taken.end(), anchor) != taken.end(); ++i)
+            anchor = fmt::format("{}-{}", wanted, i);
+        taken.push_back(anchor);
+        anchors.push_back(anchor);
     }
-    return text + "</table>\n";
+    return anchors;
+}
+
+// "✓ holds: 12 ✗ fails: 1" of the section's table; empty where nothing is judged.
+std::string marks_of(const Section& section) {
+    std::string text;
+    const auto counts = marks_in(section.plate.table);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) text += " " + mark_html(static_cast<Mark>(i), counts[i]);
+    }
+    return text;
+}
+
+std::string contents(std::span<const Section> sections, const std::vector<std::string>& anchors) {
+    std::string text =
+        "<nav id=\"contents\" aria-labelledby=\"contents-heading\">\n"
+        "<h2 id=\"contents-heading\">Contents</h2>\n<ul>\n";
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        text += fmt::format("<li><a href=\"#{}\">{}</a>{}</li>\n", anchors[i], shown(sections[i].heading),
+                            marks_of(sections[i]));
+    }
+    return text + "</ul>\n</nav>\n";
+}
+
+std::string figure_of(const Section& section) {
+    const Plate& plate = section.plate;
+    const std::string caption = plate.caption.empty() ? "" : shown(plate.caption);
+    if (plate.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
+    std::string text = "<figure>\n";
+    for (const std::string& picture : plate.pictures) {
+        text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", html::link_to(picture),
+                            html::escaped(section.heading));
+    }
+    if (!caption.empty()) text += fmt::format("<figcaption>{}</figcaption>\n", caption);
+    return text + "</figure>\n";
+}
+
+std::string commands_of(const Section& section) {
+    const std::vector<std::string>& commands = section.plate.commands;
+    if (commands.empty()) return "";
+    std::string text =
+        fmt::format("<details>\n<summary>{}</summary>\n",
+                    commands.size() == 1 ? "Command that shows this"
+                                         : fmt::format("{} commands that show this", commands.size()));
+    for (const std::string& command : commands) text += html::command(command, section.heading) + "\n";
+    return text + "</details>\n";
+}
+
+std::string files_of(const Section& section) {
+    if (section.plate.files.empty()) return "";
+    std::string text = "<p class=\"files\">Files:";
+    for (const std::string& file : section.plate.files)
+        text += fmt::format(" <a href=\"{}\">{}</a>", html::link_to(file), html::escaped(file));
+    return text + "</p>\n";
+}
+
+std::string section_text(const Section& section, const std::string& anchor, bool has_contents) {
+    const std::string marks = marks_of(section);
+    return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n",
+                       anchor, shown(section.heading)) +
+           (marks.empty() ? "" : fmt::format("<p class=\"verdicts\">{}</p>\n", marks)) + figure_of(section) +
+           table_html(section.plate.table, section.heading) + commands_of(section) + files_of(section) +
+           (has_contents ? "<p class=\"up\"><a href=\"#contents\">↑ Contents</a></p>\n" : "") + "</section>\n";
 }
 
 }  // namespace
 
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {
+    const std::vector<std::string> anchors = anchors_of(sections);
+    const bool has_contents = sections.size() > few_sections;
     std::string text = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n{1}</head>\n<body>\n"
-        "<h1>{0}</h1>\n<p>{2}</p>\n",
-        escaped(title), style, escaped(opening));
-    for (const auto& [name, heading, plate] : sections) {
-        text += fmt::format("<figure id=\"{}\">\n<h2>{}</h2>\n", name, escaped(heading));
-        for (const std::string& picture : plate.pictures) {
-            text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", picture, escaped(heading));
-        }
-        text += fmt::format("<figcaption>{}\n", escaped(plate.caption));
-        if (!plate.table.empty()) text += table_text(plate.table);
-        for (const std::string& command : plate.commands) {
-            text += fmt::format("<p class=\"more\"><code>{}</code></p>\n", escaped(command));
-        }
-        if (!plate.files.empty()) text += "<p class=\"more\">";
-        for (const std::string& file : plate.files) text += fmt::format("<a href=\"{0}\">{0}</a> ", file);
-        if (!plate.files.empty()) text += "</p>\n";
-        text += "</figcaption>\n</figure>\n";
-    }
-    return text + "</body>\n</html>\n";
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
+        "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<p>{2}</p>\n</header>\n",
+        html::escaped(title), asset("page.css"), shown(opening));
+    if (has_contents) text += contents(sections, anchors);
+    text += "<main>\n";
+    for (std::size_t i = 0; i < sections.size(); ++i) text += section_text(sections[i], anchors[i], has_contents);
+    return text +
+           fmt::format("</main>\n<p id=\"said\" role=\"status\"></p>\n<script>\n{}</script>\n</body>\n</html>\n",
+                       asset("page.js"));
 }
 
 }  // namespace pushfactor::demos

@@ -1,5 +1,7 @@
-// A page of pictures with captions. It opens from disk and needs nothing from elsewhere.
+// A page of pictures with captions, tables and commands. It opens from disk and needs nothing from elsewhere.
 #pragma once
+
+#include "demos/pages/page_table.h"
 
 #include <span>
 #include <string>
@@ -13,8 +15,7 @@ struct Plate {
     std::vector<std::string> files;     // what else there is of it: SVG, CSV
     std::string caption;                // settings and measured numbers
     std::vector<std::string> commands;  // that show the same with the program
-    // Texts, a line of the table each; the first is its heading.
-    std::vector<std::vector<std::string>> table{};
+    TextTable table{};
 };
 
 struct Section {
@@ -23,6 +24,8 @@ struct Section {
     Plate plate;
 };
 
+// The page as one text, with style and script from assets/pages; numbers have four digits. Throws OutputError where
+// these are missing.
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections);
 
 }  // namespace pushfactor::demos

@@ -129,6 +129,17 @@ std::string caption_of(const JudgedMember& worst) {
                        failures.empty() ? "all holds" : failures);
 }
 
+// The table of a campaign with a verdict at the head of each line.
+demos::TextTable marked_lines(const std::vector<JudgedMember>& judged) {
+    demos::TextTable lines = family_lines(judged);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool all_hold = lines[i][1] == lines[i][2];  // members, hold
+        const auto word = word_of(all_hold ? demos::Mark::holds : demos::Mark::fails);
+        lines[i].insert(lines[i].begin(), i == 0 ? demos::verdict_column : std::string(word));
+    }
+    return lines;
+}
+
 demos::Section section_of(const Family& family, const std::vector<const JudgedMember*>& members,
                           const Strips& strips, const std::string& preset, const std::filesystem::path& folder) {
     const JudgedMember& worst = **std::max_element(
@@ -141,7 +152,7 @@ demos::Section section_of(const Family& family, const std::vector<const JudgedMe
     if (strips.draw(worst, preset, folder / picture)) plate.pictures.push_back(picture);
     for (const JudgedMember* one : members) {
         if (!ends_elsewhere(*one) || plate.table.size() > most_listed) continue;
-        if (plate.table.empty()) plate.table.push_back({"does not end as it must", "command"});
+        if (plate.table.empty()) plate.table.push_back({"does not end as it must", demos::command_column});
         plate.table.push_back({failures_of(one->judgement), one->member.command()});
     }
     const auto hold = std::count_if(members.begin(), members.end(),
@@ -156,7 +167,7 @@ void write_family_page(const std::vector<JudgedMember>& judged, const FamilyRequ
     demos::make_folder(folder);
     const Strips strips;
     std::vector<demos::Section> sections{{"table", "The worst of each property", {}}};
-    sections.front().plate.table = family_lines(judged);
+    sections.front().plate.table = marked_lines(judged);
     for (const Family& family : demos::families::families()) {
         const std::vector<const JudgedMember*> members = of_family(judged, family);
         if (!members.empty()) sections.push_back(section_of(family, members, strips, request.preset, folder));

@@ -1,6 +1,7 @@
 // Small members of every family do what mechanics says; and what judges them can see when they do not.
 #include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
+#include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 #include "tests/fuzz/family_page.h"
 #include "tests/texts.h"
@@ -124,6 +125,7 @@ TEST_CASE("the page of a campaign shows the worst member of each family, and lis
         for (auto at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
         return found;
     };
+    check_page(page);
     CHECK(times(judged[1].member.command()) == 2);  // as the worst and in the list
     CHECK(times(judged[0].member.command()) == 0);
     CHECK(times("ends 7.25, must be at most 0.05") == 2);

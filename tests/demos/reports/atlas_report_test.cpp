@@ -2,6 +2,7 @@
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
+#include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 
 using namespace pushfactor::tests;
@@ -33,6 +34,7 @@ TEST_CASE("one command makes a table, maps and a page; a command of the table gi
     INFO(ended.err);
     REQUIRE(ended.status == 0);
     CHECK(ended.out == "./index.html\n");
+    check_page(folder.read("index.html"));
     CHECK(folder.read("index.html").find("<img src=\"overlap_beta_persistent.png\"") != std::string::npos);
     CHECK(std::filesystem::file_size(folder / "overlap_beta_persistent.png") > 10000);
 

@@ -5,6 +5,7 @@
 #include "demos/reports/cost/neighbours.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
+#include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 
 #include <numeric>
@@ -60,6 +61,7 @@ TEST_CASE("one command makes the ledger, its plots and a page, and a second one 
     INFO(ended.err);
     REQUIRE(ended.status == 0);
     CHECK(ended.out == "./index.html\n");
+    check_page(folder.read("index.html"));
     REQUIRE(shell(again, two_scenes).status == 0);
 
     Table table(folder.read("cost.csv")), same(again.read("cost.csv"));

@@ -1,6 +1,7 @@
 // The error report as a whole: one command, all files, the same work twice, and what is refused.
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
+#include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 
 #include <set>
@@ -48,6 +49,7 @@ TEST_CASE("one command makes tables, plots and a page, and a second one the same
     CHECK(scenes == std::set<std::string>{"intersecting-stack", "sphere_column"});
 
     const std::string page = folder.read("a/index.html");
+    check_page(page);
     for (const char* plot : {"error_sphere_column", "error_cpu_sphere_column", "error_intersecting_stack"}) {
         CHECK(page.find(std::string("<img src=\"") + plot + ".png\"") != std::string::npos);
         for (const char* ending : {".png", ".svg", ".dat"}) {

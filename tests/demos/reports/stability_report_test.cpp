@@ -4,6 +4,7 @@
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
+#include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 
 #include <set>
@@ -66,6 +67,7 @@ TEST_CASE("the quick stability report holds, shows every end, and its commands s
     CHECK(presets == std::set<std::string>{"default", "exact", "paper"});
 
     const std::string page = folder.read("index.html");
+    check_page(page);
     for (const char* const chapter : {"heavy-on-light", "impacts", "chains", "bounces"}) {
         CHECK(page.find(std::string("<img src=\"") + chapter + ".png\"") != std::string::npos);
         CHECK(std::filesystem::file_size(folder / (std::string(chapter) + ".png")) > 3000);
@@ -94,6 +96,9 @@ TEST_CASE("a run that fails is exit 3 and named, and the others are judged all t
     for (const auto& line : lines) unexpected += line[7] == "no" ? 1 : 0;
     CHECK(unexpected == 1);
     CHECK(lines.size() == 1 + 3 + 9);
+    const std::string page = folder.read("index.html");
+    check_page(page);
+    CHECK(page.find("fails: </span>1</span>") != std::string::npos);
 }
 
 TEST_CASE("a case holds when its outcome is the expected or the wanted one and its bars are met") {
