@@ -86,10 +86,9 @@ std::string with_short_exponent(std::string text) {
 
 std::string rounded(double value, bool keep_zeros) {
     const double size = std::abs(value);
-    if (size >= 9999.5 && size < 99999.5) return fmt::format("{:.0f}", value);
+    if (size >= 999.95 && size < 99999.5) return fmt::format("{:.0f}", value);
     std::string text =
         keep_zeros ? fmt::format("{:#.{}g}", value, most_digits) : fmt::format("{:.{}g}", value, most_digits);
-    if (text.ends_with('.')) text.pop_back();
     return with_short_exponent(text);
 }
 

@@ -129,13 +129,14 @@ std::string caption_of(const JudgedMember& worst) {
                        failures.empty() ? "all holds" : failures);
 }
 
-// The table of a campaign with a verdict at the head of each line.
+// The table of a campaign with a verdict at the head of each family's line; the last line is that of all.
 demos::TextTable marked_lines(const std::vector<JudgedMember>& judged) {
     demos::TextTable lines = family_lines(judged);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines.front().insert(lines.front().begin(), demos::verdict_column);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
         const bool all_hold = lines[i][1] == lines[i][2];  // members, hold
-        const auto word = word_of(all_hold ? demos::Mark::holds : demos::Mark::fails);
-        lines[i].insert(lines[i].begin(), i == 0 ? demos::verdict_column : std::string(word));
+        std::string word(word_of(all_hold ? demos::Mark::holds : demos::Mark::fails));
+        lines[i].insert(lines[i].begin(), i + 1 < lines.size() ? std::move(word) : "");
     }
     return lines;
 }
@@ -175,7 +176,7 @@ void write_family_page(const std::vector<JudgedMember>& judged, const FamilyRequ
     const std::string opening = fmt::format(
         "{} random members of the families under the preset {}, held against mechanics; of each family the member "
         "that is farthest beyond a bar. Lengths are in edges of the smallest body, speeds in sqrt(g L), energy in "
-        "m g L; what the properties are stands in tests/fuzz/structures.h.{}",
+        "m g L; the properties are defined in tests/fuzz/structures.h.{}",
         judged.size(), request.preset,
         strips.missing().empty() ? "" : " There are no pictures: " + strips.missing());
     demos::write_file(folder / "index.html", demos::page_text("Pushfactor: families", opening, sections));

@@ -60,6 +60,7 @@ double contrast(const Colours& colours, const std::string& a, const std::string&
 TEST_CASE("numbers of a text are shown with four digits, and no zero is negative") {
     CHECK(with_short_numbers("0.30000000000000004 m") == "0.3000 m");
     CHECK(with_short_numbers("at 59.99997, 1234.5678 and 12345.678 N") == "at 60.00, 1235 and 12346 N");
+    CHECK(with_short_numbers("999.9999 and 99999.9") == "1000 and 1.000e5");
     CHECK(with_short_numbers("-9.87654321e-06") == "-9.877e-6");
     CHECK(with_short_numbers("1e-06, 2.5e+20, 123456.7") == "1e-6, 2.5e20, 1.235e5");
     CHECK(with_short_numbers("-0.0, -0.00 m/s, -0, 0.0 and -0.01") == "0.0, 0.00 m/s, 0, 0.0 and -0.01");
