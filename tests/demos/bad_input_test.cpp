@@ -3,6 +3,7 @@
 #include "demos/options/choices.h"
 #include "demos/options/frame_options.h"
 #include "demos/options/simulation_options.h"
+#include "demos/runs/scene.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"

@@ -1,6 +1,7 @@
 // Scenes as files: round trips, the examples, the schema, and what is said to wrong files.
 #include "demos/scenes/scene_file.h"
 
+#include "demos/options/choices.h"
 #include "demos/runs/scene.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/text/errors.h"
@@ -22,7 +23,7 @@ std::string said_of(const std::string& text) {
     const Folder folder;
     folder.write("my.json", text);
     try {
-        build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
+        build_scene(understand((folder / "my.json").string(), {}));
     } catch (const UsageError& error) {
         const std::string message = error.what();
         CHECK(std::count(message.begin(), message.end(), '\n') == 0);
