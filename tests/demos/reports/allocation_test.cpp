@@ -55,7 +55,7 @@ TEST_CASE("a settled step allocates nothing") {
         if (one.name.ends_with("falling")) continue;
         // Several threads share their work by means that take memory.
         const auto choices = demos::run_of(one.scene, one.options).on_one_thread();
-        const Moment moment = moment_at(choices, one.start, [] {});
+        const MeasuredState moment = moment_at(choices, one.start, [] {});
         const Counts counts = count_steps(moment);
         INFO(one.name);
         // Kept forces take no memory; the first exact solve after a rest makes its own, once.
