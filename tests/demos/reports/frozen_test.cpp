@@ -32,12 +32,12 @@ std::string complaint(const tests::Folder& folder, const std::string& text) {
 
 TEST_CASE("a frozen problem reads back with the same residuals, bit for bit") {
     const tests::Folder folder;
-    const std::vector<Moment> moments{
+    const std::vector<FrozenMoment> moments{
         {"parting", "intersecting-stack", {{"seconds", "0.1"}}},
         {"coulomb", "stack", {{"friction-model", "coulomb"}, {"seconds", "0.6"}}},
         {"chain", "chain", {{"seconds", "0.1"}}},
     };
-    for (const Moment& moment : moments) {
+    for (const FrozenMoment& moment : moments) {
         INFO(moment.name);
         const FrozenProblem problem = freeze(moment, [] {});
         REQUIRE(problem.system().row_count() > 0);
