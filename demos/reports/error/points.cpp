@@ -84,7 +84,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
     point.cpu = time_runs(choices, repeats, check);
     point.failed = point.outcome == "non-finite" || point.outcome == "fall" || point.outcome == "tunnel" ||
-                   (point.outcome == "fly" && !method.flies);
+                   point.outcome == "torn" || (point.outcome == "fly" && !method.flies);
     return point;
 }
 
