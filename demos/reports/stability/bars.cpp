@@ -1,7 +1,6 @@
 // Bars, and scenes with little or nothing in them.
-#include "demos/reports/stability/chapters.h"
-#include "demos/reports/stability/scenes/small.h"
-#include "demos/reports/stability/scenes/thin.h"
+#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/scenes/scenes.h"
 
 #include <fmt/format.h>
 
@@ -9,30 +8,47 @@
 
 namespace pushfactor::demos::reports::stability {
 
+namespace {
+
 Chapter chains() {
-    Chapter chapter{
-        "chains", "Twenty links of 1 kg and an end of up to 1000 kg, from the horizontal, substeps auto, 10 s", {}};
-    // Above its start and rising a link flies, as far as an outcome can tell; the light links of a chain do whip
-    // there.
-    struct End {
-        int mass;
-        std::string outcome;
-        Expected paper;
-    };
-    const std::vector<End> ends{{1, "moving", {"paper", "moving", {0.03, 0.08}}},
-                                {100, "fly", {"paper", "moving"}},
-                                {1000, "moving", {"paper", "fly"}}};
-    for (const auto& [mass, outcome, paper] : ends) {
+    Chapter chapter{"chains",
+                    "Twenty links of 1 kg and an end of up to 1000 kg, from the horizontal, substeps auto, 10 s"};
+    const auto add = [&chapter](int mass, const std::string& outcome, const char* paper, const Reached& reached) {
         const double swing = 10.0 * (20.0 * mass + 190.0);  // J, from the horizontal to straight down
-        chapter.cases.push_back({.name = fmt::format("chain-{}-kg", mass),
-                                 .scene = "chain",
-                                 .options = {{"end-mass", std::to_string(mass)}, {"substeps", "auto"}},
-                                 .wanted = outcome,
-                                 .checks = {{.measure = "max_length_error_m", .bar = 0.01},
-                                            {.measure = "energy_change_at_end_j", .bar = 0.02, .scale = swing}},
-                                 .expected = with_paper(outcome, paper),
-                                 .quick = mass == 1000});
-    }
+        chapter.add(fmt::format("chain-{}-kg", mass), "chain",
+                    {{"end-mass", std::to_string(mass)}, {"substeps", "auto"}}, outcome,
+                    {{"max_length_error_m", 0.01}, {"energy_change_at_end_j", 0.02, 0.0, swing}},
+                    with_paper(outcome, paper, reached), mass == 1000);
+    };
+    add(1, "moving", "moving", {0.03, 0.08});
+    // A link above its start that rises counts as flying; the light links of a chain do whip there.
+    add(100, "fly", "moving", {});
+    add(1000, "moving", "fly", {});
+    return chapter;
+}
+
+Chapter ball_joints() {
+    Chapter chapter{"ball-joints",
+                    "Bars of length 0: a rod hung by its end has the period of the elliptic integral, a chain of "
+                    "five rods holds"};
+    const auto moves = [](double) { return of_both("moving"); };
+    constexpr double high = 1.0, low = 0.7;  // rad
+    const double period = rod_pendulum_period(high);
+    const double rate = 2.0 * std::numbers::pi / period;  // rad/s
+    chapter.add_at_both_steps(
+        "rod-pendulum", rod_pendulum(high), "20", "moving",
+        [&](double step) -> Checks {
+            return {{"swing_period_s", 0.25 * rate * rate * step * step, period, period},
+                    {"max_length_error_m", 0.01}};
+        },
+        moves, true);
+    chapter.add_at_both_steps(
+        "ball-joint-chain", ball_joint_chain(low), "10", "moving",
+        [](double step) -> Checks {
+            return {{"max_length_error_m", 0.3 * step},
+                    {"energy_change_at_end_j", 3.0 * step, 0.0, ball_joint_chain_swing(low)}};
+        },
+        moves, true);
     return chapter;
 }
 
@@ -40,87 +56,35 @@ Chapter redundant_bars() {
     constexpr double weight = 20.0;  // N
     Chapter chapter{
         "redundant-bars",
-        "The same bar many times, and bars that contradict each other: finite, forces bounded, residual said",
-        {}};
+        "The same bar many times, and bars that contradict each other: finite, forces bounded, residual said"};
     for (const std::size_t count : {1U, 2U, 8U, 100U, 1000U}) {
-        chapter.cases.push_back({.name = fmt::format("same-bar-{}-times", count),
-                                 .own = hanging(std::vector<double>(count, 1.0), 1.0),
-                                 .options = {{"seconds", "5"}},
-                                 .wanted = "rest",
-                                 .checks = {{.measure = "largest_force_n", .bar = 1.5, .scale = weight},
-                                            {.measure = "residual_m_per_s_median", .bar = 1e-6}},
-                                 .expected = with_paper("rest", {"paper", "rest"}),
-                                 .quick = count == 8});
+        chapter.add(fmt::format("same-bar-{}-times", count), hanging(std::vector<double>(count, 1.0), 1.0),
+                    {{"seconds", "5"}}, "rest",
+                    {{"largest_force_n", 1.5, 0.0, weight}, {"residual_m_per_s_median", 1e-6}},
+                    with_paper("rest", "rest"), count == 8);
     }
     // The forces are those of one solve, 2.5e10 N, and do not grow from step to step.
-    chapter.cases.push_back({.name = "bars-that-contradict",
-                             .own = hanging({1.0, 1.1}, 1.05),
-                             .options = {{"seconds", "20"}},
-                             .wanted = "rest",
-                             .checks = {{.measure = "largest_force_n", .bar = 1e11},
-                                        {.measure = "residual_m_per_s_median", .bar = 0.1, .at_least = true}},
-                             .expected = with_paper("rest", {"paper", "rest"}),
-                             .quick = true});
-    return chapter;
-}
-
-Chapter ball_joints() {
-    Chapter chapter{"ball-joints",
-                    "Bars of length 0: a rod hung by its end has the period of the elliptic integral, a chain of "
-                    "five rods holds",
-                    {}};
-    add_at_both_steps(chapter, [](double step) {
-        constexpr double angle = 1.0;  // rad
-        const double period = rod_pendulum_period(angle);
-        const double rate = 2.0 * std::numbers::pi / period;  // rad/s
-        return Case{.name = "rod-pendulum",
-                    .own = rod_pendulum(angle),
-                    .options = {{"seconds", "20"}},
-                    .wanted = "moving",
-                    .checks = {{.measure = "swing_period_s",
-                                .bar = 0.25 * rate * rate * step * step,
-                                .target = period,
-                                .scale = period},
-                               {.measure = "max_length_error_m", .bar = 0.01}},
-                    .expected = of_both("moving"),
-                    .quick = true};
-    });
-    add_at_both_steps(chapter, [](double step) {
-        constexpr double angle = 0.7;  // rad
-        return Case{.name = "ball-joint-chain",
-                    .own = ball_joint_chain(angle),
-                    .options = {{"seconds", "10"}},
-                    .wanted = "moving",
-                    .checks = {{.measure = "max_length_error_m", .bar = 0.3 * step},
-                               {.measure = "energy_change_at_end_j",
-                                .bar = 3.0 * step,
-                                .scale = ball_joint_chain_swing(angle)}},
-                    .expected = of_both("moving"),
-                    .quick = true};
-    });
+    chapter.add("bars-that-contradict", hanging({1.0, 1.1}, 1.05), {{"seconds", "20"}}, "rest",
+                {{"largest_force_n", 1e11}, {.measure = "residual_m_per_s_median", .bar = 0.1, .at_least = true}},
+                with_paper("rest", "rest"), true);
     return chapter;
 }
 
 Chapter little() {
-    Chapter chapter{"little", "Scenes with little in them: no answer is undefined", {}};
+    Chapter chapter{"little", "Scenes with little in them: no answer is undefined"};
     SceneDescription nothing;
     nothing.name = "nothing";
-    Case one{.name = "nothing",
-             .own = nothing,
-             .options = {{"seconds", "3"}},
-             .wanted = "rest",
-             .expected = of_both("rest"),
-             .quick = true};
-    chapter.cases.push_back(one);
-    one.name = "overlapping-walls";
-    one.own = overlapping_walls();
-    chapter.cases.push_back(one);
-    Pile weightless;
-    weightless.gravity = 0.0;
-    one.name = "no-gravity";
-    one.own = pile(weightless);
-    chapter.cases.push_back(one);
+    for (const auto& [name, scene] :
+         {std::pair("nothing", nothing), std::pair("overlapping-walls", overlapping_walls()),
+          std::pair("no-gravity", pile({.gravity = 0.0}))})
+        chapter.add(name, scene, {{"seconds", "3"}}, "rest", {}, of_both("rest"), true);
     return chapter;
+}
+
+}  // namespace
+
+std::vector<Chapter> bar_chapters() {
+    return {chains(), ball_joints(), redundant_bars(), little()};
 }
 
 }  // namespace pushfactor::demos::reports::stability

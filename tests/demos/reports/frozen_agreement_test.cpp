@@ -36,7 +36,7 @@ Answer answer(const FrozenProblem& problem, std::string_view solver, bool warm, 
 
 TEST_CASE("the frozen problems are those that the report promises") {
     std::set<std::string> names;
-    for (const Moment& moment : hard_moments(false)) CHECK(names.insert(moment.name).second);
+    for (const FrozenMoment& moment : hard_moments(false)) CHECK(names.insert(moment.name).second);
     for (const char* count : {"5", "20", "100"}) {
         CHECK(names.count(std::string("stack of ") + count + ", landing") == 1);
         CHECK(names.count(std::string("stack of ") + count + ", settled") == 1);
@@ -46,12 +46,12 @@ TEST_CASE("the frozen problems are those that the report promises") {
         INFO(name);
         CHECK(names.count(name) == 1);
     }
-    for (const Moment& moment : hard_moments(true)) CHECK(names.count(moment.name) == 1);
+    for (const FrozenMoment& moment : hard_moments(true)) CHECK(names.count(moment.name) == 1);
 }
 
 TEST_CASE("each solver that converges on a frozen problem gives the accelerations of direct") {
     int compared = 0;
-    for (const Moment& moment : hard_moments(false)) {
+    for (const FrozenMoment& moment : hard_moments(false)) {
         INFO(moment.name);
         const FrozenProblem problem = freeze(moment, [] {});
         const Answer warm = answer(problem, "direct", true, 100), cold = answer(problem, "direct", false, 100);
@@ -73,7 +73,7 @@ TEST_CASE("each solver that converges on a frozen problem gives the acceleration
 }
 
 TEST_CASE("with tolerance 0 direct and auto end at rounding, from the last forces") {
-    for (const Moment& moment : hard_moments(false)) {
+    for (const FrozenMoment& moment : hard_moments(false)) {
         INFO(moment.name);
         const FrozenProblem problem = freeze(moment, [] {});
         for (const char* solver : {"direct", "auto"}) {

@@ -34,8 +34,8 @@ Cost cost_of(const std::string& scene, const OptionTexts& options, const MakeTru
     return cost;
 }
 
-Moment moment_of(const std::string& name) {
-    for (const Moment& moment : hard_moments(false)) {
+FrozenMoment moment_of(const std::string& name) {
+    for (const FrozenMoment& moment : hard_moments(false)) {
         if (moment.name == name) return moment;
     }
     FAIL("no moment " << name);
