@@ -19,9 +19,10 @@ constexpr int filled_circle = 7, filled_square = 5, filled_triangle = 9, diamond
 constexpr int solid = 1, dashed = 2, dotted = 3;
 
 // From "solver=pgs tolerance=0".
-OptionTexts options(std::istringstream text) {
+OptionTexts options(const std::string& text) {
     OptionTexts all;
-    for (std::string word; text >> word;) {
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
         const auto sign = word.find('=');
         all.emplace_back(word.substr(0, sign), word.substr(sign + 1));
     }
@@ -30,7 +31,7 @@ OptionTexts options(std::istringstream text) {
 
 Method method(const std::string& name, const std::string& differs, const char* knob, const char* colour,
               int dash = solid, int mark = filled_circle) {
-    return {name, options(std::istringstream(differs)), knob, colour, dash, mark};
+    return {name, options(differs), knob, colour, dash, mark};
 }
 
 Method over_dt(const char* name, const char* differs, const char* colour, int dash, int mark, double order,
@@ -131,7 +132,7 @@ std::vector<Experiment> all_experiments(bool quick) {
     const auto add = [&](const char* scene, const char* title, const std::string& common, const char* full,
                          const char* short_run, MakeTrueError error, const char* error_axis, const char* caption,
                          std::vector<Method> methods) -> Experiment& {
-        OptionTexts texts = options(std::istringstream("preset=default " + common));
+        OptionTexts texts = options("preset=default " + common);
         texts.emplace_back("seconds", quick ? short_run : full);
         return all.emplace_back(
             Experiment{scene, title, texts, std::move(error), error_axis, caption, std::move(methods)});

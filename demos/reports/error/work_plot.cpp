@@ -1,9 +1,7 @@
 #include "demos/reports/error/work_plot.h"
 
 #include "demos/pages/plot.h"
-#include "demos/platform/output_file.h"
-#include "demos/reports/error/label_places.h"
-#include "demos/reports/error/pareto.h"
+#include "demos/reports/error/plot_layout.h"
 #include "demos/text/palette.h"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "demos/text/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -38,11 +38,6 @@ std::vector<States> tracks(const Evidence& evidence) {
                                            .orientation = Quaternion(at("qw"), at("qx"), at("qy"), at("qz"))});
     }
     return found;
-}
-
-// Of the movable body that the scene names last.
-States states(const Evidence& evidence) {
-    return tracks(evidence).back();
 }
 
 double step_of(const States& states) {
@@ -79,51 +74,6 @@ double level_distance(const State& from, const State& to) {
     return std::hypot(to.x.x() - from.x.x(), to.x.z() - from.x.z());
 }
 
-// Half the movable bodies with their twins; `difference` compares a state with that of the twin.
-template <typename Difference>
-std::vector<double> over_twins(const Evidence& evidence, const Difference& difference) {
-    const std::vector<States> all = tracks(evidence);
-    const std::size_t half = all.size() / 2;
-    std::vector<double> found;
-    for (std::size_t i = 0; i < half; ++i) {
-        const States &one = all[i], &other = all[half + i];
-        double largest = 0.0;
-        for (std::size_t k = 0; k < one.size(); ++k) {
-            largest = std::max(largest, difference(one[0], one[k], other[0], other[k]));
-        }
-        found.push_back(largest);
-    }
-    return found;
-}
-
-// Distance of its end from its start, and its largest distance from there; horizontally [m].
-double slide(const States& states) {
-    return level_distance(states.front(), states.back());
-}
-
-double farthest(const States& states) {
-    return largest_of(states, [&](const State& state) { return level_distance(states.front(), state); });
-}
-
-// Largest distance from the vertical plane through its start along its first velocity [m].
-double sideways(const States& states) {
-    const State& start = states.front();
-    const Vector3 across = start.v.cross(Vector3::UnitY()).normalized();
-    return largest_of(states, [&](const State& state) { return std::abs(across.dot(state.x - start.x)); });
-}
-
-double last_speed(const States& states) {
-    return states.back().v.norm();
-}
-
-double largest_spin(const States& states) {
-    return largest_of(states, [](const State& state) { return state.w.norm(); });
-}
-
-double vertical_spin(const States& states) {
-    return largest_of(states, [](const State& state) { return std::abs(state.w.y()); });
-}
-
 // Angle that it turned in all, from one moment to the next by less than half a turn [rad].
 double turned_angle(const States& states) {
     Vector3 sum = Vector3::Zero();
@@ -144,11 +94,6 @@ std::optional<double> acceleration(const States& states) {
     return (last.v - before.v).norm() / (last.time - before.time);
 }
 
-// Largest difference of the velocity from the first one [m/s].
-double deflection(const States& states) {
-    return largest_of(states, [&](const State& state) { return (state.v - states.front().v).norm(); });
-}
-
 // Time of a swing to and fro, from the first to the last passage of its centre through x = 0 in the direction of +x
 // [s]. Nothing below two passages.
 std::optional<double> swing_period(const States& states) {
@@ -164,32 +109,9 @@ std::optional<double> swing_period(const States& states) {
     return (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
 }
 
-// Twins: the first half of a scene's movable bodies and, in the same order, the second half. Largest differences of
-// their ways [m] and velocities [m/s]: one number per pair.
-std::vector<double> twin_distances(const Evidence& evidence) {
-    return over_twins(evidence,
-                      [](const State& start, const State& now, const State& twin_start, const State& twin) {
-                          return ((now.x - start.x) - (twin.x - twin_start.x)).norm();
-                      });
-}
-
-std::vector<double> twin_velocities(const Evidence& evidence) {
-    return over_twins(evidence, [](const State&, const State& now, const State&, const State& twin) {
-        return (now.v - twin.v).norm();
-    });
-}
-
-// Of the run as a whole, or of the body that the scene names last.
-
-// How far below height 0 its centre comes.
-std::optional<double> depth(const Evidence& evidence) {
-    return largest_of(states(evidence), [](const State& state) { return -state.x.y(); });
-}
-
 // Between the tops of the first five flights after a bounce, from the parabolas through the positions.
-std::optional<double> apex_spread(const Evidence& evidence) {
-    const States all = states(evidence);
-    const double g = evidence.scene->gravity.norm();
+std::optional<double> apex_spread(const States& all, const SceneDescription& scene) {
+    const double g = scene.gravity.norm();
     std::vector<double> apexes;
     for (std::size_t i = 1; i < all.size() && apexes.size() < 5; ++i) {
         const double rising = all[i - 1].v.y();
@@ -202,19 +124,17 @@ std::optional<double> apex_spread(const Evidence& evidence) {
     return *high - *low;
 }
 
-std::optional<double> energy_change(const Evidence& evidence) {
-    const States all = states(evidence);
-    const BodyDescription& body = evidence.scene->bodies.back();
+std::optional<double> energy_change(const States& all, const SceneDescription& scene) {
+    const BodyDescription& body = scene.bodies.back();
     const auto energy = [&](const State& state) {
-        return centred_energy(state, body, evidence.scene->gravity, step_of(all));
+        return centred_energy(state, body, scene.gravity, step_of(all));
     };
     const double start = energy(all.front());
     return largest_of(all, [&](const State& state) { return std::abs(energy(state) - start); }) / std::abs(start);
 }
 
 // About the body's x axis, and about those across it together, whichever changed more; of the start's.
-std::optional<double> spin_change(const Evidence& evidence) {
-    const States all = states(evidence);
+std::optional<double> spin_change(const States& all, const SceneDescription&) {
     const auto along = [](const State& state) { return std::abs(turning(state).x()); };
     const auto across = [](const State& state) { return turning(state).tail<2>().norm(); };
     const State& start = all.front();
@@ -223,9 +143,8 @@ std::optional<double> spin_change(const Evidence& evidence) {
     });
 }
 
-std::optional<double> angular_momentum_change(const Evidence& evidence) {
-    const States all = states(evidence);
-    const Vector3 inertia = inertia_of(evidence.scene->bodies.back());
+std::optional<double> angular_momentum_change(const States& all, const SceneDescription& scene) {
+    const Vector3 inertia = inertia_of(scene.bodies.back());
     const auto momentum = [&](const State& state) -> Vector3 {
         return state.orientation * inertia.cwiseProduct(turning(state));
     };
@@ -233,78 +152,106 @@ std::optional<double> angular_momentum_change(const Evidence& evidence) {
     return largest_of(all, [&](const State& state) { return (momentum(state) - start).norm(); }) / start.norm();
 }
 
-std::optional<double> penetration_at_end(const Evidence& evidence) {
-    const Columns& steps = evidence.outputs.at("csv");
-    return steps.at("max_penetration_m").back();
-}
-
-std::optional<double> largest_force(const Evidence& evidence) {
-    double largest = 0.0;
-    for (const double force : evidence.outputs.at("rows").at("lambda_last_n")) {
-        largest = std::max(largest, std::abs(force));
-    }
-    return largest;
-}
-
-std::optional<double> energy_change_at_end(const Evidence& evidence) {
-    const auto number = [&](const char* name) { return evidence.summary.at(name).get<double>(); };
-    return std::abs(number("energy_final_j") - number("energy_initial_j"));
-}
-
 using Values = std::vector<double>;
-
-// A number of the whole run.
-template <std::optional<double> (*one)(const Evidence&)>
-Values of_run(const Evidence& evidence) {
-    const std::optional<double> value = one(evidence);
-    return value ? Values{*value} : Values{};
-}
+using Take = std::function<Values(const Evidence& evidence)>;
 
 // A number of each movable body; nothing where one of them does not have it.
-template <auto one>
-Values of_each(const Evidence& evidence) {
-    Values values;
-    for (const States& states : tracks(evidence)) {
-        const std::optional<double> value = one(states);
-        if (!value) return {};
-        values.push_back(*value);
-    }
-    return values;
+Take each(std::function<std::optional<double>(const States& states)> one) {
+    return [one](const Evidence& evidence) {
+        Values values;
+        for (const States& states : tracks(evidence)) {
+            const std::optional<double> value = one(states);
+            if (!value) return Values{};
+            values.push_back(*value);
+        }
+        return values;
+    };
+}
+
+// A number of each movable body: the largest that one of its states has, compared with its first one.
+Take largest(double (*value)(const State& state, const State& start)) {
+    return each([value](const States& states) {
+        return largest_of(states, [&](const State& state) { return value(state, states.front()); });
+    });
+}
+
+// A number of the movable body that the scene names last.
+Take last(std::optional<double> (*one)(const States& states, const SceneDescription& scene)) {
+    return [one](const Evidence& evidence) {
+        const std::optional<double> value = one(tracks(evidence).back(), *evidence.scene);
+        return value ? Values{*value} : Values{};
+    };
+}
+
+// Twins are the first half of a scene's movable bodies and, in the same order, the second half: the largest
+// difference of what `value` says of them, one number per pair.
+Take twins(Vector3 (*value)(const State& state, const State& start)) {
+    return [value](const Evidence& evidence) {
+        const std::vector<States> all = tracks(evidence);
+        Values found(all.size() / 2);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const States &one = all[i], &other = all[found.size() + i];
+            for (std::size_t k = 0; k < one.size(); ++k) {
+                found[i] = std::max(found[i], (value(one[k], one[0]) - value(other[k], other[0])).norm());
+            }
+        }
+        return found;
+    };
 }
 
 struct Measure {
-    std::string_view name;
-    std::string_view output;
-    Values (*take)(const Evidence& evidence);
+    std::string_view name, output;
+    Take take;
 };
 
-constexpr std::array measures{
-    Measure{"depth_m", "trajectory", of_run<depth>},
-    Measure{"deflection_m_per_s", "trajectory", of_each<deflection>},
-    Measure{"acceleration_m_per_s2", "trajectory", of_each<acceleration>},
-    Measure{"slide_m", "trajectory", of_each<slide>},
-    Measure{"farthest_m", "trajectory", of_each<farthest>},
-    Measure{"sideways_m", "trajectory", of_each<sideways>},
-    Measure{"last_speed_m_per_s", "trajectory", of_each<last_speed>},
-    Measure{"spin_rad_per_s", "trajectory", of_each<largest_spin>},
-    Measure{"vertical_spin_rad_per_s", "trajectory", of_each<vertical_spin>},
-    Measure{"turned_rad", "trajectory", of_each<turned_angle>},
-    Measure{"swing_period_s", "trajectory", of_each<swing_period>},
-    Measure{"twin_distance_m", "trajectory", twin_distances},
-    Measure{"twin_velocity_m_per_s", "trajectory", twin_velocities},
-    Measure{"spread_of_5_apexes_m", "trajectory", of_run<apex_spread>},
-    Measure{"relative_energy_change", "trajectory", of_run<energy_change>},
-    Measure{"relative_spin_change", "trajectory", of_run<spin_change>},
-    Measure{"relative_angular_momentum_change", "trajectory", of_run<angular_momentum_change>},
-    Measure{"penetration_at_end_m", "csv", of_run<penetration_at_end>},
-    Measure{"largest_force_n", "rows", of_run<largest_force>},
-    Measure{"energy_change_at_end_j", "", of_run<energy_change_at_end>},
+const std::vector<Measure> measures{
+    {"slide_m", "trajectory",
+     each([](const States& states) { return level_distance(states.front(), states.back()); })},
+    {"farthest_m", "trajectory", largest(level_distance)},
+    // From the vertical plane through its start along its first velocity.
+    {"sideways_m", "trajectory", largest([](const State& state, const State& start) {
+         return std::abs(start.v.cross(Vector3::UnitY()).normalized().dot(state.x - start.x));
+     })},
+    {"deflection_m_per_s", "trajectory",
+     largest([](const State& state, const State& start) { return (state.v - start.v).norm(); })},
+    {"acceleration_m_per_s2", "trajectory", each(acceleration)},
+    {"last_speed_m_per_s", "trajectory", each([](const States& states) { return states.back().v.norm(); })},
+    {"spin_rad_per_s", "trajectory", largest([](const State& state, const State&) { return state.w.norm(); })},
+    {"vertical_spin_rad_per_s", "trajectory",
+     largest([](const State& state, const State&) { return std::abs(state.w.y()); })},
+    {"turned_rad", "trajectory", each(turned_angle)},
+    {"swing_period_s", "trajectory", each(swing_period)},
+    {"twin_distance_m", "trajectory",
+     twins([](const State& state, const State& start) -> Vector3 { return state.x - start.x; })},
+    {"twin_velocity_m_per_s", "trajectory", twins([](const State& state, const State&) { return state.v; })},
+    // Of the centre below height 0.
+    {"depth_m", "trajectory", last([](const States& states, const SceneDescription&) {
+         return std::optional(largest_of(states, [](const State& state) { return -state.x.y(); }));
+     })},
+    {"spread_of_5_apexes_m", "trajectory", last(apex_spread)},
+    {"relative_energy_change", "trajectory", last(energy_change)},
+    {"relative_spin_change", "trajectory", last(spin_change)},
+    {"relative_angular_momentum_change", "trajectory", last(angular_momentum_change)},
+    {"penetration_at_end_m", "csv",
+     [](const Evidence& run) { return Values{run.outputs.at("csv").at("max_penetration_m").back()}; }},
+    {"largest_force_n", "rows",
+     [](const Evidence& run) {
+         double most = 0.0;
+         for (const double force : run.outputs.at("rows").at("lambda_last_n"))
+             most = std::max(most, std::abs(force));
+         return Values{most};
+     }},
+    {"energy_change_at_end_j", "",
+     [](const Evidence& run) {
+         const auto number = [&](const char* name) { return run.summary.at(name).get<double>(); };
+         return Values{std::abs(number("energy_final_j") - number("energy_initial_j"))};
+     }},
 };
 
 const Measure* find(const std::string& name) {
-    const auto* const found = std::find_if(measures.begin(), measures.end(),
-                                           [&](const Measure& measure) { return measure.name == name; });
-    return found == measures.end() ? nullptr : found;
+    const auto found = std::find_if(measures.begin(), measures.end(),
+                                    [&](const Measure& measure) { return measure.name == name; });
+    return found == measures.end() ? nullptr : &*found;
 }
 
 }  // namespace
