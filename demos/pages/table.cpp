@@ -21,17 +21,14 @@ std::string quoted(const std::string& field) {
 }  // namespace
 
 std::string Cell::exact() const {
-    if (const auto* number = std::get_if<double>(&value_)) return to_text(*number);
-    const auto* text = std::get_if<std::string>(&value_);
-    return text ? *text : "";
+    return number_ ? to_text(*number_) : text_;
 }
 
 std::string Cell::rounded() const {
-    const auto* number = std::get_if<double>(&value_);
-    if (!number) return exact();
-    if (*number == 0.0) return "0";
-    return std::abs(*number) >= 100.0 && std::abs(*number) < 1e7 ? fmt::format("{:.0f}", *number)
-                                                                 : fmt::format("{:.3g}", *number);
+    if (!number_) return text_;
+    if (*number_ == 0.0) return "0";
+    const double size = std::abs(*number_);
+    return size >= 100.0 && size < 1e7 ? fmt::format("{:.0f}", *number_) : fmt::format("{:.3g}", *number_);
 }
 
 std::string csv_text(const Table& table) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace pushfactor::demos {
@@ -14,22 +13,20 @@ namespace pushfactor::demos {
 class Cell {
   public:
     Cell() = default;
-    Cell(std::nullopt_t) {}
-    Cell(double number) : value_(number) {}
-    Cell(std::integral auto number) : value_(static_cast<double>(number)) {}
-    Cell(const std::optional<double>& number) {
-        if (number) value_ = *number;
-    }
-    Cell(std::string text) : value_(std::move(text)) {}
-    Cell(std::string_view text) : value_(std::string(text)) {}
-    Cell(const char* text) : value_(std::string(text)) {}
+    Cell(double number) : number_(number) {}
+    Cell(std::integral auto number) : number_(static_cast<double>(number)) {}
+    Cell(const std::optional<double>& number) : number_(number) {}
+    Cell(std::string text) : text_(std::move(text)) {}
+    Cell(std::string_view text) : text_(text) {}
+    Cell(const char* text) : text_(text) {}
 
-    double number() const { return std::get<double>(value_); }
+    double number() const { return number_.value(); }
     std::string exact() const;    // numbers with all their digits
     std::string rounded() const;  // at least three digits; whole numbers are not rounded
 
   private:
-    std::variant<std::monostate, double, std::string> value_;
+    std::optional<double> number_;
+    std::string text_;
 };
 
 struct Table {
