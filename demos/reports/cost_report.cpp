@@ -257,7 +257,7 @@ class CostReport {
                       .name = script,
                       .aspect = 1600.0 / (260.0 + 52.0 * bars),
                       .variables = {{"bars", bars}, {"made_on", run_.machine()}}},
-                     csv_text(data), run_.folder(), plate);
+                     fmt::format("# {}\n{}", run_.machine(), csv_text(data)), run_.folder(), plate);
         }
         run_.sections.push_back({name, heading, std::move(plate)});
     }
