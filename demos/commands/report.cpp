@@ -1,8 +1,5 @@
 #include "demos/commands/commands.h"
-#include "demos/reports/atlas_report.h"
-#include "demos/reports/cost_report.h"
-#include "demos/reports/error_report.h"
-#include "demos/reports/stability_report.h"
+#include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/suggest.h"
 
@@ -21,52 +18,26 @@ void require_known(const char* what, const std::string& name, const std::vector<
         fmt::format("{} {}: must be one of {}{}", what, name, fmt::join(known, ", "), suggestion(name, known)));
 }
 
-struct Report {
-    std::string name;
-    std::vector<std::string> parts;
-    void (*make)(const Request& request, const std::filesystem::path& folder);
-};
-
-std::vector<Report> all_reports() {
-    return {
-        {"error", reports::error_parts(),
-         [](const Request& request, const std::filesystem::path& folder) {
-             reports::report_error(
-                 {.folder = folder, .quick = request.quick, .problems = request.problems, .parts = request.parts});
-         }},
-        {"stability", reports::stability_parts(),
-         [](const Request& request, const std::filesystem::path& folder) {
-             reports::report_stability({.folder = folder, .quick = request.quick, .parts = request.parts});
-         }},
-        {"cost", reports::cost_parts(),
-         [](const Request& request, const std::filesystem::path& folder) {
-             reports::report_cost({.folder = folder, .quick = request.quick, .parts = request.parts});
-         }},
-        {"atlas", reports::atlas_map_names(), [](const Request& request, const std::filesystem::path& folder) {
-             reports::report_atlas({.folder = folder, .quick = request.quick, .maps = request.parts});
-         }}};
-}
-
 }  // namespace
 
 void report(const Request& request) {
-    const std::vector<Report> all = all_reports();
+    const std::vector<reports::Study> all = reports::all_studies();
     std::vector<std::string> names;
-    for (const Report& report : all) names.push_back(report.name);
+    for (const reports::Study& study : all) names.push_back(study.name);
     if (request.reports.size() != 1) {
         throw UsageError(
             fmt::format("report {}: must be one of {}", fmt::join(request.reports, " "), fmt::join(names, ", ")));
     }
     const std::string& name = request.reports.front();
     require_known("report", name, names);
-    const Report& report =
-        *std::find_if(all.begin(), all.end(), [&](const Report& candidate) { return candidate.name == name; });
-    for (const std::string& part : request.parts) require_known("--only", part, report.parts);
+    const auto study = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    for (const std::string& part : request.parts) require_known("--only", part, study->parts);
     if (request.problems && name != "error")
         throw UsageError("--problems: must be given with report error, the only one that has them");
 
     const std::filesystem::path folder = request.out.value_or("out/report-" + name);
-    report.make(request, folder);
+    make_study(*study,
+               {.folder = folder, .quick = request.quick, .problems = request.problems, .parts = request.parts});
     fmt::print("{}\n", (folder / "index.html").string());
 }
 

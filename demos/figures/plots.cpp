@@ -119,7 +119,7 @@ Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
                 return std::vector<double>{energy / start};
             },
             table);
-        left.push_back(*table.rows.back()[column]);
+        left.push_back(table.rows.back()[column].number());
         ++column;
     }
     Plate plate;

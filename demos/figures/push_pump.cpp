@@ -61,7 +61,7 @@ Plate push_pump(FigureOutput& output, const Figure& figure) {
         row.push_back(of_a_step);
         for (const Way& way : ways) row.push_back(rise(scene, way, of_a_step));
     }
-    const auto at = [&](std::size_t row, std::size_t way) { return *table.rows[row][way + 1]; };
+    const auto at = [&](std::size_t row, std::size_t way) { return table.rows[row][way + 1].number(); };
     Plate plate;
     plate.caption = fmt::format(
         "The most by which the energy of a wall of {} bricks rises above its start within {:.0f} s, against the "

@@ -18,17 +18,8 @@ std::string FigureOutput::save(const renderer::Image& image, const std::string& 
 }
 
 void FigureOutput::plot(const Table& table, const std::string& name, double aspect, Plate& plate) const {
-    const fs::path csv = folder_ / (name + ".csv");
-    write_file(csv, csv_text(table));
-    plate.files.push_back(name + ".csv");
-    if (!plots_can_be_drawn()) {
-        plate.caption += std::string(" ") + what_plots_need;
-        return;
-    }
-    const Plot plot{.script = name, .data = csv, .name = name, .width = width_, .aspect = aspect};
-    for (const std::string& made : draw_plot(plot, folder_)) {
-        (made.ends_with(".png") ? plate.pictures : plate.files).push_back(made);
-    }
+    add_plot({.script = name, .data = name + ".csv", .name = name, .width = width_, .aspect = aspect},
+             csv_text(table), folder_, plate);
 }
 
 }  // namespace pushfactor::demos::figures

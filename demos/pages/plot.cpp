@@ -2,6 +2,7 @@
 
 #include "demos/platform/assets.h"
 #include "demos/platform/child_process.h"
+#include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"
@@ -43,21 +44,25 @@ std::string variables_of(const Plot& plot) {
     return text;
 }
 
+const char* const what_plots_need =
+    " The plot needs gnuplot, which is not installed (Debian: apt install gnuplot-nox); its data are here.";
+
 }  // namespace
 
-bool plots_can_be_drawn() {
-    return find_program("gnuplot").has_value();
-}
-
-std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
+void add_plot(const Plot& plot, const std::string& text, const fs::path& folder, Plate& plate) {
+    write_file(folder / plot.data, text);
+    plate.files.push_back(plot.data);
+    if (!find_program("gnuplot")) {
+        plate.caption += what_plots_need;
+        return;
+    }
     const fs::path scripts = asset_folder("plots");
     const int height = static_cast<int>(plot.width / plot.aspect);
-    std::vector<std::string> made;
     for (const std::string format : {"png", "svg"}) {
-        made.push_back(plot.name + "." + format);
+        const std::string made = plot.name + "." + format;
         const std::string settings =
             fmt::format("{}{}data = {}; made = {}; format = {}; width = {}; height = {}; style = {}", colours(),
-                        variables_of(plot), quoted(plot.data.string()), quoted((folder / made.back()).string()),
+                        variables_of(plot), quoted((folder / plot.data).string()), quoted((folder / made).string()),
                         quoted(format), plot.width, height, quoted((scripts / "style.gp").string()));
         try {
             ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
@@ -65,8 +70,8 @@ std::vector<std::string> draw_plot(const Plot& plot, const fs::path& folder) {
         } catch (const ChildProcessError& error) {
             throw OutputError(error.what());
         }
+        (format == "png" ? plate.pictures : plate.files).push_back(made);
     }
-    return made;
 }
 
 }  // namespace pushfactor::demos

@@ -1,6 +1,8 @@
 // Plots, drawn by gnuplot with the scripts of assets/plots and the palette of the frames.
 #pragma once
 
+#include "demos/pages/page.h"
+
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -10,21 +12,18 @@
 namespace pushfactor::demos {
 
 struct Plot {
-    std::string script;          // assets/plots/SCRIPT.gp
-    std::filesystem::path data;  // what the script reads
-    std::string name;            // of the files that are made, without ending
-    int width = 1600;            // pixels
-    double aspect = 1.6;         // width over height
+    std::string script;   // assets/plots/SCRIPT.gp
+    std::string data;     // name of the file that the script reads
+    std::string name;     // of the files that are made, without ending
+    int width = 1600;     // pixels
+    double aspect = 1.6;  // width over height
     // What else the script wants to know, by the names of its variables.
     std::vector<std::pair<std::string, std::variant<double, std::string>>> variables{};
 };
 
-// Whether gnuplot is installed, and what to say where it is not.
-bool plots_can_be_drawn();
-inline const char* const what_plots_need =
-    "The plot needs gnuplot, which is not installed (Debian: apt install gnuplot-nox); its data are here.";
-
-// Makes NAME.png and NAME.svg in `folder` and gives those names. Throws OutputError with gnuplot's own words.
-std::vector<std::string> draw_plot(const Plot& plot, const std::filesystem::path& folder);
+// Writes `text` as the plot's data into `folder` and, where gnuplot is installed, draws NAME.png and NAME.svg. Adds
+// the files to the plate; without gnuplot its caption says what to install. Throws OutputError with gnuplot's own
+// words.
+void add_plot(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
 
 }  // namespace pushfactor::demos

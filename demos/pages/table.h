@@ -1,17 +1,42 @@
-// Columns of numbers, as a CSV file.
+// A table of numbers and texts: a CSV file, a data file for gnuplot, lines of a page.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace pushfactor::demos::figures {
+namespace pushfactor::demos {
 
-struct Table {
-    std::vector<std::string> columns;                      // with units: "time_s"
-    std::vector<std::vector<std::optional<double>>> rows;  // empty where there is nothing to say
+// A number, a text, or nothing where there is nothing to say.
+class Cell {
+  public:
+    Cell() = default;
+    Cell(double number) : number_(number) {}
+    Cell(std::integral auto number) : number_(static_cast<double>(number)) {}
+    Cell(const std::optional<double>& number) : number_(number) {}
+    Cell(std::string text) : text_(std::move(text)) {}
+    Cell(std::string_view text) : text_(text) {}
+    Cell(const char* text) : text_(text) {}
+
+    double number() const { return number_.value(); }
+    std::string exact() const;    // numbers with all their digits
+    std::string rounded() const;  // at least three digits; whole numbers are not rounded
+
+  private:
+    std::optional<double> number_;
+    std::string text_;
 };
 
-std::string csv_text(const Table& table);
+struct Table {
+    std::vector<std::string> columns;  // with units: "time_s"
+    std::vector<std::vector<Cell>> rows{};
+};
 
-}  // namespace pushfactor::demos::figures
+std::string csv_text(const Table& table);  // fields in quotes where they need them
+
+// Rounded, under these headings; of `columns`, by default all.
+std::vector<std::vector<std::string>> page_lines(const Table& table, const std::vector<std::string>& columns = {});
+
+}  // namespace pushfactor::demos

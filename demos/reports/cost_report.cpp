@@ -1,19 +1,19 @@
-#include "demos/reports/cost_report.h"
-
-#include "demos/pages/about.h"
+// What a step of each scene does and takes, and what absent parts save: cost.csv, side_by_side.csv, plots, and as
+// files the scenes with everything and the common worlds.
+#include "demos/pages/plot.h"
 #include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
-#include "demos/reports/cost/cases.h"
-#include "demos/reports/cost/everything.h"
+#include "demos/reports/cost/ledger.h"
 #include "demos/reports/cost/neighbours.h"
-#include "demos/reports/cost/plots.h"
-#include "demos/reports/cost/tables.h"
-#include "demos/reports/parts.h"
+#include "demos/reports/study.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numeric>
 
 namespace pushfactor::demos::reports {
 
@@ -21,95 +21,248 @@ namespace {
 
 using namespace cost;
 
+constexpr const char* side_by_side = "side-by-side";
+
+// A scene as it is and with everything, and the commands that take the same steps.
+struct Entry {
+    std::string name;
+    double start = 0.0;  // s, simulated
+    Ledger own, all;
+    std::string own_command, all_command;
+};
+
+double thousandths(double us) {
+    return std::round(1000.0 * us) / 1000.0;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, " + "));
+}
+
+std::vector<Cell> line_of(const Entry& entry, bool everything) {
+    const auto& [parts, bodies, counts, times] = everything ? entry.all : entry.own;
+    std::vector<Cell> line{entry.name,
+                           entry.start,
+                           everything ? "everything" : "as it is",
+                           bodies,
+                           joined(parts.forces),
+                           joined(parts.constraints),
+                           joined(parts.contacts),
+                           joined(parts.step_rules)};
+    for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
+                               counts.distance_rows, counts.columns, counts.substeps})
+        line.emplace_back(value);
+    for (const auto& [kept, swept, exact, small_steps] : counts.islands)
+        line.insert(line.end(), {kept, swept, exact, small_steps});
+    line.insert(line.end(),
+                {counts.at_rest, counts.sweeps, counts.row_updates, counts.multiply_adds, thousandths(times.step)});
+    for (const double us : times.stages) line.emplace_back(thousandths(us));
+    line.emplace_back(everything ? entry.all_command : entry.own_command);
+    return line;
+}
+
+// Of each entry the scene as it is, and where `both` also with everything.
+Table table_of(const std::vector<Entry>& entries, bool both) {
+    Table table{{"scene", "start_s", "made", "bodies", "force_sources", "constraint_sources", "contact_rules",
+                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "columns",
+                 "substeps"}};
+    for (const std::string_view kind : island_kinds) {
+        for (const char* const way : {"kept", "swept", "exact", "small_steps"})
+            table.columns.push_back(fmt::format("{}_{}", kind, way));
+    }
+    table.columns.insert(table.columns.end(),
+                         {"bodies_at_rest", "sweeps", "row_updates", "multiply_adds", "step_us"});
+    for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("{}_us", stage));
+    table.columns.emplace_back("command");
+    for (const Entry& entry : entries) {
+        table.rows.push_back(line_of(entry, false));
+        if (both) table.rows.push_back(line_of(entry, true));
+    }
+    return table;
+}
+
+// A line for each kind of islands that a scene has.
+Table islands_of(const std::vector<Entry>& entries) {
+    Table table{{"scene", "kind", "islands", "kept", "swept", "exact", "small steps"}};
+    for (const Entry& entry : entries) {
+        for (std::size_t k = 0; k < island_kinds.size(); ++k) {
+            const IslandCounts& kind = entry.own.counts.islands[k];
+            if (kind.all() == 0.0) continue;
+            table.rows.push_back(
+                {entry.name, island_kinds[k], kind.all(), kind.kept, kind.swept, kind.exact, kind.small_steps});
+        }
+    }
+    return table;
+}
+
+Cell ratio(double everything, double as_it_is) {
+    if (everything == as_it_is) return 1.0;
+    return as_it_is > 0.0 ? fmt::format("{:.2f}", everything / as_it_is) : "from 0";
+}
+
+Table comparison_of(const std::vector<Entry>& entries) {
+    Table table{{"scene", "rows", "with everything", "columns", "with everything", "multiply-adds",
+                 "with everything", "times", "us a step", "with everything", "times"}};
+    for (const auto& [name, start, own, all, own_command, all_command] : entries) {
+        table.rows.push_back({name, own.counts.rows(), all.counts.rows(), own.counts.columns, all.counts.columns,
+                              own.counts.multiply_adds, all.counts.multiply_adds,
+                              ratio(all.counts.multiply_adds, own.counts.multiply_adds), own.times.step,
+                              all.times.step, ratio(all.times.step, own.times.step)});
+    }
+    return table;
+}
+
+Table sums_of(const std::vector<SumOfParts>& sums) {
+    Table table{{"scenes", "islands", "parts_us", "together_us", "ratio", "parts_multiply_adds",
+                 "together_multiply_adds", "first_part_moved_m"}};
+    for (const SumOfParts& sum : sums) {
+        table.rows.push_back({sum.name, sum.islands, thousandths(sum.parts_us), thousandths(sum.together_us),
+                              fmt::format("{:.4f}", sum.ratio), sum.parts_multiply_adds, sum.together_multiply_adds,
+                              sum.moved});
+    }
+    return table;
+}
+
+// In per cent of a step, bars from the top down.
+Table stages_of(const std::vector<Entry>& entries) {
+    Table table{{"# scene"}};
+    for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("end of {} in %", stage));
+    for (const Entry& entry : entries) {
+        const Times& times = entry.own.times;
+        const double all = std::max(std::accumulate(times.stages.begin(), times.stages.end(), 0.0), 1e-9);
+        auto& row = table.rows.emplace_back();
+        row.emplace_back(fmt::format("{}: {} us", entry.name, Cell(times.step).rounded()));
+        double end = 0.0;
+        for (const double us : times.stages) row.emplace_back(fmt::format("{:.4f}", 100.0 * (end += us) / all));
+    }
+    return table;
+}
+
+Table times_of(const std::vector<Entry>& entries) {
+    Table table{{"# scene", "us a step as it is", "with everything"}};
+    for (const Entry& entry : entries) {
+        table.rows.push_back(
+            {entry.name, fmt::format("{:.4g}", entry.own.times.step), fmt::format("{:.4g}", entry.all.times.step)});
+    }
+    return table;
+}
+
 class CostReport {
   public:
-    explicit CostReport(const CostRequest& request)
-        : request_(request), made_on_(line_of(about_this())), cases_(wanted_cases()) {
-        make_folder(request_.folder / "everything");
-        if (!is_wanted(side_by_side, request_.parts)) return;
-        neighbours_ = neighbours(request_.quick);
-        make_folder(request_.folder / side_by_side);
-    }
+    explicit CostReport(StudyRun& run)
+        : run_(run),
+          cases_(run.wanted(cost_cases(run.quick()), &CostCase::scene)),
+          neighbours_(run.wants(side_by_side) ? neighbours(run.quick()) : std::vector<Neighbours>{}) {}
 
     void make() {
-        ProgressBar bar("report cost", static_cast<long>(cases_.size() + neighbours_.size()));
+        make_folder(run_.folder() / "everything");
+        if (!neighbours_.empty()) make_folder(run_.folder() / side_by_side);
+        run_.begin(cases_.size() + neighbours_.size());
         for (const CostCase& one : cases_) {
             entries_.push_back(entry_of(one));
-            write_file(request_.folder / "cost.csv", fmt::format("# {}\n{}", made_on_, csv_text(entries_)));
-            write_page(sections());
-            bar.show(done());
+            run_.write("cost.csv", table_of(entries_, true));
+            show();
         }
         for (const Neighbours& scenes : neighbours_) {
-            write_file(request_.folder / side_by_side / (scenes.file_name() + ".json"),
+            run_.write(fmt::format("{}/{}.json", side_by_side, file_name(scenes.name)),
                        scene_file_text(scenes.together));
-            sums_.push_back(measure(scenes, request_.quick ? 3 : 5, [this] { check(); }));
-            write_file(request_.folder / "side_by_side.csv", fmt::format("# {}\n{}", made_on_, csv_text(sums_)));
-            write_page(sections());
-            bar.show(done());
+            sums_.push_back(measure(scenes, repeats(), run_.check()));
+            run_.write("side_by_side.csv", sums_of(sums_));
+            show();
         }
-        std::vector<Section> all = sections();
-        add_plots(entries_, made_on_, request_.folder, all);
-        write_page(all);
     }
-
-    static constexpr const char* side_by_side = "side-by-side";
 
   private:
-    long done() const { return static_cast<long>(entries_.size() + sums_.size()); }
-
-    std::vector<Section> sections() const {
-        std::vector<Section> all;
-        if (!entries_.empty()) all = table_sections(entries_);
-        if (!sums_.empty()) all.push_back(section_of(sums_));
-        return all;
-    }
-
-    std::vector<CostCase> wanted_cases() const {
-        std::vector<CostCase> cases = cost_cases(request_.quick);
-        std::erase_if(cases, [this](const CostCase& one) { return !is_wanted(one.scene, request_.parts); });
-        return cases;
-    }
-
-    void check() const {
-        stop_if_interrupted(fmt::format("{} of {} scenes are in {}", done(), cases_.size() + neighbours_.size(),
-                                        request_.folder.string()));
-    }
+    int repeats() const { return run_.quick() ? 3 : 5; }
 
     Entry entry_of(const CostCase& one) const {
         const Choices choices = run_of(one.scene, one.options).on_one_thread();
-        const std::string file = "everything/" + one.file_name() + ".json";
-        write_file(request_.folder / file, scene_file_text(with_everything(spelled_out(choices))));
-        const Choices everything = understand((request_.folder / file).string(), {}).on_one_thread();
-
-        OptionTexts run{{"seconds", to_text(one.start)}};
-        Entry entry{.name = one.name, .start = one.start, .as_it_is = {}, .with_everything = {}};
-        entry.with_everything = {ledger_of(everything, one.start), command_text("run", file, run) + " --timing"};
-        run.insert(run.begin(), one.options.begin(), one.options.end());
-        entry.as_it_is = {ledger_of(choices, one.start), command_text("run", one.scene, run) + " --timing"};
-        return entry;
+        const std::string file = "everything/" + file_name(one.name) + ".json";
+        run_.write(file, scene_file_text(with_everything(spelled_out(choices))));
+        const Choices everything = understand((run_.folder() / file).string(), {}).on_one_thread();
+        OptionTexts own = one.options;
+        own.emplace_back("seconds", to_text(one.start));
+        Ledger all = ledger_of(everything, one.start);
+        return {one.name,
+                one.start,
+                ledger_of(choices, one.start),
+                std::move(all),
+                command_text("run", one.scene, own) + " --timing",
+                command_text("run", file, {own.back()}) + " --timing"};
     }
 
     Ledger ledger_of(const Choices& choices, double start) const {
-        const auto check_now = [this] { check(); };
-        const MeasuredState moment = moment_at(choices, start, check_now);
+        const MeasuredState moment = moment_at(choices, start, run_.check());
         const BuiltScene scene = moment.build();
         return {.parts = parts_of(scene, moment.settings),
                 .bodies = static_cast<int>(scene.world.bodies.size()),
                 .counts = count_steps(moment),
-                .times = time_steps(moment, request_.quick ? 3 : 5, check_now)};
+                .times = time_steps(moment, repeats(), run_.check())};
     }
 
-    void write_page(const std::vector<Section>& sections) const {
-        const std::string opening = fmt::format(
-            "What a scene does not need is not constructed, and costs nothing. Counts are the same in every run; "
+    // The page; its plots are drawn when all is there.
+    void show() {
+        run_.count_run();
+        run_.sections.clear();
+        const Table own = table_of(entries_, false);
+        add("parts", "Parts of each scene", "A part that is not named here is absent.",
+            page_lines(own,
+                       {"scene", "bodies", "force_sources", "constraint_sources", "contact_rules", "command"}));
+        add("counts", "Work of a step",
+            "Means over 120 steps of 1/60 s, as each scene is. Sweeps are those of the island with the most of "
+            "them: where the last forces are good enough there is none.",
+            page_lines(own, {"scene", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows",
+                             "columns", "bodies_at_rest", "sweeps", "multiply_adds"}));
+        add("islands", "How the islands are solved",
+            "Bodies that rows join are an island, and each is solved by itself. Mean number per step of islands of "
+            "one body, of at most 1.5 pairs per body (threads) and of more (heaps); of these, how many keep their "
+            "last forces, are swept, and are solved exactly.",
+            page_lines(islands_of(entries_)));
+        std::vector<std::string> times{"scene", "step_us"};
+        for (const std::string_view stage : phase_names) times.push_back(fmt::format("{}_us", stage));
+        add("times", "CPU time of the stages",
+            "CPU time in us per step, as each scene is; the stages without what reading the clock takes.",
+            page_lines(own, times), "cost_stages", stages_of(entries_));
+        add("everything", "Savings from absent parts",
+            "The same scene with every part there is: a poke, a distance, contacts with friction, restitution, "
+            "sweep and cache, two columns in each step, and rules that may divide it.",
+            page_lines(comparison_of(entries_)), "cost_everything", times_of(entries_));
+        if (entries_.empty()) run_.sections.clear();
+        if (!sums_.empty()) {
+            add(side_by_side, "A world costs the sum of its parts",
+                "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds "
+                "of "
+                "the solver per step, as the sum of the parts alone and together, and how far the first part is "
+                "from its place when alone. The scenes are in side-by-side/.",
+                page_lines(sums_of(sums_)));
+            run_.sections.back().plate.files = {"side_by_side.csv"};
+        }
+        run_.write_page(fmt::format(
+            "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; "
             "CPU times were measured on {}. The numbers are in cost.csv, the scenes with everything in "
             "everything.{}",
-            made_on_, request_.quick ? " This is the quick report: small scenes." : "");
-        write_file(request_.folder / "index.html", page_text("Pushfactor: what a step costs", opening, sections));
+            run_.machine(), run_.quick() ? " This is the quick report: small scenes." : ""));
     }
 
-    CostRequest request_;
-    std::string made_on_;
+    void add(const char* name, const char* heading, const char* caption,
+             std::vector<std::vector<std::string>> lines, const std::string& script = "", const Table& data = {}) {
+        Plate plate;
+        plate.caption = caption;
+        plate.table = std::move(lines);
+        const bool complete = entries_.size() + sums_.size() == cases_.size() + neighbours_.size();
+        const auto bars = static_cast<double>(data.rows.size());
+        if (complete && bars > 0.0) {
+            add_plot({.script = script,
+                      .data = script + ".dat",
+                      .name = script,
+                      .aspect = 1600.0 / (260.0 + 52.0 * bars),
+                      .variables = {{"bars", bars}, {"made_on", run_.machine()}}},
+                     fmt::format("# {}\n{}", run_.machine(), csv_text(data)), run_.folder(), plate);
+        }
+        run_.sections.push_back({name, heading, std::move(plate)});
+    }
+
+    StudyRun& run_;
     std::vector<CostCase> cases_;
     std::vector<Neighbours> neighbours_;
     std::vector<Entry> entries_;
@@ -118,15 +271,11 @@ class CostReport {
 
 }  // namespace
 
-std::vector<std::string> cost_parts() {
-    std::vector<std::string> names;
-    for (const SceneEntry& scene : catalogue()) names.emplace_back(scene.name);
-    names.emplace_back(CostReport::side_by_side);
-    return names;
-}
-
-void report_cost(const CostRequest& request) {
-    CostReport(request).make();
+Study cost_study() {
+    std::vector<std::string> parts;
+    for (const SceneEntry& scene : catalogue()) parts.emplace_back(scene.name);
+    parts.emplace_back(side_by_side);
+    return {"cost", "what a step costs", parts, [](StudyRun& run) { CostReport(run).make(); }};
 }
 
 }  // namespace pushfactor::demos::reports

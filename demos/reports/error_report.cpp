@@ -1,14 +1,20 @@
-#include "demos/reports/error_report.h"
-
+// Errors of methods against their work: error.csv (whole runs), frozen.csv (systems of one moment), consistency.csv
+// (scenes against themselves at smaller steps), and their plots.
 #include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
 #include "demos/reports/error/consistency.h"
 #include "demos/reports/error/frozen_moments.h"
-#include "demos/reports/error/plots.h"
-#include "demos/reports/parts.h"
+#include "demos/reports/error/points.h"
+#include "demos/reports/error/work_plot.h"
+#include "demos/reports/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
 
 namespace pushfactor::demos::reports {
 
@@ -20,137 +26,239 @@ constexpr int repeats = 5;  // of each run for the clock
 constexpr const char* frozen_part = "frozen";
 constexpr const char* consistency_part = "consistency";
 
-// One report in the making.
+using MakeWork = std::function<double(const ErrorPoint&)>;
+
+double plotted_error(const ErrorPoint& point) {
+    return point.errors.front().value;
+}
+
+// "frozen_stack_of_5_landing"
+std::string file_name(const std::string& prefix, const std::string& text) {
+    std::string name = prefix;
+    for (const char c : text) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (plain || name.back() != '_') name += plain ? c : '_';
+    }
+    return name;
+}
+
+std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, const MakeWork& work) {
+    std::vector<WorkLine> lines;
+    for (const Method& method : sweep.methods) {
+        WorkLine line{method.name, method.colour, method.dash, method.mark, {}};
+        for (const ErrorPoint& point : points) {
+            if (point.method != method.name) continue;
+            line.points.push_back({plotted_error(point), work(point), point.value, point.failed});
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+// Error ~ work^-order through the second point of a method: the first step is often too large for its order.
+TheoryLine power_line(double order, const WorkPoint& through) {
+    TheoryLine theory{.label = fmt::format("order {:g}", order), .points = {}};
+    for (double exponent = -6.0; exponent <= 6.0; exponent += 0.05) {
+        const double factor = std::pow(10.0, exponent);
+        theory.points.emplace_back(through.error * std::pow(factor, -order), through.work * factor);
+    }
+    return theory;
+}
+
+// Error ~ contraction^sweeps, work ~ sweeps, through a point that is some sweeps along.
+TheoryLine contraction_line(double contraction, const WorkPoint& through) {
+    const double sweeps = std::stod(through.label);
+    TheoryLine theory{.label = "cos^2(pi/2n) a sweep", .points = {}};
+    for (double share = 0.02; share <= 20.0; share *= 1.02) {
+        theory.points.emplace_back(through.error * std::pow(contraction, sweeps * (share - 1.0)),
+                                   through.work * share);
+    }
+    return theory;
+}
+
+std::vector<TheoryLine> theory_of(const Experiment& sweep, const std::vector<WorkLine>& lines) {
+    std::vector<TheoryLine> theory;
+    std::vector<double> orders;
+    for (std::size_t i = 0; i < sweep.methods.size(); ++i) {
+        const Method& method = sweep.methods[i];
+        if (lines[i].points.size() < 2) continue;
+        const bool known = std::find(orders.begin(), orders.end(), method.order) != orders.end();
+        if (method.order > 0.0 && !known && !lines[i].points[1].failed) {
+            theory.push_back(power_line(method.order, lines[i].points[1]));
+            orders.push_back(method.order);
+        }
+        if (sweep.contraction > 0.0 && method.name == "pgs") {
+            // Late enough for the slowest part of the error alone to be left, early enough for rounding.
+            const auto& points = lines[i].points;
+            const auto through = std::find_if(points.rbegin(), points.rend(),
+                                              [](const WorkPoint& point) { return point.error > 1e-8; });
+            if (through != points.rend()) theory.push_back(contraction_line(sweep.contraction, *through));
+        }
+    }
+    return theory;
+}
+
+std::string numbers_of(std::span<const ErrorPoint> points) {
+    const ErrorPoint* best = nullptr;
+    std::vector<std::string> failures;
+    for (const ErrorPoint& point : points) {
+        if (point.failed) {
+            failures.push_back(
+                fmt::format("{} at {} {} ({})", point.method, point.knob, point.value, point.outcome));
+        } else if (!best || plotted_error(point) < plotted_error(*best)) {
+            best = &point;
+        }
+    }
+    std::string text;
+    if (best) {
+        text += fmt::format(" The least error, {:.2g}, is that of {} at {} {}.", plotted_error(*best), best->method,
+                            best->knob, best->value);
+    }
+    if (!failures.empty()) text += fmt::format(" Hollow: {}.", fmt::join(failures, "; "));
+    return text;
+}
+
 class ErrorReport {
   public:
-    explicit ErrorReport(const ErrorRequest& request)
-        : request_(request),
-          about_(about_this()),
-          experiments_(wanted_experiments()),
-          moments_(wants(frozen_part) ? hard_moments(request.quick) : std::vector<FrozenMoment>{}),
-          plan_(consistency_plan(request.quick)),
-          bar_("report error", total()) {
-        make_folder(request_.folder);
-        if (request_.problems) make_folder(request_.folder / "problems");
-        write_file(request_.folder / "about.json", json_text(about_));
+    explicit ErrorReport(StudyRun& run)
+        : run_(run),
+          experiments_(run.wanted(error_experiments(run.quick()), &Experiment::scene)),
+          moments_(run.wants(frozen_part) ? hard_moments(run.quick()) : std::vector<FrozenMoment>{}) {
+        if (run_.wants(consistency_part)) plan_ = consistency_plan(run_.quick());
     }
 
     void make() {
+        if (run_.problems()) make_folder(run_.folder() / "problems");
+        run_.write("about.json", json_text(about_this()));
+        std::size_t total = moments_.size() + plan_.cases.size();
+        for (const Experiment& sweep : experiments_) {
+            for (const Method& method : sweep.methods) total += method.values.size();
+        }
+        run_.begin(total);
         for (const Experiment& sweep : experiments_) add_experiment(sweep);
         for (const FrozenMoment& moment : moments_) add_moment(moment);
-        if (wants(consistency_part)) add_consistency();
+        if (!plan_.cases.empty()) add_consistency();
     }
 
   private:
-    bool wants(const std::string& part) const { return is_wanted(part, request_.parts); }
-
-    std::vector<Experiment> wanted_experiments() const {
-        std::vector<Experiment> sweeps = error_experiments(request_.quick);
-        std::erase_if(sweeps, [this](const Experiment& sweep) { return !wants(sweep.scene); });
-        return sweeps;
-    }
-
-    long total() const {
-        std::size_t count = moments_.size() + (wants(consistency_part) ? plan_.cases.size() : 0);
-        for (const Experiment& sweep : experiments_) {
-            for (const Method& method : sweep.methods) count += method.values.size();
-        }
-        return static_cast<long>(count);
-    }
-
-    void check() const {
-        stop_if_interrupted(
-            fmt::format("{} of {} plots are in {}", sections_.size(),
-                        2 * experiments_.size() + moments_.size() + (wants(consistency_part) ? 1 : 0),
-                        request_.folder.string()));
-    }
-
-    void one_more() { bar_.show(++done_); }
-
-    void write_table(const char* name, const std::string& text) const {
-        write_file(request_.folder / name, fmt::format("# {}\n{}", line_of(about_), text));
-    }
-
     void add_experiment(const Experiment& sweep) {
-        std::vector<ErrorPoint> points;
+        const std::size_t first = points_.size();
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values) {
-                points.push_back(run_point(sweep, method, value, repeats, [this] { check(); }));
-                one_more();
+                points_.push_back(run_point(sweep, method, value, repeats, run_.check()));
+                run_.count_run();
             }
         }
-        points_.insert(points_.end(), points.begin(), points.end());
-        write_table("error.csv", csv_text(points_));
-        for (Section& section : error_sections(sweep, points, line_of(about_), request_.folder)) {
-            sections_.push_back(std::move(section));
+        run_.write("error.csv", table_of(points_));
+        const auto points = std::span<const ErrorPoint>(points_).subspan(first);
+        for (const bool seconds : {false, true}) {
+            WorkPlot plot{.name = file_name(seconds ? "error_cpu_" : "error_", sweep.scene),
+                          .error_axis = sweep.error_axis,
+                          .work_axis = seconds        ? "CPU time [s] a simulated second"
+                                       : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
+                                                      : "moves of the bodies a simulated second",
+                          .machine = run_.machine(),
+                          .lines = lines_of(sweep, points,
+                                            [&](const ErrorPoint& point) {
+                                                if (seconds) return point.cpu.median;
+                                                return sweep.solves ? point.multiply_adds : point.moves;
+                                            }),
+                          .theory = {}};
+            // The CPU time has a part that no knob changes, so no theory applies to it.
+            if (!seconds) plot.theory = theory_of(sweep, plot.lines);
+            add(plot, sweep.title + (seconds ? ", CPU time" : ""), sweep.caption + numbers_of(points));
         }
-        write_page();
     }
 
     void add_moment(const FrozenMoment& moment) {
-        const FrozenProblem problem = freeze(moment, [this] { check(); });
-        const std::vector<FrozenPoint> points = solve_frozen(problem, request_.quick);
+        const FrozenProblem problem = freeze(moment, run_.check());
+        const std::vector<FrozenPoint> points = solve_frozen(problem, run_.quick());
         frozen_.insert(frozen_.end(), points.begin(), points.end());
-        write_table("frozen.csv", csv_text(frozen_));
-        Section section = frozen_section(moment, problem, points, line_of(about_), request_.folder);
-        if (request_.problems) {
-            const std::string file = "problems/" + section.name + ".json";
-            write_file(request_.folder / file, problem.text());
-            section.plate.files.push_back(file);
+        run_.write("frozen.csv", table_of(frozen_));
+        const WorkPlot plot{.name = file_name("frozen_", moment.name),
+                            .error_axis = "residual [m/s]",
+                            .work_axis = "work of the solve [multiply-adds]",
+                            .machine = run_.machine(),
+                            .lines = error::lines_of(points),
+                            .theory = {}};
+        Plate plate;
+        plate.commands = {command_text("run", moment.scene, moment.options)};
+        if (run_.problems()) {
+            plate.files = {"problems/" + plot.name + ".json"};
+            run_.write(plate.files.front(), problem.text());
         }
-        sections_.push_back(std::move(section));
-        write_page();
-        one_more();
+        run_.count_run();
+        add(plot, "Frozen: " + moment.name,
+            fmt::format(
+                "The system of one moment, {} rows and {} column{}, solved from zero (cold) and from the forces of "
+                "the step before (warm); points are labelled with their iterations. Residual: the largest velocity "
+                "that a row still gets wrong.",
+                problem.system().row_count(), problem.system().column_count(),
+                problem.system().column_count() == 1 ? "" : "s"),
+            plate);
     }
 
     void add_consistency() {
-        std::vector<ConsistencyPoint> points;
+        Table table{{"scene", "differs_from_preset", "dt_s", "window_s", "windows", "error_rms_m", "size_m",
+                     "observed_order"}};
+        WorkPlot plot{.name = "consistency",
+                      .error_axis = "difference of the centres after a window, RMS [m]",
+                      .work_axis = "steps a second",
+                      .machine = run_.machine(),
+                      .lines = {},
+                      .theory = {},
+                      .front = false};
+        std::vector<std::string> orders;
         for (const ConsistencyCase& which : plan_.cases) {
-            const auto own = check_consistency(plan_, which, [this] { check(); });
-            points.insert(points.end(), own.begin(), own.end());
-            one_more();
+            WorkLine line{.name = which.scene, .colour = which.colour, .points = {}};
+            std::vector<std::string> differences;
+            for (const auto& [name, value] : which.options) differences.push_back(name + "=" + value);
+            double last = std::numeric_limits<double>::quiet_NaN();
+            for (const auto& [dt, error, size, order] : check_consistency(plan_, which, run_.check())) {
+                table.rows.push_back({which.scene, fmt::format("{}", fmt::join(differences, " ")), dt,
+                                      plan_.window.value(), plan_.starts.size(), error, size, order});
+                line.points.push_back({error, 1.0 / dt, fmt::format("1/{:.0f} s", 1.0 / dt)});
+                last = order.value_or(last);
+            }
+            orders.push_back(fmt::format("{} {:.1f}", which.scene, last));
+            plot.lines.push_back(std::move(line));
+            run_.count_run();
         }
-        write_table("consistency.csv", csv_text(points));
-        sections_.push_back(consistency_section(plan_, points, line_of(about_), request_.folder));
-        write_page();
+        run_.write("consistency.csv", table);
+        add(plot, "Consistency: each scene against itself at smaller steps",
+            fmt::format(
+                "{} windows of {} s, begun anew from states of a run at {} s steps, which is also what they "
+                "are compared with. Order of the last halving: {}.",
+                plan_.starts.size(), to_text(plan_.window), to_text(plan_.smallest), fmt::join(orders, ", ")));
     }
 
-    void write_page() const {
-        const std::string opening = fmt::format(
+    void add(const WorkPlot& plot, const std::string& heading, const std::string& caption, Plate plate = {}) {
+        plate.caption = caption;
+        draw_work_plot(plot, run_.folder(), plate);
+        run_.sections.push_back({plot.name, heading, std::move(plate)});
+        run_.write_page(fmt::format(
             "Errors against something true (closed forms, the exact motion, converged forces) against the work "
-            "that "
-            "they took; lower left is better. Work is counted in multiply-adds of the solver and is the same on "
-            "every machine; CPU times were measured on this one: {}. The numbers are in error.csv, frozen.csv and "
-            "consistency.csv, the machine in about.json.{}",
-            line_of(about_), request_.quick ? " This is the quick report: few values, short runs." : "");
-        write_file(request_.folder / "index.html",
-                   page_text("Pushfactor: error against run time", opening, sections_));
+            "that they took; lower left is better. Work is counted in multiply-adds of the solver and is the same "
+            "on every machine; CPU times were measured on this one: {}. The numbers are in error.csv, frozen.csv "
+            "and consistency.csv, the machine in about.json.{}",
+            run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));
     }
 
-    ErrorRequest request_;
-    About about_;
+    StudyRun& run_;
     std::vector<Experiment> experiments_;
     std::vector<FrozenMoment> moments_;
     ConsistencyPlan plan_;
-    ProgressBar bar_;
-    long done_ = 0;
     std::vector<ErrorPoint> points_;
     std::vector<FrozenPoint> frozen_;
-    std::vector<Section> sections_;
 };
 
 }  // namespace
 
-std::vector<std::string> error_parts() {
+Study error_study() {
     std::vector<std::string> parts;
     for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.scene);
-    parts.emplace_back(frozen_part);
-    parts.emplace_back(consistency_part);
-    return parts;
-}
-
-void report_error(const ErrorRequest& request) {
-    ErrorReport(request).make();
+    parts.insert(parts.end(), {frozen_part, consistency_part});
+    return {"error", "error against run time", parts, [](StudyRun& run) { ErrorReport(run).make(); }};
 }
 
 }  // namespace pushfactor::demos::reports

@@ -114,13 +114,6 @@ std::string_view name_of(Outcome outcome) {
     return "rest";
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 void SubstepCount::add(const Sample& sample) {
     ++steps;
     sum += sample.substeps;

@@ -4,6 +4,7 @@
 #include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
 #include "demos/runs/stretch.h"
+#include "demos/text/median.h"
 
 #include <deque>
 #include <map>
@@ -156,8 +157,5 @@ class Measurements {
     IslandCount islands_;
     AtRest at_rest_;
 };
-
-// The middle of the sorted values, the mean of the two middle ones for an even number; 0 for none.
-double median(std::vector<double> values);
 
 }  // namespace pushfactor::demos

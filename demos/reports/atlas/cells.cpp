@@ -1,6 +1,7 @@
 #include "demos/reports/atlas/cells.h"
 
 #include "demos/reports/atlas/outcomes.h"
+#include "demos/reports/study.h"
 #include "demos/text/errors.h"
 
 #include <algorithm>
@@ -99,14 +100,12 @@ std::optional<CellResult> run_cell(const AtlasCell& cell, const std::stop_token&
         return CellResult{std::string(outcome), (measurements.*cell.map->measure.value)()};
     };
     try {
-        while (run.sample().step < whole_steps(choices.settings)) {
-            if (stop.stop_requested()) return std::nullopt;
-            run.advance();
-            measurements.observe(run);
-        }
+        play(
+            run, [&](const Simulation& now) { return before_end(now) && !stop.stop_requested(); }, measurements);
     } catch (const NonFiniteError&) {
         return result(non_finite);
     }
+    if (before_end(run)) return std::nullopt;
     return result(name_of(measurements.outcome()));
 }
 

@@ -21,19 +21,29 @@ const AtlasMeasure upward{"max_upward_speed_m_per_s", "largest upward velocity [
 const AtlasMeasure length_error{"max_length_error_m", "largest length error of a bar [m]",
                                 &Measurements::max_length_error};
 
+const AtlasAxis mass_ratios{"mass-ratio",
+                            "mass ratio R, upper cube over lower",
+                            {"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000", "2000", "5000"}};
+const AtlasAxis heights{"count", "cubes in the tower", {"2", "3", "4", "5", "7", "10", "14", "20", "28", "40"}};
+const AtlasAxis overlaps{"gap",
+                         "overlap of neighbours at the start [m]",
+                         {"-0.01", "-0.02", "-0.04", "-0.08", "-0.15", "-0.3", "-0.6", "-1.2", "-2.2"},
+                         -1.0};
+const AtlasAxis end_masses{"end-mass",
+                           "mass of the last ball [kg]",
+                           {"1", "3", "10", "30", "100", "300", "1000", "3000", "10000", "30000"}};
+const AtlasAxis betas{"beta",
+                      "beta: share of the overlap that a step corrects",
+                      {"0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1"},
+                      1.0,
+                      false};
+
 AtlasAxis iterations(const Values& values) {
-    return {.option = "iterations", .label = "iterations a step", .values = values};
+    return {"iterations", "iterations a step", values};
 }
 
 AtlasAxis time_step(const Values& values) {
-    return {.option = "dt", .label = "time step [s]", .values = values};
-}
-
-AtlasAxis beta() {
-    return {.option = "beta",
-            .label = "beta: share of the overlap that a step corrects",
-            .values = {"0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1"},
-            .logarithmic = false};
+    return {"dt", "time step [s]", values};
 }
 
 // What a heavy cube on a light one leaves of its error after a sweep from zero is R / (R + 1).
@@ -66,98 +76,45 @@ double step_that_tension_allows(double end_mass) {
     return std::sqrt(mass * length / tension);
 }
 
-AtlasMap mass_ratio() {
-    return {.name = "mass_ratio_iterations",
-            .title = "Heavy on light: how many iterations a mass ratio takes",
-            .caption =
-                "A cube of R kg on one of 1 kg, 10 s, projected Gauss-Seidel with warm start. Theory: the "
-                "sweeps in which an error falls to 1/e, about R; with warm start the steps share them.",
-            .scene = "heavy-on-light",
-            .common = {{"seconds", "10"}, {"solver", "pgs"}, {"tolerance", "0"}},
-            .x = {.option = "mass-ratio",
-                  .label = "mass ratio R, upper cube over lower",
-                  .values = {"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000", "2000", "5000"}},
-            .y = iterations({"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000"}),
-            .measure = off_axis,
-            .theory = AtlasTheory{"error to 1/e in one step", sweeps_of_mass_ratio}};
+// Maps that differ in one option.
+AtlasMap overlap_map(const std::string& name, const std::string& push, const std::string& title,
+                     const std::string& caption, const std::optional<AtlasTheory>& theory = {}) {
+    return {"overlap_beta_" + name,
+            title,
+            "Five cubes of 2.4 m that overlap each other and the ground, 3 s. " + caption,
+            "stack",
+            {{"seconds", "3"}, {"push", push}},
+            overlaps,
+            betas,
+            upward,
+            theory};
 }
 
-AtlasMap height() {
-    return {.name = "height_iterations",
-            .title = "Towers: how many iterations a height takes",
-            .caption =
-                "Equal cubes that touch, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in "
-                "which an error falls to 1/e, which grow with the square of the height; with warm start the "
-                "steps share them.",
-            .scene = "stack",
-            .common = {{"seconds", "10"}, {"solver", "pgs"}, {"tolerance", "0"}, {"gap", "0"}},
-            .x = {.option = "count",
-                  .label = "cubes in the tower",
-                  .values = {"2", "3", "4", "5", "7", "10", "14", "20", "28", "40"}},
-            .y = iterations({"1", "2", "5", "10", "20", "50", "100", "200", "400"}),
-            .measure = off_axis,
-            .theory = AtlasTheory{"error to 1/e in one step", sweeps_of_height}};
+AtlasMap step_map(const std::string& preset, const std::string& title, const std::string& caption) {
+    return {"step_beta_" + preset,
+            title,
+            "The stack of section 10.1, dropped from its gaps, 10 s, preset " + preset + ". " + caption,
+            "stack",
+            {{"preset", preset}, {"seconds", "10"}},
+            time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15", "1/8", "1/4", "1/2"}),
+            betas,
+            off_axis};
 }
 
-AtlasMap overlap(const std::string& name, const std::string& push, const std::string& title,
-                 const std::string& caption) {
-    return {.name = "overlap_beta_" + name,
-            .title = title,
-            .caption = "Five cubes of 2.4 m that overlap each other and the ground, 3 s. " + caption,
-            .scene = "stack",
-            .common = {{"seconds", "3"}, {"push", push}},
-            .x = {.option = "gap",
-                  .label = "overlap of neighbours at the start [m]",
-                  .values = {"-0.01", "-0.02", "-0.04", "-0.08", "-0.15", "-0.3", "-0.6", "-1.2", "-2.2"},
-                  .scale = -1.0},
-            .y = beta(),
-            .measure = upward};
-}
-
-AtlasMap overlap_persistent() {
-    AtlasMap map = overlap("persistent", "persistent", "Overlap under the original push: what is pushed out flies",
-                           "The persistent push leaves the correcting velocity in the momenta. Theory: from this "
-                           "beta on the topmost cube still rises after two seconds.");
-    map.theory = AtlasTheory{"thrown at 25 m/s", beta_that_throws};
-    return map;
-}
-
-AtlasMap overlap_single_frame() {
-    return overlap(
-        "single_frame", "single-frame", "Overlap under the single-frame push: it only moves apart",
-        "The single-frame push of section 8.1 leaves no velocity behind. With a small beta the last of "
-        "the overlap is still on its way out after 3 s; cubes that almost coincide are moved out sideways "
-        "too, and some come down beside the others.");
-}
-
-AtlasMap stack_steps(const std::string& preset, const std::string& title, const std::string& caption) {
-    return {.name = "step_beta_" + preset,
-            .title = title,
-            .caption = "The stack of section 10.1, dropped from its gaps, 10 s, preset " + preset + ". " + caption,
-            .scene = "stack",
-            .common = {{"preset", preset}, {"seconds", "10"}},
-            .x = time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15", "1/8", "1/4", "1/2"}),
-            .y = beta(),
-            .measure = off_axis};
-}
-
-AtlasMap chain_steps(const std::string& name, const std::string& substeps, const std::string& title,
-                     const std::string& caption) {
-    return {.name = "tension_step_" + name,
-            .title = title,
-            .caption =
-                "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its "
-                "last ball, 10 s. Moving is the swing itself; torn: bars are off by half of them. " +
+AtlasMap chain_map(const std::string& name, const std::string& substeps, const std::string& title,
+                   const std::string& caption) {
+    return {"tension_step_" + name,
+            title,
+            "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its last ball, "
+            "10 s. Moving is the swing itself; torn: bars are off by half of them. " +
                 caption,
-            .scene = "chain",
-            .common = {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},
-            .x = {.option = "end-mass",
-                  .label = "mass of the last ball [kg]",
-                  .values = {"1", "3", "10", "30", "100", "300", "1000", "3000", "10000", "30000"}},
-            .y = time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15"}),
-            .measure = length_error,
-            .theory = AtlasTheory{"ω dt = 2", step_that_tension_allows},
-            .moving = "moving: swings on"};
+            "chain",
+            {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},
+            end_masses,
+            time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15"}),
+            length_error,
+            AtlasTheory{"ω dt = 2", step_that_tension_allows},
+            "moving: swings on"};
 }
 
 }  // namespace
@@ -171,21 +128,38 @@ std::string AtlasAxis::tick(const std::string& value) const {
 }
 
 std::vector<AtlasMap> atlas_maps() {
+    const OptionTexts sweeps{{"seconds", "10"}, {"solver", "pgs"}, {"tolerance", "0"}};
+    OptionTexts touching = sweeps;
+    touching.emplace_back("gap", "0");
     return {
-        mass_ratio(),
-        height(),
-        overlap_persistent(),
-        overlap_single_frame(),
-        stack_steps(
-            "paper", "The stack by the paper's method: long steps and beta 1 bring it down",
-            "25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws it over."),
-        stack_steps("default", "The stack with the default preset: it stands at every step and beta",
-                    "Single-frame push, contact caching and a direct finish."),
-        chain_steps("plain", "1", "Bars under tension: the longest step that holds",
-                    "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the "
-                    "step."),
-        chain_steps("substeps", "auto", "Bars under tension with automatic substeps: the step no longer matters",
-                    "Theory: the longest step without substeps."),
+        {"mass_ratio_iterations", "Heavy on light: how many iterations a mass ratio takes",
+         "A cube of R kg on one of 1 kg, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in which "
+         "an error falls to 1/e, about R; with warm start the steps share them.",
+         "heavy-on-light", sweeps, mass_ratios,
+         iterations({"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000"}), off_axis,
+         AtlasTheory{"error to 1/e in one step", sweeps_of_mass_ratio}},
+        {"height_iterations", "Towers: how many iterations a height takes",
+         "Equal cubes that touch, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in which an "
+         "error falls to 1/e, which grow with the square of the height; with warm start the steps share them.",
+         "stack", touching, heights, iterations({"1", "2", "5", "10", "20", "50", "100", "200", "400"}), off_axis,
+         AtlasTheory{"error to 1/e in one step", sweeps_of_height}},
+        overlap_map("persistent", "persistent", "Overlap under the original push: what is pushed out flies",
+                    "The persistent push leaves the correcting velocity in the momenta. Theory: from this beta on "
+                    "the topmost cube still rises after two seconds.",
+                    AtlasTheory{"thrown at 25 m/s", beta_that_throws}),
+        overlap_map("single_frame", "single-frame", "Overlap under the single-frame push: it only moves apart",
+                    "The single-frame push of section 8.1 leaves no velocity behind. With a small beta the last of "
+                    "the overlap is still on its way out after 3 s; cubes that almost coincide are moved out "
+                    "sideways too, and some come down beside the others."),
+        step_map("paper", "The stack by the paper's method: long steps and beta 1 bring it down",
+                 "25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws it over."),
+        step_map("default", "The stack with the default preset: it stands at every step and beta",
+                 "Single-frame push, contact caching and a direct finish."),
+        chain_map("plain", "1", "Bars under tension: the longest step that holds",
+                  "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the "
+                  "step."),
+        chain_map("substeps", "auto", "Bars under tension with automatic substeps: the step no longer matters",
+                  "Theory: the longest step without substeps."),
     };
 }
 

@@ -1,7 +1,6 @@
 #include "demos/reports/atlas/plot.h"
 
 #include "demos/pages/plot.h"
-#include "demos/platform/output_file.h"
 #include "demos/reports/atlas/outcomes.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"
@@ -87,40 +86,29 @@ std::string pattern_of(const AtlasMap& map) {
     return command_of({&map, "X", "Y"});
 }
 
-void draw(const AtlasMap& map, const std::vector<CellResult>& results, const std::filesystem::path& folder,
-          Plate& plate) {
-    const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
-    const std::string data = map.name + ".dat";
-    write_file(folder / data, data_of(map, results, xs, ys));
-    plate.files.push_back(data);
-    if (!plots_can_be_drawn()) {
-        plate.caption += std::string(" ") + what_plots_need;
-        return;
-    }
+Plot plot_of(const AtlasMap& map, const std::vector<CellResult>& results, const std::vector<double>& xs,
+             const std::vector<double>& ys) {
     const auto [words, colours] = legend_of(map, results);
-    const Plot plot{.script = "atlas",
-                    .data = folder / data,
-                    .name = map.name,
-                    .aspect = 1.5,
-                    .variables = {{"heading", map.title},
-                                  {"x_axis", map.x.label},
-                                  {"y_axis", map.y.label},
-                                  {"x_ticks", ticks_of(map.x)},
-                                  {"y_ticks", ticks_of(map.y)},
-                                  {"x_low", xs.front()},
-                                  {"x_high", xs.back()},
-                                  {"y_low", ys.front()},
-                                  {"y_high", ys.back()},
-                                  {"x_logarithmic", map.x.logarithmic ? 1.0 : 0.0},
-                                  {"y_logarithmic", map.y.logarithmic ? 1.0 : 0.0},
-                                  {"outcomes", words},
-                                  {"colours", colours},
-                                  {"number_words", map.measure.words},
-                                  {"theory", map.theory ? map.theory->label : ""},
-                                  {"command", pattern_of(map)}}};
-    const std::vector<std::string> made = draw_plot(plot, folder);
-    plate.pictures.push_back(made.front());
-    plate.files.insert(plate.files.end(), made.begin(), made.end());
+    return {.script = "atlas",
+            .data = map.name + ".dat",
+            .name = map.name,
+            .aspect = 1.5,
+            .variables = {{"heading", map.title},
+                          {"x_axis", map.x.label},
+                          {"y_axis", map.y.label},
+                          {"x_ticks", ticks_of(map.x)},
+                          {"y_ticks", ticks_of(map.y)},
+                          {"x_low", xs.front()},
+                          {"x_high", xs.back()},
+                          {"y_low", ys.front()},
+                          {"y_high", ys.back()},
+                          {"x_logarithmic", map.x.logarithmic ? 1.0 : 0.0},
+                          {"y_logarithmic", map.y.logarithmic ? 1.0 : 0.0},
+                          {"outcomes", words},
+                          {"colours", colours},
+                          {"number_words", map.measure.words},
+                          {"theory", map.theory ? map.theory->label : ""},
+                          {"command", pattern_of(map)}}};
 }
 
 }  // namespace
@@ -143,7 +131,8 @@ Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& result
     section.plate.caption =
         fmt::format("{} The numbers: {}, {} of the summary.", map.caption, map.measure.words, map.measure.key);
     section.plate.commands = {pattern_of(map)};
-    draw(map, results, folder, section.plate);
+    const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
+    add_plot(plot_of(map, results, xs, ys), data_of(map, results, xs, ys), folder, section.plate);
     return section;
 }
 

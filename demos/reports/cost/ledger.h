@@ -2,8 +2,8 @@
 #pragma once
 
 #include "demos/options/choices.h"
-#include "demos/reports/cost/parts.h"
-#include "demos/reports/cost/phase_clock.h"
+#include "demos/reports/cost/scenes.h"
+#include "demos/runs/step_division.h"
 
 #include <array>
 #include <functional>
@@ -23,7 +23,63 @@ struct MeasuredState {
 // Calls `check` now and then, which may throw.
 MeasuredState moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
 
-// Islands by how their bodies are connected: one body, at most 1.5 pairs a body, more.
+// Stages of a step of the run: the rules that divide it, then engine::Phase.
+inline constexpr std::array<std::string_view, 7> phase_names{"rules", "forces",   "rows",     "system",
+                                                             "solve", "remember", "integrate"};
+using PhaseTimes = std::array<double, phase_names.size()>;  // us
+
+// Time between two readings of the clock, one right after the other [us]; the median of many.
+double clock_cost();
+
+// CPU time of the stages of steps, without what reading the clock takes.
+class PhaseClock : public engine::PhaseObserver {
+  public:
+    explicit PhaseClock(double cost) : cost_(cost) {}
+
+    void begin();  // right before the rules are asked
+    void rules_ended() { end(0); }
+    void phase_ended(engine::Phase stage) override { end(1 + static_cast<std::size_t>(stage)); }
+
+    const PhaseTimes& times() const { return times_; }  // the sum of all steps
+
+  private:
+    void end(std::size_t stage);
+
+    double cost_, last_ = 0.0;
+    PhaseTimes times_{};
+};
+
+// Takes the steps of a run and does nothing else.
+class Walk {
+  public:
+    static constexpr int steps_before = 30;  // until memory is as large as it gets, and the caches are warm
+    static constexpr int steps_counted = 120;
+
+    explicit Walk(const MeasuredState& moment);  // has taken `steps_before`
+
+    BuiltScene& scene() { return scene_; }
+
+    // One step of the run; `seen` is told of each engine step. Returns how many there were.
+    template <typename Seen>
+    int step(PhaseClock* clock, Seen seen) {
+        if (clock) clock->begin();
+        const int parts = division_.divide(scene_.world, dt_);
+        if (clock) clock->rules_ended();
+        for (int i = 0; i < parts; ++i) seen(scene_.world.step(dt_ / parts, clock));
+        return parts;
+    }
+
+    void go(int steps, PhaseClock* clock = nullptr) {
+        for (int i = 0; i < steps; ++i) step(clock, [](const engine::StepCount&) {});
+    }
+
+  private:
+    BuiltScene scene_;
+    double dt_;
+    StepDivision division_;
+};
+
+// Islands by how their bodies are connected: one body, at most 1.5 pairs per body, more.
 enum class IslandKind { single, thread, heap };
 inline constexpr std::array<std::string_view, 3> island_kinds{"single", "thread", "heap"};
 
@@ -39,15 +95,12 @@ struct Counts {
     double substeps = 0.0;
     double pairs = 0.0;    // whose bounding boxes meet
     double touches = 0.0;  // pairs with contact points
-    double contact_rows = 0.0, friction_rows = 0.0, distance_rows = 0.0;
-    double columns = 0.0;
+    double contact_rows = 0.0, friction_rows = 0.0, distance_rows = 0.0, columns = 0.0;
     double at_rest = 0.0;                                     // bodies that rest leaves out
     std::array<IslandCounts, island_kinds.size()> islands{};  // of the last engine step in a step of the run
     double sweeps = 0.0;         // iterations of the solver, of whatever kind, on the island with the most of them
     double row_updates = 0.0;    // rows times columns times iterations, of all islands
     double multiply_adds = 0.0;  // of the solver
-    double allocations = 0.0;
-    double allocated_bytes = 0.0;
 
     double rows() const { return contact_rows + friction_rows + distance_rows; }
 };
@@ -66,9 +119,6 @@ struct Ledger {
 
 // Of the same steps always, so that equal programs give equal counts.
 Counts count_steps(const MeasuredState& moment);
-
-// The upper one of the middle two of an even number of values; at least one.
-double median(std::vector<double> values);
 
 // CPU time of those steps once, us per step.
 double time_of_step(const MeasuredState& moment);

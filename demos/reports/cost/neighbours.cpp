@@ -1,10 +1,10 @@
 #include "demos/reports/cost/neighbours.h"
 
 #include "demos/reports/cost/ledger.h"
-#include "demos/reports/cost/tables.h"
+#include "demos/reports/study.h"
 #include "demos/scenes/named/random.h"
 #include "demos/scenes/named/side_by_side.h"
-#include "demos/text/numbers.h"
+#include "demos/text/median.h"
 
 #include <fmt/format.h>
 
@@ -28,24 +28,23 @@ SceneDescription on_the_ground(std::string name) {
     return scene;
 }
 
+void add_cube(SceneDescription& scene, const Vector3& position, double side = 1.0) {
+    scene.bodies.push_back({.name = fmt::format("cube {}", scene.bodies.size()),
+                            .shape = BoxShape{Vector3::Constant(side)},
+                            .mass = 1.0,
+                            .position = position});
+}
+
 SceneDescription tower(int count, double x) {
     SceneDescription scene = on_the_ground(fmt::format("tower of {}", count));
-    for (int i = 0; i < count; ++i) {
-        scene.bodies.push_back(
-            {.name = fmt::format("cube {}", i + 1), .shape = BoxShape{}, .mass = 1.0, .position = {x, i + 0.5, 0}});
-    }
+    for (int i = 0; i < count; ++i) add_cube(scene, {x, i + 0.5, 0});
     return scene;
 }
 
 SceneDescription loose_cubes(int count, double x) {
     SceneDescription scene = on_the_ground(fmt::format("{} loose cubes", count));
     const int side = static_cast<int>(std::ceil(std::sqrt(count)));
-    for (int i = 0; i < count; ++i) {
-        scene.bodies.push_back({.name = fmt::format("cube {}", i + 1),
-                                .shape = BoxShape{},
-                                .mass = 1.0,
-                                .position = {x + 2.0 * (i % side), 0.5, 2.0 * std::floor(i / side)}});
-    }
+    for (int i = 0; i < count; ++i) add_cube(scene, {x + 2.0 * (i % side), 0.5, 2.0 * std::floor(i / side)});
     return scene;
 }
 
@@ -86,37 +85,22 @@ SceneDescription falling_pile(int count) {
         const int layer = i / (side * side), place = i % (side * side);
         Quaternion turn;
         for (double& part : turn.coeffs()) part = random.in(-1.0, 1.0);
-        scene.bodies.push_back(
-            {.name = fmt::format("cube {}", i + 1),
-             .shape = BoxShape{Vector3::Constant(0.4)},
-             .mass = 1.0,
-             .position = {0.75 * (place % side), 0.5 + 0.75 * layer, 0.75 * std::floor(place / side)},
-             .orientation = turn.normalized()});
+        add_cube(scene, {0.75 * (place % side), 0.5 + 0.75 * layer, 0.75 * std::floor(place / side)}, 0.4);
+        scene.bodies.back().orientation = turn.normalized();
     }
     return scene;
 }
 
-Neighbours beside(std::vector<SceneDescription> parts, double start) {
-    Neighbours scenes;
-    scenes.name = parts.front().name;
-    for (std::size_t i = 1; i < parts.size(); ++i) scenes.name += " and " + parts[i].name;
-    scenes.times.assign(parts.size(), 1);
-    scenes.together = scenes::side_by_side(scenes.name, parts);
-    scenes.parts = std::move(parts);
-    scenes.start = start;
-    return scenes;
+Neighbours beside(const std::vector<SceneDescription>& parts, double start) {
+    const std::string name = parts[0].name + " and " + parts[1].name;
+    return {name, parts, {1, 1}, scenes::side_by_side(name, parts), start};
 }
 
 // The same scene many times, each at another x [m].
-Neighbours many(const std::string& name, int count, const std::function<SceneDescription(double x)>& scene,
-                double start) {
+Neighbours many(const std::string& name, int count, int of, SceneDescription (*scene)(int of, double x)) {
     std::vector<SceneDescription> parts;
-    for (int i = 0; i < count; ++i) parts.push_back(scene(60.0 * i));
-    return {.name = name,
-            .parts = {parts.front()},
-            .times = {count},
-            .together = scenes::side_by_side(name, parts),
-            .start = start};
+    for (int i = 0; i < count; ++i) parts.push_back(scene(of, 60.0 * i));
+    return {name, {parts.front()}, {count}, scenes::side_by_side(name, parts), 1.0};
 }
 
 MeasuredState moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
@@ -143,24 +127,15 @@ double distance(const MeasuredState& alone, const MeasuredState& together) {
 
 }  // namespace
 
-std::string Neighbours::file_name() const {
-    std::string text = name;
-    std::replace(text.begin(), text.end(), ' ', '-');
-    return text;
-}
-
 std::vector<Neighbours> neighbours(bool quick) {
-    std::vector<Neighbours> all;
-    all.push_back(beside({tower(20, -60.0), pit(40)}, 2.0));
-    all.push_back(many(
-        "20 towers of 10", 20, [](double x) { return tower(10, x); }, 1.0));
-    all.push_back(beside({tower(20, -60.0), falling_pile(50)}, 0.3));
+    const SceneDescription high = tower(20, -60.0);
+    std::vector<Neighbours> all{beside({high, pit(40)}, 2.0), many("20 towers of 10", 20, 10, tower),
+                                beside({high, falling_pile(50)}, 0.3)};
     if (quick) return all;
-    all.push_back(beside({tower(20, -60.0), pit(200)}, 3.0));
-    all.push_back(beside({tower(20, -60.0), falling_pile(200)}, 0.3));
+    all.push_back(beside({high, pit(200)}, 3.0));
+    all.push_back(beside({high, falling_pile(200)}, 0.3));
     all.push_back(beside({pit(200), loose_cubes(600, 50.0)}, 3.0));
-    all.push_back(many(
-        "4 fields of 500 loose cubes", 4, [](double x) { return loose_cubes(500, x); }, 1.0));
+    all.push_back(many("4 fields of 500 loose cubes", 4, 500, loose_cubes));
     return all;
 }
 
@@ -192,37 +167,6 @@ SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void(
     sum.together_us = median(of_all);
     sum.ratio = median(ratios);
     return sum;
-}
-
-std::string csv_text(std::span<const SumOfParts> sums) {
-    std::string text =
-        "scenes,islands,parts_us,together_us,ratio,parts_multiply_adds,together_multiply_adds,first_part_moved_m\n";
-    for (const SumOfParts& sum : sums) {
-        text += fmt::format("{},{},{:.3f},{:.3f},{:.4f},{},{},{}\n", sum.name, to_text(sum.islands), sum.parts_us,
-                            sum.together_us, sum.ratio, to_text(sum.parts_multiply_adds),
-                            to_text(sum.together_multiply_adds), to_text(sum.moved));
-    }
-    return text;
-}
-
-Section section_of(std::span<const SumOfParts> sums) {
-    Plate plate;
-    plate.caption =
-        "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds of the "
-        "solver "
-        "per step, as the sum of the parts alone and together, and how far the first part is from where it would "
-        "be "
-        "alone. The scenes are in side-by-side/.";
-    plate.files = {"side_by_side.csv"};
-    plate.table = {{"scenes", "islands", "us, sum", "us, together", "ratio", "multiply-adds, sum",
-                    "multiply-adds, together", "moved in m"}};
-    for (const SumOfParts& sum : sums) {
-        plate.table.push_back({sum.name, three_digits(sum.islands), three_digits(sum.parts_us),
-                               three_digits(sum.together_us), fmt::format("{:.3f}", sum.ratio),
-                               three_digits(sum.parts_multiply_adds), three_digits(sum.together_multiply_adds),
-                               three_digits(sum.moved)});
-    }
-    return {"side-by-side", "A world costs the sum of its parts", plate};
 }
 
 }  // namespace pushfactor::demos::reports::cost

@@ -1,11 +1,9 @@
 // Scenes side by side: a world should cost, and move, as the sum of its parts.
 #pragma once
 
-#include "demos/pages/page.h"
 #include "demos/scenes/scene_description.h"
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +16,6 @@ struct Neighbours {
     std::vector<int> times;  // how often each part is there in `together`
     SceneDescription together;
     double start = 0.0;  // s
-
-    std::string file_name() const;
 };
 
 // Those of the report; the quick ones take seconds.
@@ -38,9 +34,5 @@ struct SumOfParts {
 
 // `goes` times the same steps of all worlds. Calls `check` now and then, which may throw.
 SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check);
-
-// One line for each.
-std::string csv_text(std::span<const SumOfParts> sums);
-Section section_of(std::span<const SumOfParts> sums);
 
 }  // namespace pushfactor::demos::reports::cost

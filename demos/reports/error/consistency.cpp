@@ -1,10 +1,7 @@
 #include "demos/reports/error/consistency.h"
 
-#include "demos/runs/simulation.h"
+#include "demos/reports/study.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace pushfactor::demos::reports::error {
@@ -40,12 +37,13 @@ SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
     return scene;
 }
 
-void run_for(Simulation& run, const Rational& time, const std::function<void()>& check) {
+// Up to a time since the start [s].
+void run_until(Simulation& run, const Rational& time, const std::function<void()>& check) {
     const Rational steps = time / run.settings().dt;
-    for (long i = 0; i < steps.numerator / steps.denominator; ++i) {
+    play(run, [&](const Simulation& now) {
         check();
-        run.advance();
-    }
+        return now.sample().step < steps.numerator / steps.denominator;
+    });
 }
 
 Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, const Bodies& start,
@@ -53,25 +51,8 @@ Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, c
     Choices choices = choices_at(which, dt);
     choices.description = restarted(choices.description, start);
     Simulation run(choices);
-    run_for(run, plan.window, check);
+    run_until(run, plan.window, check);
     return run.scene().world.bodies;
-}
-
-// The states of one run of the smallest step at the starts of the windows.
-std::vector<Bodies> starts_of(const ConsistencyPlan& plan, const ConsistencyCase& which,
-                              const std::function<void()>& check) {
-    const Choices choices = choices_at(which, plan.smallest);
-    Simulation run(choices);
-    std::vector<Bodies> states;
-    Rational time{0, 1};
-    for (const Rational& start : plan.starts) {
-        const std::int64_t common = start.denominator * time.denominator;
-        run_for(run, make_rational(start.numerator * time.denominator - time.numerator * start.denominator, common),
-                check);
-        time = start;
-        states.push_back(run.scene().world.bodies);
-    }
-    return states;
 }
 
 }  // namespace
@@ -102,13 +83,13 @@ ConsistencyPlan consistency_plan(bool quick) {
 
 std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, const ConsistencyCase& which,
                                                 const std::function<void()>& check) {
-    const std::vector<Bodies> starts = starts_of(plan, which, check);
-    std::vector<Bodies> ends;
-    for (const Bodies& start : starts) ends.push_back(after_window(plan, which, start, plan.smallest, check));
-
-    std::string differences;
-    for (const auto& [name, value] : which.options)
-        differences += (differences.empty() ? "" : " ") + name + "=" + value;
+    Simulation fine(choices_at(which, plan.smallest));
+    std::vector<Bodies> starts, ends;
+    for (const Rational& start : plan.starts) {
+        run_until(fine, start, check);
+        starts.push_back(fine.scene().world.bodies);
+        ends.push_back(after_window(plan, which, starts.back(), plan.smallest, check));
+    }
     std::vector<ConsistencyPoint> points;
     for (const Rational& dt : plan.steps) {
         double squares = 0.0, count = 0.0;
@@ -120,27 +101,13 @@ std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, con
                 count += 1.0;
             }
         }
-        ConsistencyPoint point{.scene = which.scene,
-                               .differences = differences,
-                               .dt = dt.value(),
-                               .window = plan.window.value(),
-                               .windows = static_cast<int>(starts.size()),
+        ConsistencyPoint point{.dt = dt.value(),
                                .error = std::sqrt(squares / count),
                                .size = length_of(choices_at(which, dt).description)};
         if (!points.empty() && point.error > 0.0) point.order = std::log2(points.back().error / point.error);
         points.push_back(point);
     }
     return points;
-}
-
-std::string csv_text(const std::vector<ConsistencyPoint>& points) {
-    std::string text = "scene,differs_from_preset,dt_s,window_s,windows,error_rms_m,size_m,observed_order\n";
-    for (const ConsistencyPoint& point : points) {
-        text += fmt::format("{},{},{},{},{},{},{},{}\n", point.scene, point.differences, point.dt, point.window,
-                            point.windows, point.error, point.size,
-                            point.order ? fmt::format("{}", *point.order) : std::string());
-    }
-    return text;
 }
 
 }  // namespace pushfactor::demos::reports::error

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "demos/options/named_run.h"
-#include "demos/reports/error/work_plot.h"
 #include "demos/text/rational.h"
 
 #include <functional>
@@ -35,10 +34,7 @@ struct ConsistencyPlan {
 ConsistencyPlan consistency_plan(bool quick);
 
 struct ConsistencyPoint {
-    std::string scene, differences;
-    double dt = 0.0;      // s
-    double window = 0.0;  // s
-    int windows = 0;
+    double dt = 0.0;                // s
     double error = 0.0;             // m
     double size = 0.0;              // m, of a movable body
     std::optional<double> order{};  // against twice the step; not for the first
@@ -46,8 +42,5 @@ struct ConsistencyPoint {
 
 std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, const ConsistencyCase& which,
                                                 const std::function<void()>& check);
-
-// consistency.csv: one line a scene and step.
-std::string csv_text(const std::vector<ConsistencyPoint>& points);
 
 }  // namespace pushfactor::demos::reports::error

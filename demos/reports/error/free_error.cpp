@@ -1,5 +1,4 @@
 // Bodies that nothing touches: a parabola, and for boxes of three edges the closed form of a free turn.
-#include "demos/reports/error/rms.h"
 #include "demos/reports/error/true_errors.h"
 #include "demos/scenes/named/free_rotation.h"
 

@@ -1,6 +1,6 @@
 #include "demos/reports/error/frozen_moments.h"
 
-#include "demos/runs/simulation.h"
+#include "demos/reports/study.h"
 #include "engine/solvers/solver.h"
 
 #include <fmt/format.h>
@@ -11,25 +11,16 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
-// No cube is exactly above the next: symmetry would hide what Jacobi does. The paper's bound of friction makes the
-// problem convex, so that there is one answer to compare with.
-const OptionTexts jitter{{"jitter", "0.01"}, {"seed", "1"}, {"friction-model", "paper"}};
-
-FrozenMoment stack(const std::string& name, const OptionTexts& options) {
-    FrozenMoment moment{name, "stack", options};
-    moment.options.insert(moment.options.end(), jitter.begin(), jitter.end());
-    return moment;
-}
-
 // Stacks land in the step in which the topmost cube, which falls through all gaps, meets the one below it.
 FrozenMoment landing(const std::string& count, const std::string& seconds) {
-    return stack("stack of " + count + ", landing", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}});
+    return {"stack of " + count + ", landing", "stack", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}}};
 }
 
 // After some time with many iterations, before a tall stack has leaned.
 FrozenMoment settled(const std::string& count, const std::string& seconds) {
-    return stack("stack of " + count + ", settled",
-                 {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}});
+    return {"stack of " + count + ", settled",
+            "stack",
+            {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}}};
 }
 
 // So many substeps that the bars stay whole.
@@ -39,25 +30,16 @@ FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) 
             {{"links", links}, {"end-mass", "1000"}, {"substeps", substeps}, {"seconds", "1"}}};
 }
 
-// What solvers are given is the system of a whole step, and the forces of one.
-std::vector<FrozenMoment> in_whole_steps(std::vector<FrozenMoment> moments) {
-    for (FrozenMoment& moment : moments) moment.options.emplace_back("scheme", "whole");
-    return moments;
-}
-
 constexpr std::size_t most_rows_of_dense = 200;
 
-std::string colour_of(std::string_view solver) {
-    static const std::map<std::string_view, std::string> colours{
-        {"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}};
-    const auto found = colours.find(solver);
-    return found == colours.end() ? "grey" : found->second;
-}
+const std::map<std::string, const char*> colours{
+    {"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}};
 
 }  // namespace
 
 std::vector<FrozenMoment> hard_moments(bool quick) {
-    // Convex, so that there is one answer to compare with.
+    // The paper's bound of friction makes the problem convex, so that there is one answer to compare with. No cube
+    // of a stack is exactly above the next: symmetry would hide what Jacobi does.
     const OptionTexts::value_type convex{"friction-model", "paper"};
     std::vector<FrozenMoment> moments{
         landing("5", "0.32"),
@@ -67,25 +49,29 @@ std::vector<FrozenMoment> hard_moments(bool quick) {
         heavy_chain("20", "32"),
         {"column of 10 spheres", "sphere_column", {{"seconds", "0.02"}}},
     };
-    if (quick) return in_whole_steps(moments);
-    for (const auto& [count, seconds] : {std::pair{"20", "0.64"}, std::pair{"100", "1.42"}}) {
-        moments.push_back(landing(count, seconds));
+    if (!quick) {
+        moments.insert(moments.end(), {landing("20", "0.64"),
+                                       landing("100", "1.42"),
+                                       settled("20", "2"),
+                                       settled("100", "0.5"),
+                                       heavy_chain("5", "16"),
+                                       {"funnel of 200", "funnel", {{"count", "200"}, {"seconds", "5"}, convex}}});
     }
-    for (const auto& [count, seconds] : {std::pair{"20", "2"}, std::pair{"100", "0.5"}}) {
-        moments.push_back(settled(count, seconds));
+    for (FrozenMoment& moment : moments) {
+        if (moment.scene == "stack")
+            moment.options.insert(moment.options.end(), {{"jitter", "0.01"}, {"seed", "1"}, convex});
+        // Solvers get the system of a whole step, and the forces of one.
+        moment.options.emplace_back("scheme", "whole");
     }
-    moments.push_back(heavy_chain("5", "16"));
-    moments.push_back({"funnel of 200", "funnel", {{"count", "200"}, {"seconds", "5"}, convex}});
-    return in_whole_steps(moments);
+    return moments;
 }
 
 FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check) {
-    const Choices choices = run_of(moment.scene, moment.options);
-    Simulation run(choices);
-    while (run.sample().step < std::max(1L, whole_steps(choices.settings))) {
+    Simulation run(run_of(moment.scene, moment.options));
+    play(run, [&](const Simulation& now) {
         check();
-        run.advance();
-    }
+        return now.sample().step < std::max(1L, whole_steps(now.settings()));
+    });
     return {moment.name, run.scene().world};
 }
 
@@ -113,13 +99,11 @@ std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick) 
     return points;
 }
 
-std::string csv_text(const std::vector<FrozenPoint>& points) {
-    std::string text = "problem,method,iterations,residual_m_per_s,work_multiply_adds\n";
-    for (const FrozenPoint& point : points) {
-        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", point.problem, point.method, point.iterations,
-                            point.residual, point.multiply_adds);
-    }
-    return text;
+Table table_of(const std::vector<FrozenPoint>& points) {
+    Table table{{"problem", "method", "iterations", "residual_m_per_s", "work_multiply_adds"}};
+    for (const auto& [problem, method, iterations, residual, multiply_adds] : points)
+        table.rows.push_back({problem, method, iterations, residual, multiply_adds});
+    return table;
 }
 
 std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points) {
@@ -128,8 +112,9 @@ std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points) {
         if (point.method.starts_with("dense")) continue;
         if (lines.empty() || lines.back().name != point.method) {
             const bool warm = point.method.ends_with("warm");
+            const auto colour = colours.find(point.method.substr(0, point.method.find(',')));
             lines.push_back({.name = point.method,
-                             .colour = colour_of(point.method.substr(0, point.method.find(','))),
+                             .colour = colour == colours.end() ? "grey" : colour->second,
                              .dash = warm ? 1 : 2,
                              .mark = warm ? 7 : 5,
                              .points = {}});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "demos/options/named_run.h"
+#include "demos/pages/table.h"
 #include "demos/reports/error/frozen_problem.h"
 #include "demos/reports/error/work_plot.h"
 
@@ -34,8 +35,7 @@ struct FrozenPoint {
 // it gives the same as `pgs` at a cost of the cube.
 std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick);
 
-// frozen.csv: one line a problem, method and number of iterations.
-std::string csv_text(const std::vector<FrozenPoint>& points);
+Table table_of(const std::vector<FrozenPoint>& points);  // frozen.csv
 
 // What the plot of one problem shows of its points: all but `dense`, whose work would press the others together.
 std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points);

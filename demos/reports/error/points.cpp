@@ -1,10 +1,8 @@
 #include "demos/reports/error/points.h"
 
 #include "demos/platform/cpu_clock.h"
+#include "demos/reports/study.h"
 #include "demos/runs/measurements.h"
-#include "demos/text/errors.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,41 +12,29 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
+struct Work {
+    double multiply_adds = 0.0;
+
+    void observe(const Simulation& run) { multiply_adds += run.sample().count.multiply_adds; }
+};
+
+struct StepTimes {
+    std::vector<double> us;
+
+    void observe(const Simulation& run) { us.push_back(*run.sample().cpu_us); }
+};
+
 // Fills in all but the times.
 void run_for_errors(const Experiment& sweep, const Choices& choices, const std::function<void()>& check,
                     ErrorPoint& point) {
     Simulation run(choices);
     Measurements measurements(run);
+    Work work;
     const auto error = sweep.error(run);
-    bool finite = true;
-    try {
-        while (run.sample().step < whole_steps(choices.settings)) {
-            check();
-            run.advance();
-            point.multiply_adds += run.sample().count.multiply_adds;
-            measurements.observe(run);
-            error->observe(run);
-        }
-    } catch (const NonFiniteError&) {
-        finite = false;
-    }
+    const bool finite = play_to_end(run, check, work, measurements, *error);
     point.errors = error->result();
-    point.multiply_adds /= run.sample().time;
+    point.multiply_adds = work.multiply_adds / run.sample().time;
     point.outcome = finite ? name_of(measurements.outcome()) : "non-finite";
-}
-
-// CPU time in us of each step, up to the one that was not finite any more.
-std::vector<double> step_times(const Choices& choices, const std::function<void()>& check) {
-    Simulation run(choices.on_one_thread(), thread_cpu_us);
-    std::vector<double> times;
-    try {
-        while (run.sample().step < whole_steps(choices.settings)) {
-            check();
-            times.push_back(*run.advance().cpu_us);
-        }
-    } catch (const NonFiniteError&) {
-    }
-    return times;
 }
 
 CpuShare time_runs(const Choices& choices, int repeats, const std::function<void()>& check) {
@@ -58,7 +44,10 @@ CpuShare time_runs(const Choices& choices, int repeats, const std::function<void
     };
     std::vector<double> all, begin, end;
     for (int i = 0; i < repeats; ++i) {
-        const std::vector<double> times = step_times(choices, check);
+        Simulation run(choices.on_one_thread(), thread_cpu_us);
+        StepTimes steps;
+        play_to_end(run, check, steps);
+        const std::vector<double>& times = steps.us;
         if (times.empty()) return {};
         const auto second = std::min<long>(std::lround(1.0 / dt), static_cast<long>(times.size()));
         const auto two = std::min<long>(2 * second, static_cast<long>(times.size()));
@@ -94,23 +83,20 @@ double percentile_95(std::vector<double> values) {
     return values[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1];
 }
 
-std::string csv_text(const std::vector<ErrorPoint>& points) {
-    std::string text =
-        "scene,method,differs_from_preset,knob,value,error_measure,error,work_multiply_adds_per_simulated_s,"
-        "cpu_s_per_simulated_s_min,cpu_s_per_simulated_s_median,cpu_s_per_simulated_s_p95,"
-        "cpu_s_per_simulated_s_first_two_s,cpu_s_per_simulated_s_last_s,outcome\n";
+Table table_of(const std::vector<ErrorPoint>& points) {
+    Table table{{"scene", "method", "differs_from_preset", "knob", "value", "error_measure", "error",
+                 "work_multiply_adds_per_simulated_s", "cpu_s_per_simulated_s_min", "cpu_s_per_simulated_s_median",
+                 "cpu_s_per_simulated_s_p95", "cpu_s_per_simulated_s_first_two_s", "cpu_s_per_simulated_s_last_s",
+                 "outcome"}};
     for (const ErrorPoint& point : points) {
-        const CpuShare& cpu = point.cpu;
-        const std::string times =
-            fmt::format("{},{},{},{},{}", cpu.min, cpu.median, cpu.p95, cpu.first_two_seconds, cpu.last_second);
-        for (const NamedError& error : point.errors) {
-            text += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{}\n", point.scene, point.method, point.differences,
-                                point.knob, point.value, error.name,
-                                std::isfinite(error.value) ? fmt::format("{}", error.value) : std::string(),
-                                point.multiply_adds, times, point.outcome);
+        const auto& [min, median, p95, first_two_seconds, last_second] = point.cpu;
+        for (const auto& [name, value] : point.errors) {
+            table.rows.push_back({point.scene, point.method, point.differences, point.knob, point.value, name,
+                                  std::isfinite(value) ? Cell(value) : Cell(), point.multiply_adds, min, median,
+                                  p95, first_two_seconds, last_second, point.outcome});
         }
     }
-    return text;
+    return table;
 }
 
 }  // namespace pushfactor::demos::reports::error

@@ -2,6 +2,7 @@
 // times more for the clock, which measuring would disturb.
 #pragma once
 
+#include "demos/pages/table.h"
 #include "demos/reports/error/experiments.h"
 
 #include <functional>
@@ -34,7 +35,6 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
 // The smallest value that at least 95 % of all do not exceed; `values` is not empty.
 double percentile_95(std::vector<double> values);
 
-// error.csv: one line a point and error.
-std::string csv_text(const std::vector<ErrorPoint>& points);
+Table table_of(const std::vector<ErrorPoint>& points);  // error.csv, one line per point and error
 
 }  // namespace pushfactor::demos::reports::error

@@ -1,7 +1,6 @@
 #include "demos/reports/error/true_errors.h"
 
 #include "demos/reports/error/converged_forces.h"
-#include "demos/reports/error/rms.h"
 #include "demos/runs/measurements.h"
 
 #include <algorithm>
@@ -180,22 +179,18 @@ class StandingError : public TrueError {
 
     void observe(const Simulation& simulation) override {
         if (simulation.sample().time <= from_) return;
-        const std::vector<engine::Body>& bodies = simulation.scene().world.bodies;
+        const std::vector<Body>& bodies = simulation.scene().world.bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            if (bodies[i].is_static()) continue;
-            squares_ += (bodies[i].position - start_[i].position).squaredNorm();
-            ++count_;
+            if (!bodies[i].is_static()) moved_.add((bodies[i].position - start_[i].position).squaredNorm());
         }
     }
-    std::vector<NamedError> result() const override {
-        return {{"moved_rms_m", count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0}};
-    }
+
+    std::vector<NamedError> result() const override { return {{"moved_rms_m", moved_.value()}}; }
 
   private:
-    std::vector<engine::Body> start_;
+    std::vector<Body> start_;
     double from_ = 0.0;  // s
-    double squares_ = 0.0;
-    long count_ = 0;
+    Rms moved_;
 };
 
 }  // namespace

@@ -4,12 +4,27 @@
 
 #include "demos/runs/simulation.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports::error {
+
+// Root of the mean of squares.
+class Rms {
+  public:
+    void add(double square) {
+        sum_ += square;
+        ++count_;
+    }
+    double value() const { return count_ > 0 ? std::sqrt(sum_ / static_cast<double>(count_)) : 0.0; }
+
+  private:
+    double sum_ = 0.0;
+    long count_ = 0;
+};
 
 struct NamedError {
     std::string name;  // with its unit, "sideways_m"; without one it is relative

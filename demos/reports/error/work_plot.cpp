@@ -1,9 +1,7 @@
 #include "demos/reports/error/work_plot.h"
 
 #include "demos/pages/plot.h"
-#include "demos/platform/output_file.h"
-#include "demos/reports/error/label_places.h"
-#include "demos/reports/error/pareto.h"
+#include "demos/reports/error/plot_layout.h"
 #include "demos/text/palette.h"
 
 #include <fmt/format.h>
@@ -197,14 +195,6 @@ std::string in_quotes(const std::string& word) {
 
 void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate) {
     const Axes axes = axes_of(plot);
-    const std::filesystem::path data = folder / (plot.name + ".dat");
-    write_file(data, data_text(plot, axes));
-    plate.files.push_back(plot.name + ".dat");
-    if (!plots_can_be_drawn()) {
-        if (plate.caption.find(what_plots_need) == std::string::npos)
-            plate.caption += std::string(" ") + what_plots_need;
-        return;
-    }
     std::string names, colours, dashes, marks;
     bool failures = false;
     for (const WorkLine& line : plot.lines) {
@@ -215,7 +205,7 @@ void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, P
         for (const WorkPoint& point : line.points) failures |= point.failed && drawable(point);
     }
     const Plot drawing{.script = "error_against_work",
-                       .data = data,
+                       .data = plot.name + ".dat",
                        .name = plot.name,
                        .aspect = aspect,
                        .variables = {{"names", names},
@@ -232,9 +222,7 @@ void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, P
                                      {"error_high", axes.error.at(1.0)},
                                      {"work_low", axes.work.at(0.0)},
                                      {"work_high", axes.work.at(1.0)}}};
-    for (const std::string& made : draw_plot(drawing, folder)) {
-        (made.ends_with(".png") ? plate.pictures : plate.files).push_back(made);
-    }
+    add_plot(drawing, data_text(plot, axes), folder, plate);
 }
 
 }  // namespace pushfactor::demos::reports::error

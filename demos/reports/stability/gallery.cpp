@@ -3,11 +3,8 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/layout.h"
-#include "demos/pictures/studio.h"
 #include "demos/pictures/survey.h"
-#include "demos/platform/output_file.h"
 #include "renderer/base/renderer_error.h"
-#include "renderer/images/png.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +12,6 @@ namespace pushfactor::demos::reports::stability {
 
 namespace {
 
-namespace fs = std::filesystem;
 using engine::Vector3;
 
 constexpr pictures::Size thumbnail{320, 180};  // pixels
@@ -106,20 +102,18 @@ std::string label_of(const Trial& trial) {
 
 }  // namespace
 
-Gallery::Gallery(fs::path folder) : folder_(std::move(folder)) {
+Gallery::Gallery(const std::filesystem::path& folder) {
     try {
-        studio_ = std::make_unique<pictures::Studio>();
+        output_ = std::make_unique<figures::FigureOutput>(folder, columns * thumbnail.width, samples);
     } catch (const renderer::RendererError& error) {
         missing_ = error.what();
     }
 }
 
-Gallery::~Gallery() = default;
-
-std::string Gallery::hang(const std::string& name, std::span<const Trial> trials) const {
+std::string Gallery::hang(const std::string& name, std::span<const Trial> trials) {
     std::vector<const Trial*> shown;
     for (const Trial& trial : trials) {
-        if (studio_ && fs::exists(trial.state())) shown.push_back(&trial);
+        if (output_ && std::filesystem::exists(trial.state())) shown.push_back(&trial);
     }
     if (shown.empty()) return {};
     const int across = std::min(columns, static_cast<int>(shown.size()));
@@ -127,14 +121,12 @@ std::string Gallery::hang(const std::string& name, std::span<const Trial> trials
     const pictures::Layout layout =
         pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
     std::vector<renderer::Image> images;
-    for (const Trial* trial : shown) images.push_back(draw(*studio_, layout.cell, *trial));
+    for (const Trial* trial : shown) images.push_back(draw(output_->studio(), layout.cell, *trial));
     renderer::Image sheet = pictures::assemble(layout, images);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        studio_->lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);
+        output_->studio().lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);
     }
-    const std::vector<std::uint8_t> bytes = renderer::encode_png(sheet);
-    write_file(folder_ / (name + ".png"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    return name + ".png";
+    return output_->save(sheet, name);
 }
 
 }  // namespace pushfactor::demos::reports::stability

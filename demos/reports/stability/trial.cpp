@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool brings_scene(const Case& one) {
-    return one.own || one.text;
-}
-
 fs::path scene_file(const Case& one, const fs::path& folder) {
     return folder / "scenes" / (one.name + ".json");
 }
@@ -36,40 +32,30 @@ std::optional<double> worst(const Check& check, const std::vector<double>& value
     return found;
 }
 
-SceneDescription description_of(const Case& one) {
-    if (one.wanted == "refused") return {};
-    return one.own ? *one.own : run_of(one.scene, one.options).description;
-}
-
 }  // namespace
 
 Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
     : one_(one),
       expected_(expected),
       runs_(folder / "runs"),
-      scene_(brings_scene(one) ? scene_file(one, folder).string() : one.scene),
-      start_(description_of(one)) {
-    OptionTexts options{{"preset", expected.preset}};
-    options.insert(options.end(), one.options.begin(), one.options.end());
-    command_ = command_text("run", scene_, options);
-    for (const std::string& output : outputs()) command_ += " --" + output + " " + output + ".csv";
-}
-
-std::vector<std::string> Trial::outputs() const {
-    std::vector<std::string> found;
-    for (const Check& check : one_.checks) {
+      scene_(one.own() ? scene_file(one, folder).string() : std::get<std::string>(one.scene)),
+      options_{{"preset", expected.preset}},
+      start_(one.own() ? *one.own() : run_of(scene_, one.options).description) {
+    options_.insert(options_.end(), one.options.begin(), one.options.end());
+    command_ = command_text("run", scene_, options_);
+    for (const Check& check : one.checks) {
         const std::string output = output_for(check.measure);
-        if (!output.empty() && std::find(found.begin(), found.end(), output) == found.end())
-            found.push_back(output);
+        if (!output.empty() && std::find(outputs_.begin(), outputs_.end(), output) == outputs_.end())
+            outputs_.push_back(output);
     }
-    return found;
+    for (const std::string& output : outputs_) command_ += " --" + output + " " + output + ".csv";
 }
 
 void Trial::start(const fs::path& program) {
-    std::vector<std::string> words{"run", scene_, "--preset", expected_.preset};
-    for (const auto& [name, text] : one_.options) words.insert(words.end(), {"--" + name, text});
+    std::vector<std::string> words{"run", scene_};
+    for (const auto& [name, text] : options_) words.insert(words.end(), {"--" + name, text});
     words.insert(words.end(), {"--summary", file(".json"), "--save-state", state()});
-    for (const std::string& output : outputs())
+    for (const std::string& output : outputs_)
         words.insert(words.end(), {"--" + output, file("." + output + ".csv")});
     tool_ = std::make_unique<ChildProcess>(program.string(), "pushfactor", words);
 }
@@ -78,60 +64,41 @@ fs::path Trial::state() const {
     return file("-state.json");
 }
 
-void Trial::read_outcome(const Ending& ending) {
-    switch (ending.status) {
-        case done:
-            outcome_ = read_json_file(file(".json"), "summary").at("outcome").get<std::string>();
-            break;
-        case bad_usage:
-            outcome_ = ending.words.find(one_.field) != std::string::npos ? "refused" : "refused without its name";
-            break;
-        case not_finite:
-            outcome_ = "non-finite";
-            break;
-        default:
-            outcome_ = "failed: " + ending.words;
-    }
-}
-
 Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<double>& values) const {
+    const auto& [preset, outcome, reached] = expected_;
     Verdict verdict{.check = &check, .value = worst(check, values), .met = false, .holds = false};
     if (verdict.value) {
         verdict.met = better_or_equal(*verdict.value, check.bar, check.at_least);
-        verdict.holds = verdict.met;
-        if (index < expected_.reached.size() && expected_.reached[index]) {
-            verdict.holds =
-                verdict.met || better_or_equal(*verdict.value, *expected_.reached[index], check.at_least);
-        }
+        verdict.holds = verdict.met || (index < reached.size() && reached[index] &&
+                                        better_or_equal(*verdict.value, *reached[index], check.at_least));
     }
     // Where another outcome than the wanted one is expected, the bars cannot be, unless it says what is reached.
-    if (expected_.outcome != one_.wanted && expected_.reached.empty()) verdict.holds = true;
+    if (outcome != one_.wanted && reached.empty()) verdict.holds = true;
     return verdict;
-}
-
-void Trial::judge_checks() {
-    Evidence evidence{.scene = &start_, .summary = read_json_file(file(".json"), "summary")};
-    for (const std::string& output : outputs())
-        evidence.outputs[output] = read_columns(file("." + output + ".csv"));
-    for (std::size_t i = 0; i < one_.checks.size(); ++i) {
-        verdicts_.push_back(judge(one_.checks[i], i, take(one_.checks[i].measure, evidence)));
-    }
 }
 
 void Trial::judge() {
     const Ending ending = tool_->ending();
     tool_.reset();
-    read_outcome(ending);
+    Evidence evidence{.scene = &start_};
     if (ending.status == done) {
-        judge_checks();
+        evidence.summary = read_json_file(file(".json"), "summary");
+        outcome_ = evidence.summary.at("outcome").get<std::string>();
+        for (const std::string& output : outputs_)
+            evidence.outputs[output] = read_columns(file("." + output + ".csv"));
     } else {
-        for (std::size_t i = 0; i < one_.checks.size(); ++i) verdicts_.push_back(judge(one_.checks[i], i, {}));
+        outcome_ = ending.status == not_finite ? "non-finite" : "failed: " + ending.words;
+    }
+    for (std::size_t i = 0; i < one_.checks.size(); ++i) {
+        const bool measured = ending.status == done;
+        verdicts_.push_back(
+            judge(one_.checks[i], i, measured ? take(one_.checks[i].measure, evidence) : std::vector<double>{}));
     }
     if (verdicts_.empty()) verdicts_.push_back({});
     for (Verdict& verdict : verdicts_) {
         verdict.holds = verdict.holds && (outcome_ == expected_.outcome || outcome_ == one_.wanted);
     }
-    for (const std::string& output : outputs()) fs::remove(file("." + output + ".csv"));
+    for (const std::string& output : outputs_) fs::remove(file("." + output + ".csv"));
 }
 
 bool Trial::holds() const {
@@ -143,8 +110,7 @@ void write_scenes(const std::vector<Chapter>& chapters, const fs::path& folder) 
     make_folder(folder / "runs");
     for (const Chapter& chapter : chapters) {
         for (const Case& one : chapter.cases) {
-            if (!brings_scene(one)) continue;
-            write_file(scene_file(one, folder), one.text ? *one.text : scene_file_text(*one.own));
+            if (one.own()) write_file(scene_file(one, folder), scene_file_text(*one.own()));
         }
     }
 }

@@ -40,23 +40,22 @@ class Trial {
     const std::vector<Verdict>& verdicts() const { return verdicts_; }  // one at least
     bool holds() const;
 
-    const SceneDescription& start() const { return start_; }  // empty where the scene is refused
+    const SceneDescription& start() const { return start_; }
 
-    // The last state, as a scene file. There is none where the run was refused.
+    // The last state, as a scene file. There is none where the run failed.
     std::filesystem::path state() const;
 
   private:
     std::filesystem::path file(const std::string& what) const { return runs_ / (name() + what); }
-    std::vector<std::string> outputs() const;
-    void read_outcome(const Ending& ending);
-    void judge_checks();
     Verdict judge(const Check& check, std::size_t index, const std::vector<double>& values) const;
 
     const Case& one_;
     const Expected& expected_;
     std::filesystem::path runs_;
     std::string scene_;
+    OptionTexts options_;
     SceneDescription start_;
+    std::vector<std::string> outputs_;  // options that write what is measured
     std::string command_;
     std::unique_ptr<ChildProcess> tool_;
     std::string outcome_;

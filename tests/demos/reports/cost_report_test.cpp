@@ -1,6 +1,5 @@
 // The cost report: one command, all files, the same counts twice; and what the ledger says of the wave.
 #include "demos/options/named_run.h"
-#include "demos/reports/cost/everything.h"
 #include "demos/reports/cost/ledger.h"
 #include "demos/reports/cost/neighbours.h"
 #include "tests/catch.h"

@@ -1,5 +1,4 @@
-#include "demos/reports/error/label_places.h"
-
+#include "demos/reports/error/plot_layout.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

@@ -1,5 +1,4 @@
-#include "demos/reports/error/pareto.h"
-
+#include "demos/reports/error/plot_layout.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

@@ -1,7 +1,7 @@
 // The measures of the stability report, on motions that are known.
 #include "demos/reports/stability/measures/measures.h"
 #include "demos/reports/stability/measures/slab_slide.h"
-#include "demos/reports/stability/scenes/small.h"
+#include "demos/reports/stability/scenes/scenes.h"
 #include "tests/catch.h"
 
 #include <cmath>

@@ -2,9 +2,7 @@
 // in tests/scenes. `tests "[scene-files-update]"` writes the files anew.
 #include "demos/platform/output_file.h"
 #include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/scenes/floor.h"
-#include "demos/reports/stability/scenes/friction.h"
-#include "demos/reports/stability/scenes/thin.h"
+#include "demos/reports/stability/scenes/scenes.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/json.h"
@@ -108,7 +106,7 @@ TEST_CASE("scenes about friction, floors and thin bodies begin without overlap")
         for (const Case& one : chapter.cases) {
             INFO(one.name);
             ++scenes;
-            CHECK(penetration_of(*one.own) < 1e-12);
+            CHECK(penetration_of(*one.own()) < 1e-12);
         }
     }
     CHECK(scenes > 40);

@@ -197,7 +197,7 @@ TEST_CASE("a run that breaks is named, and its time is that of the steps before"
     const Method method{.name = "pgs", .differs = {}, .knob = "iterations", .colour = "blue"};
     const ErrorPoint point = run_point(sweep, method, "25", 1, [] {});
     CHECK(point.failed);
-    CHECK(csv_text({point}).find("," + point.outcome + "\n") != std::string::npos);
+    CHECK(csv_text(table_of(std::vector{point})).find("," + point.outcome + "\n") != std::string::npos);
     CHECK(point.cpu.median > 0.0);
 }
 

@@ -1,12 +1,11 @@
 #include "demos/reports/stability/measures/measures.h"
 
-#include "demos/reports/stability/measures/sliding.h"
 #include "demos/text/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -14,14 +13,34 @@ namespace pushfactor::demos::reports::stability {
 
 namespace {
 
+using engine::Quaternion;
 using engine::Vector3;
 
-// Of the movable body that the scene names last.
-std::vector<State> states(const Evidence& evidence) {
-    return tracks(evidence).back().states;
+struct State {
+    double time = 0.0;  // s
+    Vector3 x, v, w;
+    Quaternion orientation;
+};
+using States = std::vector<State>;
+
+// Of each movable body, in the order of the scene, at every moment of the trajectory.
+std::vector<States> tracks(const Evidence& evidence) {
+    const auto& bodies = evidence.scene->bodies;
+    const auto movable = std::count_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.mass; });
+    std::vector<States> found(static_cast<std::size_t>(movable));
+    const Columns& all = evidence.outputs.at("trajectory");
+    for (std::size_t i = 0; i < all.at("time_s").size(); ++i) {
+        const auto at = [&](const char* column) { return all.at(column)[i]; };
+        found[i % found.size()].push_back({.time = at("time_s"),
+                                           .x = {at("x_m"), at("y_m"), at("z_m")},
+                                           .v = {at("vx_m_per_s"), at("vy_m_per_s"), at("vz_m_per_s")},
+                                           .w = {at("wx_rad_per_s"), at("wy_rad_per_s"), at("wz_rad_per_s")},
+                                           .orientation = Quaternion(at("qw"), at("qx"), at("qy"), at("qz"))});
+    }
+    return found;
 }
 
-double step_of(const std::vector<State>& states) {
+double step_of(const States& states) {
     return states[1].time - states[0].time;
 }
 
@@ -45,21 +64,54 @@ double centred_energy(const State& state, const BodyDescription& body, const Vec
 }
 
 template <typename Value>
-double largest_of(const std::vector<State>& states, const Value& value) {
+double largest_of(const States& states, const Value& value) {
     double largest = 0.0;
     for (const State& state : states) largest = std::max(largest, value(state));
     return largest;
 }
 
-// How far below height 0 its centre comes.
-std::optional<double> depth(const Evidence& evidence) {
-    return largest_of(states(evidence), [](const State& state) { return -state.x.y(); });
+double level_distance(const State& from, const State& to) {
+    return std::hypot(to.x.x() - from.x.x(), to.x.z() - from.x.z());
+}
+
+// Angle that it turned in all, from one moment to the next by less than half a turn [rad].
+double turned_angle(const States& states) {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        const Quaternion& before = states[i - 1].orientation;
+        const Eigen::AngleAxisd turn(states[i].orientation * before.conjugate());
+        sum += turn.angle() * turn.axis();
+    }
+    return sum.norm();
+}
+
+// Over the last second [m/s^2].
+std::optional<double> acceleration(const States& states) {
+    const auto second = static_cast<std::size_t>(std::lround(1.0 / step_of(states)));
+    if (states.size() <= second) return std::nullopt;
+    const State& before = states[states.size() - 1 - second];
+    const State& last = states.back();
+    return (last.v - before.v).norm() / (last.time - before.time);
+}
+
+// Time of a swing to and fro, from the first to the last passage of its centre through x = 0 in the direction of +x
+// [s]. Nothing below two passages.
+std::optional<double> swing_period(const States& states) {
+    std::vector<double> passages;  // s
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        const State& before = states[i - 1];
+        const State& after = states[i];
+        if (before.x.x() >= 0.0 || after.x.x() < 0.0) continue;
+        const double share = -before.x.x() / (after.x.x() - before.x.x());
+        passages.push_back(before.time + share * (after.time - before.time));
+    }
+    if (passages.size() < 2) return std::nullopt;
+    return (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
 }
 
 // Between the tops of the first five flights after a bounce, from the parabolas through the positions.
-std::optional<double> apex_spread(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
-    const double g = evidence.scene->gravity.norm();
+std::optional<double> apex_spread(const States& all, const SceneDescription& scene) {
+    const double g = scene.gravity.norm();
     std::vector<double> apexes;
     for (std::size_t i = 1; i < all.size() && apexes.size() < 5; ++i) {
         const double rising = all[i - 1].v.y();
@@ -72,19 +124,17 @@ std::optional<double> apex_spread(const Evidence& evidence) {
     return *high - *low;
 }
 
-std::optional<double> energy_change(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
-    const BodyDescription& body = evidence.scene->bodies.back();
+std::optional<double> energy_change(const States& all, const SceneDescription& scene) {
+    const BodyDescription& body = scene.bodies.back();
     const auto energy = [&](const State& state) {
-        return centred_energy(state, body, evidence.scene->gravity, step_of(all));
+        return centred_energy(state, body, scene.gravity, step_of(all));
     };
     const double start = energy(all.front());
     return largest_of(all, [&](const State& state) { return std::abs(energy(state) - start); }) / std::abs(start);
 }
 
 // About the body's x axis, and about those across it together, whichever changed more; of the start's.
-std::optional<double> spin_change(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
+std::optional<double> spin_change(const States& all, const SceneDescription&) {
     const auto along = [](const State& state) { return std::abs(turning(state).x()); };
     const auto across = [](const State& state) { return turning(state).tail<2>().norm(); };
     const State& start = all.front();
@@ -93,9 +143,8 @@ std::optional<double> spin_change(const Evidence& evidence) {
     });
 }
 
-std::optional<double> angular_momentum_change(const Evidence& evidence) {
-    const std::vector<State> all = states(evidence);
-    const Vector3 inertia = inertia_of(evidence.scene->bodies.back());
+std::optional<double> angular_momentum_change(const States& all, const SceneDescription& scene) {
+    const Vector3 inertia = inertia_of(scene.bodies.back());
     const auto momentum = [&](const State& state) -> Vector3 {
         return state.orientation * inertia.cwiseProduct(turning(state));
     };
@@ -103,78 +152,106 @@ std::optional<double> angular_momentum_change(const Evidence& evidence) {
     return largest_of(all, [&](const State& state) { return (momentum(state) - start).norm(); }) / start.norm();
 }
 
-std::optional<double> penetration_at_end(const Evidence& evidence) {
-    const Columns& steps = evidence.outputs.at("csv");
-    return steps.at("max_penetration_m").back();
-}
-
-std::optional<double> largest_force(const Evidence& evidence) {
-    double largest = 0.0;
-    for (const double force : evidence.outputs.at("rows").at("lambda_last_n")) {
-        largest = std::max(largest, std::abs(force));
-    }
-    return largest;
-}
-
-std::optional<double> energy_change_at_end(const Evidence& evidence) {
-    const auto number = [&](const char* name) { return evidence.summary.at(name).get<double>(); };
-    return std::abs(number("energy_final_j") - number("energy_initial_j"));
-}
-
 using Values = std::vector<double>;
-
-// A number of the whole run.
-template <std::optional<double> (*one)(const Evidence&)>
-Values of_run(const Evidence& evidence) {
-    const std::optional<double> value = one(evidence);
-    return value ? Values{*value} : Values{};
-}
+using Take = std::function<Values(const Evidence& evidence)>;
 
 // A number of each movable body; nothing where one of them does not have it.
-template <auto one>
-Values of_each(const Evidence& evidence) {
-    Values values;
-    for (const Track& track : tracks(evidence)) {
-        const std::optional<double> value = one(track);
-        if (!value) return {};
-        values.push_back(*value);
-    }
-    return values;
+Take each(std::function<std::optional<double>(const States& states)> one) {
+    return [one](const Evidence& evidence) {
+        Values values;
+        for (const States& states : tracks(evidence)) {
+            const std::optional<double> value = one(states);
+            if (!value) return Values{};
+            values.push_back(*value);
+        }
+        return values;
+    };
+}
+
+// A number of each movable body: the largest that one of its states has, compared with its first one.
+Take largest(double (*value)(const State& state, const State& start)) {
+    return each([value](const States& states) {
+        return largest_of(states, [&](const State& state) { return value(state, states.front()); });
+    });
+}
+
+// A number of the movable body that the scene names last.
+Take last(std::optional<double> (*one)(const States& states, const SceneDescription& scene)) {
+    return [one](const Evidence& evidence) {
+        const std::optional<double> value = one(tracks(evidence).back(), *evidence.scene);
+        return value ? Values{*value} : Values{};
+    };
+}
+
+// Twins are the first half of a scene's movable bodies and, in the same order, the second half: the largest
+// difference of what `value` says of them, one number per pair.
+Take twins(Vector3 (*value)(const State& state, const State& start)) {
+    return [value](const Evidence& evidence) {
+        const std::vector<States> all = tracks(evidence);
+        Values found(all.size() / 2);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const States &one = all[i], &other = all[found.size() + i];
+            for (std::size_t k = 0; k < one.size(); ++k) {
+                found[i] = std::max(found[i], (value(one[k], one[0]) - value(other[k], other[0])).norm());
+            }
+        }
+        return found;
+    };
 }
 
 struct Measure {
-    std::string_view name;
-    std::string_view output;
-    Values (*take)(const Evidence& evidence);
+    std::string_view name, output;
+    Take take;
 };
 
-constexpr std::array measures{
-    Measure{"depth_m", "trajectory", of_run<depth>},
-    Measure{"deflection_m_per_s", "trajectory", of_each<deflection>},
-    Measure{"acceleration_m_per_s2", "trajectory", of_each<acceleration>},
-    Measure{"slide_m", "trajectory", of_each<slide>},
-    Measure{"farthest_m", "trajectory", of_each<farthest>},
-    Measure{"sideways_m", "trajectory", of_each<sideways>},
-    Measure{"last_speed_m_per_s", "trajectory", of_each<last_speed>},
-    Measure{"spin_rad_per_s", "trajectory", of_each<largest_spin>},
-    Measure{"vertical_spin_rad_per_s", "trajectory", of_each<vertical_spin>},
-    Measure{"turned_rad", "trajectory", of_each<turned_angle>},
-    Measure{"swing_period_s", "trajectory", of_each<swing_period>},
-    Measure{"twin_distance_m", "trajectory", twin_distances},
-    Measure{"twin_velocity_m_per_s", "trajectory", twin_velocities},
-    Measure{"spread_of_5_apexes_m", "trajectory", of_run<apex_spread>},
-    Measure{"relative_energy_change", "trajectory", of_run<energy_change>},
-    Measure{"relative_spin_change", "trajectory", of_run<spin_change>},
-    Measure{"relative_angular_momentum_change", "trajectory", of_run<angular_momentum_change>},
-    Measure{"penetration_at_end_m", "csv", of_run<penetration_at_end>},
-    Measure{"largest_force_n", "rows", of_run<largest_force>},
-    Measure{"energy_change_at_end_j", "", of_run<energy_change_at_end>},
+const std::vector<Measure> measures{
+    {"slide_m", "trajectory",
+     each([](const States& states) { return level_distance(states.front(), states.back()); })},
+    {"farthest_m", "trajectory", largest(level_distance)},
+    // From the vertical plane through its start along its first velocity.
+    {"sideways_m", "trajectory", largest([](const State& state, const State& start) {
+         return std::abs(start.v.cross(Vector3::UnitY()).normalized().dot(state.x - start.x));
+     })},
+    {"deflection_m_per_s", "trajectory",
+     largest([](const State& state, const State& start) { return (state.v - start.v).norm(); })},
+    {"acceleration_m_per_s2", "trajectory", each(acceleration)},
+    {"last_speed_m_per_s", "trajectory", each([](const States& states) { return states.back().v.norm(); })},
+    {"spin_rad_per_s", "trajectory", largest([](const State& state, const State&) { return state.w.norm(); })},
+    {"vertical_spin_rad_per_s", "trajectory",
+     largest([](const State& state, const State&) { return std::abs(state.w.y()); })},
+    {"turned_rad", "trajectory", each(turned_angle)},
+    {"swing_period_s", "trajectory", each(swing_period)},
+    {"twin_distance_m", "trajectory",
+     twins([](const State& state, const State& start) -> Vector3 { return state.x - start.x; })},
+    {"twin_velocity_m_per_s", "trajectory", twins([](const State& state, const State&) { return state.v; })},
+    // Of the centre below height 0.
+    {"depth_m", "trajectory", last([](const States& states, const SceneDescription&) {
+         return std::optional(largest_of(states, [](const State& state) { return -state.x.y(); }));
+     })},
+    {"spread_of_5_apexes_m", "trajectory", last(apex_spread)},
+    {"relative_energy_change", "trajectory", last(energy_change)},
+    {"relative_spin_change", "trajectory", last(spin_change)},
+    {"relative_angular_momentum_change", "trajectory", last(angular_momentum_change)},
+    {"penetration_at_end_m", "csv",
+     [](const Evidence& run) { return Values{run.outputs.at("csv").at("max_penetration_m").back()}; }},
+    {"largest_force_n", "rows",
+     [](const Evidence& run) {
+         double most = 0.0;
+         for (const double force : run.outputs.at("rows").at("lambda_last_n"))
+             most = std::max(most, std::abs(force));
+         return Values{most};
+     }},
+    {"energy_change_at_end_j", "",
+     [](const Evidence& run) {
+         const auto number = [&](const char* name) { return run.summary.at(name).get<double>(); };
+         return Values{std::abs(number("energy_final_j") - number("energy_initial_j"))};
+     }},
 };
 
 const Measure* find(const std::string& name) {
-    const auto* const found = std::find_if(measures.begin(), measures.end(),
-                                           [&](const Measure& measure) { return measure.name == name; });
-    return found == measures.end() ? nullptr : found;
+    const auto found = std::find_if(measures.begin(), measures.end(),
+                                    [&](const Measure& measure) { return measure.name == name; });
+    return found == measures.end() ? nullptr : &*found;
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 // What scenes of the stress list are put together from.
 #pragma once
 
-#include "demos/scenes/scene_description.h"
+#include "demos/reports/stability/scenes/scenes.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace pushfactor::demos::reports::stability {
-
-constexpr double usual_gravity = 10.0;  // m/s^2
 
 inline BodyDescription ground() {
     return {.name = "ground", .shape = PlaneShape{}};
@@ -26,14 +24,6 @@ inline BodyDescription box(const std::string& name, const engine::Vector3& size,
 
 inline BodyDescription wall(const std::string& name, const engine::Vector3& size, const engine::Vector3& position) {
     return {.name = name, .shape = BoxShape{size}, .position = position};
-}
-
-inline SceneDescription touching(const std::string& name, std::vector<BodyDescription> bodies) {
-    SceneDescription scene;
-    scene.name = name;
-    scene.bodies = std::move(bodies);
-    scene.contacts = true;
-    return scene;
 }
 
 // Turned by `angle` [rad] about the vertical.
@@ -54,6 +44,17 @@ inline engine::Vector3 rolling(const engine::Vector3& velocity, double radius) {
 // Looks at the origin from the right, as much from above as `height` says; pictures find their own distance.
 inline View seen_from(double height) {
     return {.eye = 20.0 * engine::Vector3(0.45, height, 1.0).normalized(), .target = engine::Vector3::Zero()};
+}
+
+// Bodies that may touch; `height` as in seen_from(), 0 for the usual view.
+inline SceneDescription touching(const std::string& name, std::vector<BodyDescription> bodies,
+                                 double height = 0.0) {
+    SceneDescription scene;
+    scene.name = name;
+    scene.bodies = std::move(bodies);
+    scene.contacts = true;
+    if (height > 0.0) scene.view = seen_from(height);
+    return scene;
 }
 
 }  // namespace pushfactor::demos::reports::stability

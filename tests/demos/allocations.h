@@ -1,12 +1,11 @@
 // How often a thread asks for memory. Eigen takes its memory from malloc and the standard library through operator
-// new, which calls malloc: so it is malloc and its kin that are counted. They are replaced where a program is
-// linked with this file and nowhere else, and what replaces them adds to two numbers of the thread and passes the
-// call on.
+// new, which calls malloc: so malloc and its kin are counted. They are replaced in the program of the tests alone;
+// the replacements add to two numbers of the thread and pass the call on.
 #pragma once
 
 #include <cstdint>
 
-namespace pushfactor::demos::reports::cost {
+namespace pushfactor::tests {
 
 struct Allocations {
     std::uint64_t count = 0;
@@ -23,4 +22,4 @@ Allocations allocations();
 // Not where sanitizers bring a malloc of their own.
 bool allocations_are_counted();
 
-}  // namespace pushfactor::demos::reports::cost
+}  // namespace pushfactor::tests

@@ -1,13 +1,13 @@
 // Calls go to whoever would have had them: the C library, or a profiler that was loaded before it. Memory comes
 // from there and goes back there, so free() is left alone.
-#include "demos/reports/cost/allocations.h"
+#include "tests/demos/allocations.h"
 
 #include <dlfcn.h>
 
 #include <atomic>
 #include <cstddef>
 
-namespace pushfactor::demos::reports::cost {
+namespace pushfactor::tests {
 
 namespace {
 
@@ -109,4 +109,4 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes) noex
 
 #endif
 
-}  // namespace pushfactor::demos::reports::cost
+}  // namespace pushfactor::tests
