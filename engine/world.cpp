@@ -45,8 +45,8 @@ Threads* World::threads_worth_calling() const {
 }
 
 StepCount World::take_step(double dt, PhaseObserver* observer) {
-    const auto ended = [observer](Phase stage) {
-        if (observer) observer->phase_ended(stage);
+    const auto ended = [observer](Phase phase) {
+        if (observer) observer->phase_ended(phase);
     };
     SolveWork work;
     do {

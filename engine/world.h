@@ -26,7 +26,7 @@ enum class Phase { forces, rows, system, solve, remember, integrate };
 class PhaseObserver {
   public:
     virtual ~PhaseObserver() = default;
-    virtual void phase_ended(Phase stage) = 0;
+    virtual void phase_ended(Phase phase) = 0;
 };
 
 // Statistics of one step.

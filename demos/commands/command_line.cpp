@@ -69,9 +69,9 @@ void add_outputs(CLI::App& app, Request& request) {
     const auto add = [&app](const char* name, std::optional<std::string>& path, const char* help) {
         app.add_option(name, path, help)->type_name("FILE")->group(output_group);
     };
-    add("--csv", request.files.csv, "one line a step: energies, speeds, penetration, residual, counts");
-    add("--trajectory", request.files.trajectory, "one line a body and step (a body and frame with --fps)");
-    add("--rows", request.files.rows, "one line a constraint row and step, with its force");
+    add("--csv", request.files.csv, "one line per step: energies, speeds, penetration, residual, counts");
+    add("--trajectory", request.files.trajectory, "one line per body and step (per body and frame with --fps)");
+    add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
     add("--save-state", request.files.save_state, "the state at the end, as a scene file that goes on from there");
     app.add_flag("--timing", request.timing,
@@ -103,7 +103,7 @@ void add_frames(CLI::App& app, Request& request) {
 }
 
 void add_list(CLI::App& app, Words& words) {
-    app.add_flag("--names", words.request.names_only, "only the names, one a line");
+    app.add_flag("--names", words.request.names_only, "only the names, one per line");
 }
 
 void add_scene(CLI::App& app, Words& words) {
@@ -149,7 +149,8 @@ void add_figures(CLI::App& app, Words& words) {
     app.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
         ->type_name("N")
         ->check(CLI::Range(400, 4096));
-    app.add_option("--samples", request.figure_samples, "drawings that a picture is the mean of [8]")
+    app.add_option("--samples", request.figure_samples,
+                   "renderings averaged per picture: smoother edges, soft shadows [8]")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
 }

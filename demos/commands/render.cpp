@@ -64,9 +64,9 @@ Job understand_job(const std::string& scene, const Request& request) {
 
 std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
     std::vector<ObservedRun> runs;
-    for (const ComparedRun& panel : job.panels)
+    for (const ComparedRun& panel : job.panels) {
         runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
-
+    }
     return runs;
 }
 
@@ -173,7 +173,8 @@ void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times
     const pictures::StageTime least = pictures::time_of_empty_frame({choices.width, choices.height}, choices.gl);
     const pictures::StageTime encode = times.sum("encode");
     const pictures::StageTime write = times.sum("write");
-    fmt::print(stderr, "the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time a frame\n",
+    fmt::print(stderr,
+               "the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time per frame\n",
                1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
 }
 
@@ -202,6 +203,7 @@ void refuse_shared_files(const Request& request) {
 
 void render(const Request& request) {
     refuse_shared_files(request);
+    if (request.video) pictures::require_ffmpeg(*request.video);
     // All input is understood and every folder made before the first frame is drawn.
     std::vector<Job> jobs;
     for (const std::string& scene : request.scenes) {

@@ -124,7 +124,7 @@ Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
     }
     Plate plate;
     plate.caption = fmt::format(
-        "Energy of a pendulum's swing over two minutes at 60 steps a second, as a share of what it had at the "
+        "Energy of a pendulum's swing over two minutes at 60 steps per second, as a share of what it had at the "
         "start. For "
         "distances the persistent push is the right one: after 120 s {:.1f} % is left with beta 1, {:.1f} % with "
         "beta 0.2; "

@@ -36,7 +36,7 @@ Plate push_error(FigureOutput& output, const Figure& figure) {
         "(above) "
         "the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push (below) leaves "
         "{:.2f} "
-        "m/s. Arrows: stored velocity, 12 m/s a metre.",
+        "m/s. Arrows: stored velocity, 12 m/s per metre.",
         depths[0], speeds[0], speeds[1]);
     plate.commands = {
         "pushfactor render assets/scenes/push_error.json --compare push=persistent,single-frame --fps 30 "

@@ -70,10 +70,10 @@ Plate intersecting_stack(FigureOutput& output, const Figure& figure) {
     plate.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
         "from "
-        "zero, k = 0.2, 60 steps a second). After half a second the original method has them fly upwards at {} "
+        "zero, k = 0.2, 60 steps per second). After half a second the original method has them fly upwards at {} "
         "m/s, "
         "from the lowest to the topmost. With the single-frame push and everything else equal they move at {} m/s. "
-        "Arrows: stored velocity, 10 m/s a metre.",
+        "Arrows: stored velocity, 10 m/s per metre.",
         fmt::join(speeds[0], ", "), fmt::join(speeds[1], ", "));
     plate.commands = {command_text("render", "intersecting-stack",
                                    {{"preset", "paper"},

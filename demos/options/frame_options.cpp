@@ -107,10 +107,10 @@ std::string get_compare(const FrameChoices& choices) {
 const std::array options{
     FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
                 set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
-    FrameOption{"fps", "N", "frames (or trajectory lines) a second; each must fall on a step [60 for frames]",
+    FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
                 "a number above 0", set_fps,
                 [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); }},
-    FrameOption{"play-speed", "X", "simulated seconds in a second of the film: below 1 is slow motion [1]",
+    FrameOption{"play-speed", "X", "simulated seconds per second of the video: below 1 is slow motion [1]",
                 "a number above 0", set_play_speed,
                 [](const FrameChoices& c) {
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);

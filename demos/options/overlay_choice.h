@@ -22,7 +22,7 @@ struct OverlayItem {
     std::optional<double> units_a_metre{};  // how long an arrow is drawn; chosen to suit the run when not given
 };
 
-// "forces,velocities" or, with a scale, "forces:50" for 50 N a metre. Nothing when the text is none of that.
+// "forces,velocities" or, with a scale, "forces:50" for 50 N per metre. Nothing when the text is none of that.
 std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
 std::string to_text(const std::vector<OverlayItem>& overlay);
 std::string_view name_of(OverlayKind kind);

@@ -4,8 +4,6 @@
 #include "demos/text/errors.h"
 #include "renderer/images/png.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace pushfactor::demos::pictures {
@@ -19,14 +17,7 @@ constexpr unsigned most_threads = 4;
 
 FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
                          const Rational& fps, StageTimes* times)
-    : folder_(std::move(folder)),
-      png_(png),
-      video_name_(video),
-      fps_(fps),
-      can_film_(video_name_ && find_program("ffmpeg")),
-      times_(times),
-      waiting_(waiting) {
-    if (video_name_ && !can_film_) png_ = true;
+    : folder_(std::move(folder)), png_(png), video_name_(video), fps_(fps), times_(times), waiting_(waiting) {
     const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, most_threads);
     for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
 }
@@ -59,11 +50,6 @@ void FrameWriter::flush() {
 void FrameWriter::finish() {
     flush();
     if (video_) video_->finish();
-    if (video_name_ && !can_film_) {
-        throw OutputError(
-            fmt::format("{}: ffmpeg is not installed (Debian: apt install ffmpeg); the frames are in {}",
-                        *video_name_, folder_.string()));
-    }
 }
 
 std::size_t FrameWriter::written() const {
@@ -106,7 +92,7 @@ bool FrameWriter::wait_for_turn(std::size_t number) {
 
 void FrameWriter::put(const Frame& frame, const std::vector<std::uint8_t>& bytes) {
     if (png_) write_file(folder_ / frame.name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (!can_film_) return;
+    if (!video_name_) return;
     if (!video_) video_ = std::make_unique<Video>(*video_name_, frame.image.width, frame.image.height, fps_);
     video_->add(frame.image);
 }

@@ -23,8 +23,7 @@ namespace pushfactor::demos::pictures {
 // in their order, so that those that are there are always the first ones; a few wait at most, and their memory is
 // used again. What goes wrong is thrown by the next call: OutputError that says which file and why.
 //
-// A video needs ffmpeg. Without it the frames are written as PNG, wanted or not, so that nothing is lost, and
-// finish() throws.
+// A video needs ffmpeg (require_ffmpeg()).
 class FrameWriter {
   public:
     // PNG files go to `folder` when `png`. `video` must have a name that check_video_name() accepts. `times`, if
@@ -69,7 +68,6 @@ class FrameWriter {
     bool png_;
     std::optional<std::string> video_name_;
     Rational fps_;
-    bool can_film_;
     StageTimes* times_;
     std::unique_ptr<Video> video_;  // from the first frame on, whose size it has; used by whose turn it is
     std::size_t sent_ = 0;

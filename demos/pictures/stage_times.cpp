@@ -70,13 +70,13 @@ std::string StageTimes::table(long frames) const {
     const std::lock_guard lock(mutex_);
     const double scale = 1e3 / static_cast<double>(frames);
     const StageTime all = between(start_, process_time());
-    std::string text = fmt::format("{:<24}{:>12}{:>12}\n", "ms a frame", "CPU", "wall");
+    std::string text = fmt::format("{:<24}{:>12}{:>12}\n", "ms per frame", "CPU", "wall");
     const auto line = [&](const std::string& name, const StageTime& time) {
         text += fmt::format("{:<24}{:>12.2f}{:>12.2f}\n", name, scale * time.cpu, scale * time.wall);
     };
     for (const std::string& name : names_) line(name, sums_.at(name));
     line("all, start included", all);
-    text += fmt::format("{} frames: {:.1f} a second; {:.1f} for each core that they keep busy\n", frames,
+    text += fmt::format("{} frames: {:.1f} per second; {:.1f} for each core that they keep busy\n", frames,
                         static_cast<double>(frames) / all.wall, static_cast<double>(frames) / all.cpu);
     return text;
 }

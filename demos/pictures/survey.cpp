@@ -23,8 +23,7 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
     }
 }
 
-// Goes on to a step. False when the run leaves the finite numbers before: what it shows ends there, and whoever
-// shows it will say so.
+// Advances to a step. False if the run becomes non-finite before it; whoever draws the run reports that.
 bool reaches(Simulation& simulation, long step) {
     try {
         while (simulation.sample().step < step) {

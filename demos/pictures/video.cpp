@@ -88,6 +88,14 @@ void check_video_name(const fs::path& file) {
     throw UsageError(fmt::format("--video {}: must end in .mp4, .webm or .gif", file.string()));
 }
 
+void require_ffmpeg(const fs::path& file) {
+    try {
+        require_program("ffmpeg", "ffmpeg");
+    } catch (const ChildProcessError& error) {
+        throw OutputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
 Video::Video(fs::path file, int width, int height, const Rational& fps)
     : file_(std::move(file)), width_(width), height_(height) {
     check_video_name(file_);

@@ -14,6 +14,9 @@ namespace pushfactor::demos::pictures {
 // Throws UsageError unless the name ends in .mp4, .webm or .gif. Looks at the name only.
 void check_video_name(const std::filesystem::path& file);
 
+// Throws OutputError that says what to install unless ffmpeg is there, before anything is rendered in vain.
+void require_ffmpeg(const std::filesystem::path& file);
+
 // A video that is either made whole or not at all: ffmpeg writes to a temporary file beside `file`
 // (name.partial.mp4), and finish() gives it its name. Without finish(), or after an error, ffmpeg is stopped,
 // nothing is left and what was there before stays. Every member throws OutputError that names the file and the

@@ -80,18 +80,21 @@ std::optional<fs::path> find_program(const std::string& name) {
     return std::nullopt;
 }
 
+fs::path require_program(const std::string& name, const std::string& package) {
+    if (const auto program = find_program(name)) return *program;
+    throw ChildProcessError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
+}
+
 ChildProcess::ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments)
     : name_(name) {
-    const auto program = find_program(name);
-    if (!program)
-        throw ChildProcessError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
+    const fs::path program = require_program(name, package);
 
     // What it says goes to a file: a pipe that nobody reads would fill up, and both would wait for ever.
     said_ = std::tmpfile();
     if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
     arguments.insert(arguments.begin(), name);
     try {
-        start(*program, std::move(arguments));
+        start(program, std::move(arguments));
     } catch (const ChildProcessError&) {
         close_if_open(input_);
         std::fclose(said_);

@@ -23,6 +23,8 @@ class ChildProcessError : public std::runtime_error {
 
 // Where PATH has it.
 std::optional<std::filesystem::path> find_program(const std::string& name);
+// The same; throws ChildProcessError that names the package to install.
+std::filesystem::path require_program(const std::string& name, const std::string& package);
 
 // How a tool ended: its exit status, 128 and more for a signal, and its last words.
 struct Ending {

@@ -102,7 +102,7 @@ Cell ratio(double everything, double as_it_is) {
 
 Table comparison_of(const std::vector<Entry>& entries) {
     Table table{{"scene", "rows", "with everything", "columns", "with everything", "multiply-adds",
-                 "with everything", "times", "us a step", "with everything", "times"}};
+                 "with everything", "times", "us per step", "with everything", "times"}};
     for (const auto& [name, start, own, all, own_command, all_command] : entries) {
         table.rows.push_back({name, own.counts.rows(), all.counts.rows(), own.counts.columns, all.counts.columns,
                               own.counts.multiply_adds, all.counts.multiply_adds,
@@ -139,7 +139,7 @@ Table stages_of(const std::vector<Entry>& entries) {
 }
 
 Table times_of(const std::vector<Entry>& entries) {
-    Table table{{"# scene", "us a step as it is", "with everything"}};
+    Table table{{"# scene", "us per step as it is", "with everything"}};
     for (const Entry& entry : entries) {
         table.rows.push_back(
             {entry.name, fmt::format("{:.4g}", entry.own.times.step), fmt::format("{:.4g}", entry.all.times.step)});

@@ -203,7 +203,7 @@ class ErrorReport {
                      "observed_order"}};
         WorkPlot plot{.name = "consistency",
                       .error_axis = "difference of the centres after a window, RMS [m]",
-                      .work_axis = "steps a second",
+                      .work_axis = "steps per second",
                       .machine = run_.machine(),
                       .lines = {},
                       .theory = {},

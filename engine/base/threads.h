@@ -86,26 +86,26 @@ void share(Threads* threads, std::size_t count, std::size_t grain, const Work& w
     }
 }
 
+// The number of ranges that share_parts() would make.
+inline std::size_t parts_of(const Threads* threads, std::size_t count, std::size_t size) {
+    return !threads || count <= size ? 1 : (count + size - 1) / size;
+}
+
 // Calls `work(part, begin, end)` for ranges of `size` elements that cover 0 .. count - 1; the last one may be
 // shorter. Returns their number. Without threads there is one range.
 template <typename Work>
 std::size_t share_parts(Threads* threads, std::size_t count, std::size_t size, const Work& work) {
-    if (!threads || count <= size) {
+    const std::size_t parts = parts_of(threads, count, size);
+    if (parts == 1) {
         work(std::size_t{0}, std::size_t{0}, count);
-        return 1;
+        return parts;
     }
-    const std::size_t parts = (count + size - 1) / size;
     threads->share(parts, 1, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t part = begin; part < end; ++part) {
             work(part, part * size, std::min(count, (part + 1) * size));
         }
     });
     return parts;
-}
-
-// The number of ranges that share_parts() would make.
-inline std::size_t parts_of(const Threads* threads, std::size_t count, std::size_t size) {
-    return !threads || count <= size ? 1 : (count + size - 1) / size;
 }
 
 // Parallel search whose results are in the order of the searched range, for any number of threads.

@@ -206,7 +206,7 @@ TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to 
             CHECK(last_line.starts_with(std::to_string(last) + ","));
             CHECK(std::count(last_line.begin(), last_line.end(), ',') ==
                   std::count(steps.begin(), steps.begin() + static_cast<long>(steps.find('\n')), ','));
-            const long every = command.starts_with("render") ? 60 : 1;  // a line a body and frame
+            const long every = command.starts_with("render") ? 60 : 1;  // a line per body and frame
             CHECK(lines(folder.read("bodies.csv")) == 1 + 5 * (last / every + 1));
             CHECK_THAT(ended.err, Catch::Contains("pushfactor: note: steps.csv holds the run up to step " +
                                                   std::to_string(last) + ", where it stopped\n"));

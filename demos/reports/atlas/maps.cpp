@@ -39,7 +39,7 @@ const AtlasAxis betas{"beta",
                       false};
 
 AtlasAxis iterations(const Values& values) {
-    return {"iterations", "iterations a step", values};
+    return {"iterations", "iterations per step", values};
 }
 
 AtlasAxis time_step(const Values& values) {

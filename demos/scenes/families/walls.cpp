@@ -14,7 +14,7 @@ const Vector3 brick(0.5, 0.25, 0.25);  // m
 constexpr double kg_per_metre = 2.0;   // of brick; a whole one has 1 kg
 
 const FamilyParameter rows{{"rows", "N", "number of rows", 0, 2, 40, true}, 2, 6, Draw::by_decades};
-const FamilyParameter columns{{"columns", "N", "bricks a row", 0, 2, 40, true}, 2, 5, Draw::by_decades};
+const FamilyParameter columns{{"columns", "N", "bricks per row", 0, 2, 40, true}, 2, 5, Draw::by_decades};
 const FamilyParameter gap{{"gap", "M", "space between neighbours, m", 0, 0, 0.02}, 0, 0.02};
 const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
 
