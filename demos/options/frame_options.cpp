@@ -104,7 +104,7 @@ std::string get_compare(const FrameChoices& choices) {
     return fmt::format("{}={}", choices.compare->option, fmt::join(choices.compare->values, ","));
 }
 
-const std::array options{
+const std::array frame_table{
     FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
                 set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
     FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
@@ -163,7 +163,7 @@ std::string rates_that_fit(const Rational& fps, const Rational& dt, const Ration
 }  // namespace
 
 std::span<const FrameOption> frame_options() {
-    return options;
+    return frame_table;
 }
 
 long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play_speed) {

@@ -153,7 +153,7 @@ std::string solver_names() {
     return names;
 }
 
-const std::array options{
+const std::array simulation_table{
     SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]",
                      "a number of seconds from 0 to 1e6",
                      [](Settings& s, std::string_view t) { return take(s.seconds, parse_number(t), 0.0, 1e6); },
@@ -277,11 +277,12 @@ bool is_of_preset(std::string_view option) {
     static constexpr std::array<std::string_view, 7> of_run{"seconds",     "dt",      "substeps", "friction",
                                                             "restitution", "threads", "rest"};
     if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
-    return std::any_of(options.begin(), options.end(), [&](const auto& known) { return known.name == option; });
+    return std::any_of(simulation_table.begin(), simulation_table.end(),
+                       [&](const auto& known) { return known.name == option; });
 }
 
 std::span<const SimulationOption> simulation_options() {
-    return options;
+    return simulation_table;
 }
 
 std::vector<std::string> simulation_option_names() {

@@ -21,10 +21,6 @@ double distance_of(const View& view) {
     return (view.target - view.eye).norm();
 }
 
-double half_tangent(const View& view) {
-    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
-}
-
 // 1, 2 or 5 times a power of ten, at most `value`.
 double round_number(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));

@@ -13,10 +13,6 @@ using engine::Vector3;
 
 constexpr double used = 0.90;  // share of the picture that what is framed may fill
 
-double half_tangent(const View& view) {
-    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
-}
-
 // Right, up and forward of a camera.
 struct Axes {
     Vector3 right, up, forward;
@@ -45,6 +41,10 @@ struct Edges {
 };
 
 }  // namespace
+
+double half_tangent(const View& view) {
+    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
+}
 
 Reach reach_of(std::span<const Ball> balls, const View& view) {
     const Axes axes = axes_of(view);

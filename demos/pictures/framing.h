@@ -24,6 +24,9 @@ struct Place {
 };
 Place place_in_picture(const engine::Vector3& point, const View& view, double aspect);
 
+// Half the height of what is seen at a distance of 1.
+double half_tangent(const View& view);
+
 // The same direction, as near as shows all balls with some space around them. `aspect` is width over height.
 View fitted(const View& view, std::span<const Ball> balls, double aspect);
 

@@ -1,5 +1,7 @@
 #include "demos/scenes/state_file.h"
 
+#include "demos/scenes/vector_json.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -180,9 +182,7 @@ ContactCache read_contact_forces(const JsonReader& json, const SceneDescription&
     return cache;
 }
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
+using demos::to_json;  // of a vector
 
 Json to_json(const Lambda& lambda) {
     return Json::array({lambda.first, lambda.last});

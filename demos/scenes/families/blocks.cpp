@@ -11,8 +11,6 @@ namespace {
 
 using engine::Vector3;
 
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
-
 Prospect describe_pyramid(const ParameterValues& values, Random&) {
     const double mu = values.number("friction");
     const int rows = values.whole("rows");
@@ -104,7 +102,7 @@ Family pyramid() {
             "Stands: every cube lies on two others under its own middle, whatever it weighs.",
             {{{"rows", "N", "number of rows", 0, 2, 20, true}, 2, 5},
              {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, 1, 1000, Draw::by_decades},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_pyramid};
 }
 
@@ -113,7 +111,7 @@ Family stacks() {
         "stacks",
         "Independent stacks of two to five cubes, each a little off its axis.",
         "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
-        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction},
+        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction_of(0.3, 1.0)},
         describe_stacks};
 }
 
@@ -124,7 +122,7 @@ Family ball_on_cubes() {
             {{{"side", "N", "cubes a side", 0, 2, 4, true}, 2, 3},
              {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, 50, 5000, Draw::by_decades},
              {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_ball_on_cubes};
 }
 
@@ -135,7 +133,7 @@ Family overhang() {
             {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
              {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},
              {{"beyond", "X", "share of the limit that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_overhang};
 }
 

@@ -105,7 +105,7 @@ Family card_house() {
             "Stands: at the ground a pair needs a friction of about tan(0.2) / 2 to hold and has much more.",
             {{{"storeys", "N", "number of storeys", 0, 1, 5, true}, 1, 3},
              {{"slenderness", "R", "height of a card over its thickness", 0, 10, 50}, 10, 50},
-             {{"friction", "MU", "friction coefficient", 0, 0.7, 1.0}, 0.7, 1.0}},
+             friction_of(0.7, 1.0)},
             describe_card_house};
 }
 
@@ -116,7 +116,7 @@ Family dominoes() {
             {{{"count", "N", "number of dominoes", 0, 3, 200, true}, 3, 10, Draw::by_decades},
              {{"spacing", "M", "from one to the next, m", 0, 0.35, 0.7}, 0.35, 0.7},
              {{"thickness", "M", "of a domino, m", 0, 0.05, 0.12}, 0.05, 0.12},
-             {{"friction", "MU", "friction coefficient", 0, 0.4, 0.8}, 0.4, 0.8}},
+             friction_of(0.4, 0.8)},
             describe_dominoes};
 }
 

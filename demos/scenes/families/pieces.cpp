@@ -9,6 +9,10 @@ namespace pushfactor::demos::families {
 using engine::Quaternion;
 using engine::Vector3;
 
+FamilyParameter friction_of(double low, double high) {
+    return {{"friction", "MU", "friction coefficient", 0, low, high}, low, high};
+}
+
 SceneDescription on_ground(double friction) {
     SceneDescription scene;
     scene.gravity = Vector3(0, -gravity, 0);

@@ -1,6 +1,7 @@
 // What members of families are put together from. The ground is the plane y = 0.
 #pragma once
 
+#include "demos/scenes/families/family.h"
 #include "demos/scenes/named/random.h"
 #include "demos/scenes/scene_description.h"
 
@@ -9,6 +10,9 @@
 namespace pushfactor::demos::families {
 
 constexpr double gravity = 10.0;  // m/s^2
+
+// The parameter "friction", between `low` and `high`.
+FamilyParameter friction_of(double low, double high);
 
 // An empty scene with its ground.
 SceneDescription on_ground(double friction);

@@ -17,7 +17,6 @@ constexpr double cube = 0.4;    // m
 
 const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, 10, 24, Draw::by_decades};
 const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}, 2, 4};
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.1, 1.0}, 0.1, 1.0};
 
 // Places layer by layer, the lowest centre 0.6 m above the ground.
 class Places {
@@ -140,7 +139,7 @@ Family cubes() {
     return {"cubes",
             "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_cubes};
 }
 
@@ -148,7 +147,7 @@ Family boxes() {
     return {"boxes",
             "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_boxes};
 }
 
@@ -156,7 +155,7 @@ Family mixed() {
     return {"mixed",
             "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
             "Comes to rest but for balls, which may roll for ever and push boxes.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_mixed};
 }
 
@@ -168,7 +167,7 @@ Family rods() {
              layers,
              {{"rods", "N", "number of rods", 0, 3, 500, true}, 3, 8, Draw::by_decades},
              {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}, 0, 10},
-             friction},
+             friction_of(0.1, 1.0)},
             describe_rods};
 }
 
@@ -176,8 +175,7 @@ Family funnel() {
     return {"funnel",
             "Balls of 0.5 m fall into a funnel of four planes.",
             "Comes to rest: no ball can roll anywhere but down.",
-            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades},
-             {{"friction", "MU", "friction coefficient", 0, 0.2, 0.8}, 0.2, 0.8}},
+            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades}, friction_of(0.2, 0.8)},
             describe_funnel};
 }
 

@@ -19,11 +19,11 @@ using engine::Vector3;
 
 namespace {
 
-constexpr double radius = 0.1;     // m
-constexpr double spacing = 0.25;   // m
-constexpr double cycle = 120.0;    // s
-constexpr int fewest_swings = 40;  // in a cycle, of the longest
-constexpr double beam = 3.2;       // m, height of the points in space
+constexpr double bob_radius = 0.1;     // m
+constexpr double wave_spacing = 0.25;  // m
+constexpr double cycle = 120.0;        // s
+constexpr int fewest_swings = 40;      // in a cycle, of the longest
+constexpr double beam = 3.2;           // m, height of the points in space
 
 // What the balls do against what they should, angle by angle, and how much of their swing they lose.
 class WaveMeasure : public SceneMeasure {
@@ -96,19 +96,20 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
     const int count = parameters.whole("count");
     std::vector<BallOnBar> pendulums;
     for (int k = 0; k < count; ++k) {
-        BallOnBar pendulum{.length = 0.0, .radius = radius, .gravity = -scene.gravity.y()};
+        BallOnBar pendulum{.length = 0.0, .radius = bob_radius, .gravity = -scene.gravity.y()};
         pendulum.length = length_for_period(pendulum, amplitude, cycle / (fewest_swings + k));
         pendulums.push_back(pendulum);
 
         // Bar and ball aligned at the amplitude, swinging in the y-z plane.
-        const Vector3 hook(spacing * (k - 0.5 * (count - 1)), beam, 0.0);
+        const Vector3 hook(wave_spacing * (k - 0.5 * (count - 1)), beam, 0.0);
         const Vector3 along(0.0, -std::cos(amplitude), std::sin(amplitude));
-        BodyDescription ball{.name = "ball " + std::to_string(k + 1), .shape = SphereShape{radius}, .mass = 1.0};
-        ball.position = hook + (pendulum.length + radius) * along;
+        BodyDescription ball{
+            .name = "ball " + std::to_string(k + 1), .shape = SphereShape{bob_radius}, .mass = 1.0};
+        ball.position = hook + (pendulum.length + bob_radius) * along;
         ball.orientation = Quaternion(Eigen::AngleAxisd(-amplitude, Vector3::UnitX()));
         scene.bodies.push_back(ball);
         scene.distances.push_back(
-            {.a = {"world", hook}, .b = {ball.name, Vector3(0, radius, 0)}, .length = pendulum.length});
+            {.a = {"world", hook}, .b = {ball.name, Vector3(0, bob_radius, 0)}, .length = pendulum.length});
     }
     scene.measure = [pendulums, amplitude, gravity = scene.gravity](const engine::World& world, MomentaAt momenta) {
         return std::make_unique<WaveMeasure>(world, gravity, pendulums, amplitude, momenta);

@@ -1,6 +1,7 @@
 // Errata of paper sections 6, 7, 9, 10 and 12.3: what the text gives, and what is right.
 #include "engine/constraints/contact_row.h"
 #include "tests/catch.h"
+#include "tests/engine/dense_algebra.h"
 #include "tests/engine/paper/literal.h"
 #include "tests/engine/random_rows.h"
 #include "tests/engine/solvers/problems.h"
@@ -12,6 +13,7 @@ using namespace pushfactor;
 using namespace pushfactor::engine;
 using tests::Frozen;
 using tests::Literal;
+using tests::pseudo_inverse;
 using tests::row_along;
 using tests::step_with;
 
@@ -254,9 +256,6 @@ TEST_CASE("10.1: the order of the rows decides what 25 sweeps leave, and nothing
 TEST_CASE("12.3.2: J has no inverse: v2 is not J^-1 v, and where rows are redundant J J^-1 is not 1 either") {
     std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(2.0, 0.1, {1, 0, 0})};
     bodies[1].linear_momentum = {-6, 2, 0};
-    const auto pseudo_inverse = [](const MatrixX& J) {
-        return MatrixX(J.completeOrthogonalDecomposition().pseudoInverse());
-    };
     const tests::Literal step = tests::step_with(bodies, std::vector{row_along(Vector3::UnitX(), 0.5)}, 0.1);
     MatrixX J(1, 6);
     J.row(0) = step.frozen.rows[0].jacobian.b.transpose();
