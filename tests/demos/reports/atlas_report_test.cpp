@@ -97,7 +97,7 @@ TEST_CASE("an interrupted atlas ends with status 1 and whole lines, from which i
                       "while [ \"$(wc -l <atlas.csv)\" -lt 9 ]; do sleep 0.05; done; kill -INT $!; wait $!");
     INFO(ended.err);
     CHECK(ended.status == 1);
-    CHECK(ended.err.find("the same command goes on from there") != std::string::npos);
+    CHECK(ended.err.find("the same command resumes from there") != std::string::npos);
     CHECK(folder.files() == std::vector<std::string>{"atlas.csv"});
     const std::string csv = folder.read("atlas.csv");
     CHECK(csv.ends_with("\n"));
