@@ -119,7 +119,7 @@ TEST_CASE("a bad config file is refused by file, key and value") {
                Catch::Contains("betta in my.json") && Catch::Contains("did you mean beta?"));
     CHECK_THAT(said("{\"beta\": 7}"), Catch::Contains("beta in my.json 7") && Catch::Contains("from 0 to 1"));
     CHECK_THAT(said("{\"beta\": [1]}"), Catch::Contains("must be a string or a number"));
-    CHECK_THAT(said("{\"beta\": "), Catch::Contains("is no JSON"));
+    CHECK_THAT(said("{\"beta\": "), Catch::Contains("is not JSON"));
     CHECK_THAT(said("[1]"), Catch::Contains("must be an object"));
     CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
 }

@@ -111,7 +111,7 @@ TEST_CASE("what a file does not mention is not constructed") {
 }
 
 TEST_CASE("wrong files are refused with the path inside them, the value and what is allowed") {
-    CHECK_THAT(said_of("{"), Catch::Contains("is no JSON"));
+    CHECK_THAT(said_of("{"), Catch::Contains("is not JSON"));
     for (const char* name : {"../up", "/etc/x", "..", ""}) {
         CHECK_THAT(said_of(R"({"version": 1, "bodies": [], "name": ")" + std::string(name) + "\"}"),
                    Catch::Contains("a name without slashes"));
