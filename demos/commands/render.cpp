@@ -174,7 +174,7 @@ void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times
     const pictures::StageTime encode = times.sum("encode");
     const pictures::StageTime write = times.sum("write");
     fmt::print(stderr,
-               "lower bound (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time per frame\n",
+               "the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time per frame\n",
                1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
 }
 
