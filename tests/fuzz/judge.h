@@ -1,4 +1,4 @@
-// What has to hold in every scene, however wild.
+// The claims that must hold in every scene, however wild.
 //
 //   finite            all numbers of the state, or the run ends with NonFiniteError (exit 5)
 //   bounds            every force lies within its bounds, to what the tolerance leaves open
@@ -15,8 +15,8 @@
 //   T(p2) - T(p) - dt lambda . v = dt^2 q(lambda),   q(lambda) = 1/2 lambda^T A lambda - b^T lambda,
 //
 // and T(p) - T(p1) is the work of f_ext at the velocity in the middle of the step. So the left side, taken from the
-// momenta, says how good the solver's answer is: no force gives q = 0, so an answer has q <= 0, and a truncated
-// sweep has at most the q of the cached forces from which it started.
+// momenta, says how good the solution is: no force gives q = 0, so a solution has q <= 0, and a truncated sweep has
+// at most the q of the cached forces from which it started.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
@@ -35,7 +35,7 @@ struct Verdict {
     long step = 0;      // of the run
 };
 
-// Runs the scene with its own options for as long as they say. Never throws what the engine throws.
+// Runs the scene with its own options and duration. Catches what the engine throws.
 Verdict judge(const demos::SceneDescription& scene);
 
 }  // namespace pushfactor::tests

@@ -1,4 +1,4 @@
-// Frozen problems: what is written reads back as the same problem.
+// Frozen problems: a written problem reads back unchanged.
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/text/errors.h"
 #include "engine/solvers/solver.h"
