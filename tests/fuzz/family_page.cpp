@@ -176,8 +176,7 @@ void write_family_page(const std::vector<JudgedMember>& judged, const FamilyRequ
     const std::string opening = fmt::format(
         "{} random members of the families under the preset {}, compared with mechanics; of each family the member "
         "that is farthest beyond a limit. Lengths are in edges of the smallest body, speeds in sqrt(g L), energy "
-        "in "
-        "m g L; the properties are defined in tests/fuzz/structures.h.{}",
+        "in m g L; the properties are defined in tests/fuzz/structures.h.{}",
         judged.size(), request.preset,
         strips.missing().empty() ? "" : " There are no pictures: " + strips.missing());
     demos::write_file(folder / "index.html", demos::page_text("Pushfactor: families", opening, sections));
