@@ -14,7 +14,7 @@ using engine::Vector3;
 // The solution of one row.
 struct RowAnswer {
     const engine::ConstraintRow& row;
-    double lasting_force;  // N, what enters the momenta
+    double lasting_force;  // N, acts on the momenta
 };
 
 RowAnswer answer_of(const engine::World& world, std::size_t row) {

@@ -60,7 +60,7 @@ struct DistanceDescription {
         engine::Vector3 point = engine::Vector3::Zero();  // m, body frame (world frame for "world")
     };
     End a{}, b{};
-    std::optional<double> length{};  // m; what it is at the start without
+    std::optional<double> length{};  // m; none: the distance at the start
     engine::Distance::Acts acts = engine::Distance::Acts::both;
     std::optional<double> max_force{};  // N
 };

@@ -20,7 +20,7 @@ std::optional<double> force_error(const engine::SystemEquation& system, const en
 
 class ConvergedSolver {
   public:
-    static constexpr double residual = 1e-10;  // m/s, natural map: what converged means
+    static constexpr double residual = 1e-10;  // m/s, natural map: bound of convergence
 
     ConvergedSolver();
 

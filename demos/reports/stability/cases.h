@@ -94,7 +94,7 @@ inline Expectations settling(const std::string& outcome, const Reached& reached)
 // The chapters of each source file.
 std::vector<Chapter> standing_chapters();   // towers, cubes of all sizes, overlaps, cards and planks, structures
 std::vector<Chapter> structure_chapters();  // members of the families
-std::vector<Chapter> motion_chapters();     // what is fast, turns or bounces
+std::vector<Chapter> motion_chapters();     // fast, rotating and bouncing bodies
 std::vector<Chapter> sliding_chapters();    // friction, and floors of flush boxes
 std::vector<Chapter> bar_chapters();        // bars, and scenes with little or nothing in them
 

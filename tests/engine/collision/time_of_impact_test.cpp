@@ -99,7 +99,7 @@ TEST_CASE("random shapes meet when a search in small steps says so, and only the
             // Only a graze shorter than one small step may be missed: none is.
             REQUIRE(meeting);
             CHECK(meeting->time <= found_by_search + 1e-9);
-            // What comes within the tolerance may take a while to touch.
+            // From within the tolerance to the touch may take a while.
             Manifold near;
             collide(shape_a, pose_at(a, meeting->time), shape_b, pose_at(b, meeting->time), 1e-3, near);
             CHECK(near.count > 0);
