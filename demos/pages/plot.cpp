@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A string of gnuplot: in single quotes, where only the quote itself is special and doubled.
+// A gnuplot string: in single quotes, where only the quote itself is special and is doubled.
 std::string gnuplot_string(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
@@ -26,7 +26,7 @@ std::string hexadecimal(const Colour& colour) {
     return fmt::format("#{:06x}", number_of(colour));
 }
 
-// The frames' colours under their names, so that plots have the same.
+// The palette of the frames as gnuplot variables.
 std::string colours() {
     std::string text;
     for (const Colour& colour : palette) {

@@ -11,7 +11,7 @@ namespace {
 
 using engine::Vector3;
 
-// The colour that was chosen, or else one after the other. `movable` counts the bodies that had none.
+// The body's own colour, or the next one of the palette. `movable` counts movable bodies without a colour.
 glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
     return to_glm(body.colour ? *find_colour(*body.colour)
                   : body.mass ? palette[movable++ % palette.size()]
@@ -29,7 +29,7 @@ void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Pict
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
-// Slender against its own length and against what hangs on it; a ball joint is a ball.
+// Slender compared with its length and with the bodies that hang on it; a ball joint is drawn as a ball.
 double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     for (const int end : {distance.body_a, distance.body_b}) {
@@ -43,7 +43,7 @@ double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
 
 void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
-    // Thick enough to be seen from where the scene is usually looked at.
+    // Visible from the scene's usual view.
     const double least = 0.0015 * (scene.view.eye - scene.view.target).norm();
     for (const engine::Distance& distance : scene.distances->distances()) {
         const auto [from, to] = span_of(distance, scene.world.bodies);

@@ -27,7 +27,7 @@ SceneDescription resumed(SceneDescription description, const BuiltScene& scene, 
         described.linear_momentum = body.linear_momentum;
         described.angular_momentum = body.angular_momentum;
     }
-    // A length that the start decided would be another one now.
+    // Lengths that were taken from the start must not be taken from the current state.
     for (std::size_t i = 0; i < description.distances.size(); ++i) {
         description.distances[i].length = scene.distances->distances()[i].length;
     }

@@ -57,7 +57,7 @@ int read_index(const JsonReader& json, std::size_t count) {
     return static_cast<int>(number);
 }
 
-// Of the row before, which may be the first of a disc.
+// `before` is the previous row, which may be the first of a disc.
 engine::Disc read_disc(const JsonReader& json, const ConstraintRow& row, const ConstraintRow* before) {
     const bool begun = before && before->bounds.disc == engine::Disc::first;
     const std::string disc = json.has("disc") ? json.at("disc").string() : "";
@@ -120,7 +120,7 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const auto count = static_cast<Eigen::Index>(rows.size());
     const std::size_t columns = rows.empty() ? 1 : rows.front().at("b_m_per_s2").elements().size();
     if (columns != 1 && columns != 2) rows.front().at("b_m_per_s2").refuse("one or two numbers");
-    const std::string one_a_column = "one number a column";
+    const std::string one_a_column = "one number per column";
     system_.b.resize(count, static_cast<Eigen::Index>(columns));
     guess_.resizeLike(system_.b);
     for (Eigen::Index j = 0; j < count; ++j) {

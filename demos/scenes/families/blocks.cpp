@@ -1,4 +1,4 @@
-// Cubes and blocks that are built up.
+// Structures of cubes and blocks.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
@@ -49,7 +49,7 @@ Prospect describe_stacks(const ParameterValues& values, Random& random) {
     return {.scene = std::move(scene)};
 }
 
-// An even number of cubes a side meets under the ball, which sinks in between them by their gap.
+// With an even number of cubes per side the ball sinks between the four middle ones by their gap.
 Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     constexpr double side = 0.3, radius = 0.4;  // m
     const double gap = values.number("gap"), mu = values.number("friction"), step = side + gap;
@@ -72,8 +72,8 @@ Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     return {.scene = std::move(scene)};
 }
 
-// The k blocks on top of another have their common centre over its edge where the k-th of them lies L / (2 k)
-// farther out than the one below it: the harmonic overhang, all blocks at their limit together.
+// The harmonic overhang: the common centre of the k topmost blocks is over the edge of the block below if the k-th
+// of them is L / (2 k) farther out than that block. All blocks are at their limit together.
 Prospect describe_overhang(const ParameterValues& values, Random&) {
     const Vector3 block(1.0, 0.25, 0.5);  // m
     const double mu = values.number("friction");
@@ -119,7 +119,7 @@ Family ball_on_cubes() {
     return {"ball-on-cubes",
             "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
             "Stands: the ball presses straight down on columns of cubes.",
-            {{{"side", "N", "cubes a side", 0, 2, 4, true}, 2, 3},
+            {{{"side", "N", "cubes per side", 0, 2, 4, true}, 2, 3},
              {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, 50, 5000, Draw::by_decades},
              {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
              friction_of(0.3, 1.0)},
@@ -128,7 +128,7 @@ Family ball_on_cubes() {
 
 Family overhang() {
     return {"overhang",
-            "Blocks that overhang as far as they can, less or more by a share.",
+            "Blocks that overhang by a share less or more than the maximum.",
             "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
             {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
              {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},

@@ -1,4 +1,4 @@
-// What is thin and stands, leans or falls over.
+// Thin bodies that stand, lean or fall over.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
@@ -10,10 +10,10 @@ namespace {
 
 using engine::Vector3;
 
-// Pairs of leaning cards with floors across their upper ends, and a storey of one pair less on these.
+// Pairs of leaning cards with floors across their upper ends, each storey with one pair less.
 Prospect describe_card_house(const ParameterValues& values, Random&) {
     constexpr double lean = 0.2, height = 1.0, depth = 0.6, mass = 0.1;  // rad, m, m, kg
-    constexpr double floor = 1.0, pitch = 1.01;                          // m: length of a floor, from top to top
+    constexpr double floor = 1.0, pitch = 1.01;  // m: length of a floor, distance between tops
     const double thickness = height / values.number("slenderness"), mu = values.number("friction");
     // Half of the space that a leaning card takes.
     const double beside = 0.5 * (height * std::sin(lean) + thickness * std::cos(lean));
@@ -39,7 +39,7 @@ Prospect describe_card_house(const ParameterValues& values, Random&) {
     return {.scene = std::move(scene)};
 }
 
-// The first one turns about its lower edge in front, with half as much energy again as takes it past its balance.
+// The first one rotates about its lower front edge, with 1.5 times the energy that takes it past its balance.
 Prospect describe_dominoes(const ParameterValues& values, Random&) {
     constexpr double height = 1.0, depth = 0.5;  // m
     const double thickness = values.number("thickness"), mu = values.number("friction");

@@ -1,4 +1,4 @@
-// What members of families are put together from. The ground is the plane y = 0.
+// Building blocks of family members. The ground is the plane y = 0.
 #pragma once
 
 #include "demos/scenes/families/family.h"
@@ -26,14 +26,14 @@ BodyDescription& add_ball(SceneDescription& scene, const std::string& name, doub
 engine::Quaternion turned(double angle);
 engine::Quaternion inclined(double angle);
 
-// Every orientation is as likely.
+// Uniformly distributed.
 engine::Quaternion random_orientation(scenes::Random& random);
 
-// When what falls from `height` [m] rests [s]: what a heap takes to settle, twice the time to fall, and the time
-// that something slides that has got the speed of that fall and the `speed` [m/s] of what was thrown.
+// Time [s] after which bodies that fall from `height` [m] are at rest: time for a heap to settle, twice the time to
+// fall, and the sliding time of a body with the speed of that fall and the `speed` [m/s] at which it was thrown.
 double rest_by(double height, double friction, double speed = 0.0);
 
-// A camera that has all movable bodies in its picture.
+// Sets a camera with all movable bodies in the picture.
 void look_at_all(SceneDescription& scene);
 
 }  // namespace pushfactor::demos::families

@@ -1,4 +1,4 @@
-// Piles: what is dropped comes to rest somewhere, because every contact takes energy and none gives any.
+// Piles: dropped bodies come to rest somewhere, because every contact dissipates energy and none adds any.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 #include "demos/scenes/named/funnel.h"
@@ -12,7 +12,7 @@ namespace {
 
 using engine::Vector3;
 
-constexpr double pitch = 0.75;  // m between the centres of what is dropped; nothing in a pile is larger
+constexpr double pitch = 0.75;  // m between the centres of dropped bodies, none of which is larger
 constexpr double cube = 0.4;    // m
 
 const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, 10, 24, Draw::by_decades};
@@ -62,7 +62,7 @@ Prospect dropped(SceneDescription scene, double rest_by) {
     return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rest_by};
 }
 
-// A body for each place, by what `add` makes of its number.
+// A pile of bodies, each added by `add`.
 template <typename Add>
 Prospect pile(const ParameterValues& values, const Add& add) {
     SceneDescription scene = on_ground(values.number("friction"));
@@ -96,7 +96,7 @@ Prospect describe_mixed(const ParameterValues& values, Random& random) {
     return prospect;
 }
 
-// Cubes below, and rods above them that come down with a speed.
+// Cubes below, and rods thrown down from above.
 Prospect describe_rods(const ParameterValues& values, Random& random) {
     const double mu = values.number("friction"), speed = values.number("speed");
     SceneDescription scene = on_ground(mu);

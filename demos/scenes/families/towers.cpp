@@ -80,7 +80,7 @@ Family round_tower() {
     return {"round-tower",
             "A round tower of planks, each ring turned by half a plank.",
             upright,
-            {{{"planks", "N", "planks a ring", 0, 8, 20, true}, 8, 10},
+            {{{"planks", "N", "planks per ring", 0, 8, 20, true}, 8, 10},
              {{"rings", "N", "number of rings", 0, 2, 60, true}, 2, 5, Draw::by_decades},
              friction_of(0.3, 1.0)},
             describe_round};
@@ -89,7 +89,7 @@ Family round_tower() {
 Family square_tower() {
     return {
         "square-tower",
-        "A square tower of planks, four a storey, laid like logs.",
+        "A square tower of planks, four per storey, laid like logs.",
         upright,
         {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, 2, 8, Draw::by_decades}, friction_of(0.3, 1.0)},
         describe_square};

@@ -23,7 +23,7 @@ constexpr double bar = 2.0;            // m, from the top of the ball to the poi
 constexpr double sphere_radius = 0.6;
 constexpr double ground = -4.0;  // m
 
-// How many of the objects are still above the middles of the pendulums.
+// Number of objects whose centres are above those of the pendulums.
 class OnTop : public SceneMeasure {
   public:
     OnTop(std::size_t first, std::size_t count) : first_(first), count_(count) {}
@@ -100,7 +100,7 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
     scene.measure = [first, count](const engine::World&, MomentaAt) {
         return std::make_unique<OnTop>(first, count);
     };
-    // From where the sphere that may be poked is not hidden by the others.
+    // The sphere that may be poked is not hidden by others in this view.
     scene.view = view_of({0, -0.6, 0}, 5.4);
     scene.view.eye =
         scene.view.target + (scene.view.eye - scene.view.target).norm() * Vector3(-1, 0.45, 0.4).normalized();

@@ -1,7 +1,7 @@
 // Paper section 10.3 and Figure 10: "50 balls with the top of each ball attached to a fixed point in the world with
 // a distance constraint. The varied length generates the wave like procession". The paper gives no numbers: here
 // ball k makes 40 + k swings in 120 s, so that all are in phase again after two minutes and form two, three and
-// four groups after 60, 40 and 30 s. The balls never touch, and the scene has nothing that would notice.
+// four groups after 60, 40 and 30 s. The balls never touch, and the scene has no collision detection.
 #include "demos/scenes/named/pendulum_wave.h"
 
 #include "demos/scenes/named/ball_on_bar.h"
@@ -25,7 +25,7 @@ constexpr double cycle = 120.0;        // s
 constexpr int fewest_swings = 40;      // in a cycle, of the longest
 constexpr double beam = 3.2;           // m, height of the points in space
 
-// What the balls do against what they should, angle by angle, and how much of their swing they lose.
+// Angle error of the balls against their exact motion, and energy loss of the swing.
 class WaveMeasure : public SceneMeasure {
   public:
     WaveMeasure(const engine::World& world, const Vector3& gravity, std::vector<BallOnBar> pendulums,
@@ -53,8 +53,8 @@ class WaveMeasure : public SceneMeasure {
         samples_ += static_cast<double>(pendulums_.size());
         time_ = world.time();
 
-        // Where the momenta belong half a step before the positions, the kinetic energy of two steps is averaged
-        // around the potential energy between them.
+        // If momenta are half a step before positions, the kinetic energies of two steps are averaged around the
+        // potential energy between them.
         const double kinetic = engine::kinetic_energy(world.bodies);
         const double potential = engine::potential_energy(world.bodies, gravity_);
         energy_ =

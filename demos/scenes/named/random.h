@@ -10,7 +10,7 @@ class Random {
   public:
     explicit Random(int seed) : engine_(static_cast<std::uint64_t>(seed)) {}
 
-    // Uniform in [low, high). One call a statement: the order inside an argument list is the compiler's.
+    // Uniform in [low, high). One call per statement: the order within an argument list is unspecified.
     double in(double low, double high) {
         return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
     }

@@ -1,4 +1,4 @@
-// Errata of paper sections 6, 7, 9, 10 and 12.3: what the text gives, and what is right.
+// Errata of paper sections 6, 7, 9, 10 and 12.3: the printed version and the right one.
 #include "engine/constraints/contact_row.h"
 #include "tests/catch.h"
 #include "tests/engine/dense_algebra.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double dt = 1.0 / 60.0;
 
-// J as 6.1.2 means it: a line a row, six columns a body.
+// J as 6.1.2 means it: one line per row, six columns per body.
 MatrixX jacobian_of(const Frozen& frozen) {
     const auto bodies = static_cast<Eigen::Index>(frozen.system.inverse_mass.size());
     MatrixX jacobian = MatrixX::Zero(frozen.system.row_count(), 6 * bodies);
@@ -60,7 +60,7 @@ VectorX solve_as_printed(const Frozen& frozen, int iterations) {
     return solve_as_printed(tests::dense_matrix(frozen.system), frozen.system.b.col(0), c_min, c_max, iterations);
 }
 
-// A ball of 2 kg that flies at `velocity` beside a fixed point.
+// A ball of 2 kg that flies at `velocity` past a fixed point.
 std::vector<Body> flying(const Vector3& velocity) {
     std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(2.0, 0.1, {1, 0, 0})};
     bodies[1].linear_momentum = 2.0 * velocity;
@@ -90,7 +90,7 @@ TEST_CASE("6.1.2: J has a line for each row and six columns for each body; nothi
         CHECK(Jv[j] == Approx(row.jacobian.a.dot(v.segment<6>(6 * row.body_a)) +
                               row.jacobian.b.dot(v.segment<6>(6 * row.body_b))));
     }
-    // A line that stands first, and twelve columns for each body, have other numbers of columns than v has lines.
+    // A leading line, and twelve columns per body, give a number of columns other than v's number of lines.
     CHECK(J.transpose().cols() != v.size());
     CHECK(12 * n != v.size());
 }
@@ -167,7 +167,7 @@ TEST_CASE("6.2.9: within bounds A lambda - b is not zero but points out of them"
             }
         }
     }
-    // The equation as it is printed would pull at a body that flies away.
+    // The printed equation would pull at a body that flies away.
     const Frozen leaving(flying({3, 0, 0}), std::vector{row_along(Vector3::UnitX(), 0.0)}, dt);
     CHECK(leaving.system.b(0, 0) / leaving.system.diagonal[0] == Approx(-3.0 * 2.0 / dt));
 }

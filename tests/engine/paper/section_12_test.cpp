@@ -33,7 +33,7 @@ VectorX random_numbers(Random& random, Eigen::Index count) {
     return numbers;
 }
 
-// |difference| against the larger of both.
+// |difference| relative to the larger of both.
 double relative_error(const MatrixX& value, const MatrixX& expected) {
     return (value - expected).norm() / std::max(value.norm(), expected.norm());
 }
@@ -46,7 +46,7 @@ TEST_CASE("12.1: the derivative of a length is along it") {
     for (const Eigen::Index dimensions : {2, 3, 12}) {
         const VectorX v = random_numbers(random, dimensions), rate = random_numbers(random, dimensions);
         const auto squared = [&](double t) { return (v + t * rate).squaredNorm(); };
-        // Of a square the central difference is exact.
+        // For a square the central difference is exact.
         CHECK((squared(0.5) - squared(-0.5)) / 1.0 == Approx(2.0 * v.dot(rate)).epsilon(1e-13));
         // What is across v does not change the length.
         const VectorX across = rate - v * (v.dot(rate) / v.squaredNorm());
@@ -204,7 +204,7 @@ TEST_CASE("12.3: v2 from momenta satisfies 6.2.2, both ways") {
             CHECK(by_bodies == Approx(0.0).margin(1e-11));
             CHECK(by_rows == Approx(0.0).margin(1e-11));
         }
-        // The velocity before the step is worked on.
+        // Work is done on the velocity before the step.
         CHECK(std::abs(lambda.dot(J * whole.v1)) > 1.0);
     }
 }

@@ -26,7 +26,7 @@ struct Whole {
     engine::VectorX v2(const engine::VectorX& lambda) const;  // 12.3.1
 };
 
-// Boxes that tumble, each held to the next by a bar from anywhere on one to anywhere on the other.
+// Boxes that tumble, each held to the next by a bar between random points of both.
 struct HangingBoxes {
     std::vector<engine::Body> bodies;
     std::vector<engine::ConstraintRow> rows;

@@ -1,4 +1,4 @@
-// The factorisation against a dense one, and its plan against what fill-in must be.
+// The factorisation against a dense one, and its plan against the expected fill-in.
 #include "engine/solvers/exact/body_matrix.h"
 
 #include "tests/catch.h"
