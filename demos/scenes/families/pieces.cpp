@@ -42,14 +42,6 @@ Quaternion inclined(double angle) {
     return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
 }
 
-Quaternion random_orientation(scenes::Random& random) {
-    Quaternion q;
-    do {
-        for (double& component : q.coeffs()) component = random.in(-1.0, 1.0);
-    } while (q.squaredNorm() > 1.0 || q.squaredNorm() < 0.01);
-    return q.normalized();
-}
-
 double rest_by(double height, double friction, double speed) {
     const double falls = std::sqrt(2.0 * height / gravity);
     return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / friction;

@@ -26,8 +26,7 @@ BodyDescription& add_ball(SceneDescription& scene, const std::string& name, doub
 engine::Quaternion turned(double angle);
 engine::Quaternion inclined(double angle);
 
-// Uniformly distributed.
-engine::Quaternion random_orientation(scenes::Random& random);
+using scenes::random_orientation;
 
 // Time [s] after which bodies that fall from `height` [m] are at rest: time for a heap to settle, twice the time to
 // fall, and the sliding time of a body with the speed of that fall and the `speed` [m/s] at which it was thrown.

@@ -1,6 +1,8 @@
 // Random numbers for scenes, the same on every platform (the standard distributions are not).
 #pragma once
 
+#include "engine/base/math.h"
+
 #include <cstdint>
 #include <random>
 
@@ -18,5 +20,14 @@ class Random {
   private:
     std::mt19937_64 engine_;
 };
+
+// Every orientation is equally likely.
+inline engine::Quaternion random_orientation(Random& random) {
+    engine::Quaternion q;
+    do {
+        for (double& component : q.coeffs()) component = random.in(-1.0, 1.0);
+    } while (q.squaredNorm() > 1.0 || q.squaredNorm() < 0.01);
+    return q.normalized();
+}
 
 }  // namespace pushfactor::demos::scenes
