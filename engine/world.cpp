@@ -376,6 +376,9 @@ void World::find_what_turns_unseen() {
         for (const auto& source : constraints) {
             turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
         }
+        for (const auto& source : forces) {
+            turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pushfactor::demos {
 
@@ -64,7 +65,12 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
         scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
     }
     for (const ForceDescription& force : description.forces) {
-        engine::Poke poke{.body = index_of(force.body, description), .force = force.force, .from = force.from};
+        engine::Poke poke{.body = index_of(force.body, description),
+                          .force = force.force,
+                          .torque = force.torque,
+                          .point = force.point,
+                          .frame = force.frame,
+                          .from = force.from};
         if (force.until) poke.until = *force.until;
         scene.world.forces.push_back(std::make_unique<engine::PokeForce>(poke));
     }
@@ -155,7 +161,51 @@ engine::RestitutionRule restitution_rule(RestitutionModel model) {
     return model == RestitutionModel::sum ? engine::restitution_sum : engine::restitution_larger;
 }
 
+// The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.
+struct Numbers {
+    Numbers(const SceneDescription& description, std::string BodyDescription::*what) {
+        for (const BodyDescription& body : description.bodies) {
+            const std::string& name = body.*what;
+            of_bodies.push_back(name.empty() ? -1 : by_name.emplace(name, by_name.size()).first->second);
+        }
+    }
+    std::vector<int> of_bodies;
+    std::map<std::string, int> by_name;
+};
+
+std::unique_ptr<collision::PairFilter> make_filter(const SceneDescription& description) {
+    const Numbers groups(description, &BodyDescription::group);
+    std::vector<collision::Pair> pairs;
+    for (const auto& [a, b] : description.no_contacts) {
+        pairs.push_back({index_of(a, description), index_of(b, description)});
+    }
+    if (groups.by_name.empty() && pairs.empty()) return nullptr;
+    return std::make_unique<collision::PairFilter>(groups.by_name.empty() ? std::vector<int>() : groups.of_bodies,
+                                                   std::move(pairs));
+}
+
+// The options --friction and --restitution are for all pairs.
+std::unique_ptr<collision::MaterialPairs> make_materials(const SceneDescription& description,
+                                                         const Settings& settings) {
+    if (description.materials.empty()) return nullptr;
+    const auto numbers = Numbers(description, &BodyDescription::material).by_name;
+    auto materials = std::make_unique<collision::MaterialPairs>(static_cast<int>(numbers.size()));
+    const auto number_of = [&](const std::string& name) {
+        const auto found = numbers.find(name);
+        if (found == numbers.end()) throw engine::InvalidInput("material", name, "the material of a body");
+        return found->second;
+    };
+    for (const MaterialPairDescription& pair : description.materials) {
+        collision::MaterialPairs::Surface surface;
+        if (!settings.friction) surface.friction = pair.friction;
+        if (!settings.restitution) surface.restitution = pair.restitution;
+        materials->set(number_of(pair.a), number_of(pair.b), surface);
+    }
+    return materials;
+}
+
 std::vector<collision::Collider> make_colliders(const SceneDescription& description, const Settings& settings) {
+    const Numbers materials(description, &BodyDescription::material);
     std::vector<collision::Collider> colliders;
     for (int i = 0; i < static_cast<int>(description.bodies.size()); ++i) {
         const BodyDescription& body = description.bodies[static_cast<std::size_t>(i)];
@@ -164,7 +214,8 @@ std::vector<collision::Collider> make_colliders(const SceneDescription& descript
                              .friction = settings.friction.value_or(body.friction),
                              .restitution = settings.restitution.value_or(body.restitution),
                              .surface_velocity = body.surface_velocity,
-                             .surface_from = body.surface_from});
+                             .surface_from = body.surface_from,
+                             .material = materials.of_bodies[static_cast<std::size_t>(i)]});
     }
     return colliders;
 }
@@ -182,10 +233,11 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         .order = settings.row_order,
     };
     auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
-    if (any(&collision::Collider::friction)) {
+    auto materials = make_materials(description, settings);
+    if (any(&collision::Collider::friction) || (materials && materials->any_friction())) {
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
-    if (any(&collision::Collider::restitution)) {
+    if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
         contacts->set_restitution(restitution_rule(settings.restitution_model));
     }
     if (settings.margin > 0.0)
@@ -194,6 +246,8 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         contacts->set_cache(std::make_unique<engine::ContactCache>(
             description.state ? description.state->contact_forces : engine::ContactCache{}));
     }
+    contacts->set_materials(std::move(materials));
+    contacts->set_filter(make_filter(description));
     scene.contacts = contacts.get();
     scene.world.constraints.push_back(std::move(contacts));
 }

@@ -66,6 +66,7 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
       division_(division_of(scene_, settings)),
       clock_(clock),
       energy_(scene_.gravity) {
+    if (scene_.contacts) detector_.broad_phase().leave_out(scene_.contacts->filter());
     start();
     energy_.open(scene_.world.bodies, settings_.dt.value());
     measure_state();

@@ -57,6 +57,7 @@ std::string made_of(const SceneDescription& description) {
     if (description.contacts) parts += ", contacts";
     if (description.contacts && has(&BodyDescription::friction)) parts += ", friction";
     if (description.contacts && has(&BodyDescription::restitution)) parts += ", restitution";
+    if (description.contacts && !description.materials.empty()) parts += ", material pairs";
     return parts;
 }
 

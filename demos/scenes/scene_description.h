@@ -5,6 +5,7 @@
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/forces/poke.h"
 
 #include <functional>
 #include <map>
@@ -41,6 +42,8 @@ struct BodyDescription {
     std::optional<engine::Vector3> linear_momentum{}, angular_momentum{};
     double friction = 0.5;
     double restitution = 0.0;
+    std::string material{};  // none when empty
+    std::string group{};     // whose bodies do not touch each other; none when empty
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
     double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
@@ -67,9 +70,18 @@ struct DistanceDescription {
 
 struct ForceDescription {
     std::string body{};
-    engine::Vector3 force = engine::Vector3::Zero();  // N, world frame
-    double from = 0.0;                                // s
-    std::optional<double> until{};                    // s
+    engine::Vector3 force = engine::Vector3::Zero();   // N
+    engine::Vector3 torque = engine::Vector3::Zero();  // N m, beside that of the force
+    engine::Vector3 point = engine::Vector3::Zero();   // m, body frame: where the force acts
+    engine::Poke::Frame frame = engine::Poke::Frame::world;
+    double from = 0.0;              // s
+    std::optional<double> until{};  // s
+};
+
+// What two materials have on each other, instead of what their bodies would.
+struct MaterialPairDescription {
+    std::string a{}, b{};
+    std::optional<double> friction{}, restitution{};
 };
 
 // Where one looks from, and at what [m]. `floor` is the height of a ground that is drawn and nothing else.
@@ -108,6 +120,8 @@ struct SceneDescription {
     std::vector<DistanceDescription> distances;
     std::vector<ForceDescription> forces;
     bool contacts = false;
+    std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other
+    std::vector<MaterialPairDescription> materials;
     std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
     View view;
     bool has_camera = true;  // false: none is known, and `view` says no more than a direction

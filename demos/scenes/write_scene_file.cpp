@@ -40,6 +40,8 @@ Json to_json(const BodyDescription& body) {
     if (body.angular_momentum) json["angular_momentum_kg_m2_per_s"] = to_json(*body.angular_momentum);
     json["friction"] = body.friction;
     if (body.restitution != 0.0) json["restitution"] = body.restitution;
+    if (!body.material.empty()) json["material"] = body.material;
+    if (!body.group.empty()) json["group"] = body.group;
     if (!body.surface_velocity.isZero(0.0)) json["surface_velocity_m_per_s"] = to_json(body.surface_velocity);
     if (body.surface_from != 0.0) json["surface_from_s"] = body.surface_from;
     return json;
@@ -61,7 +63,23 @@ Json to_json(const DistanceDescription& distance) {
 
 Json to_json(const ForceDescription& force) {
     Json json{{"body", force.body}, {"force_n", to_json(force.force)}, {"from_s", force.from}};
+    if (!force.torque.isZero(0.0)) json["torque_n_m"] = to_json(force.torque);
+    if (!force.point.isZero(0.0)) json["point_m"] = to_json(force.point);
+    for (const auto& [name, frame] : frame_names) {
+        if (frame == force.frame && frame != engine::Poke::Frame::world) json["frame"] = name;
+    }
     if (force.until) json["until_s"] = *force.until;
+    return json;
+}
+
+Json to_json(const std::pair<std::string, std::string>& bodies) {
+    return Json::array({bodies.first, bodies.second});
+}
+
+Json to_json(const MaterialPairDescription& pair) {
+    Json json{{"a", pair.a}, {"b", pair.b}};
+    if (pair.friction) json["friction"] = *pair.friction;
+    if (pair.restitution) json["restitution"] = *pair.restitution;
     return json;
 }
 
@@ -84,6 +102,8 @@ std::string scene_file_text(const SceneDescription& scene) {
     put_list(json, "distance_constraints", scene.distances);
     put_list(json, "forces", scene.forces);
     if (scene.contacts) json["contacts"] = true;
+    put_list(json, "no_contacts", scene.no_contacts);
+    put_list(json, "material_pairs", scene.materials);
     if (scene.state) json["state"] = state_json(*scene.state, scene);
     for (const auto& [name, text] : scene.options) json["options"][name] = json_of(text);
     if (scene.has_camera) json["camera"] = camera_json(scene.view);

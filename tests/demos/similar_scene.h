@@ -25,8 +25,9 @@ struct Similarity {
         return unit * (mirrored ? engine::Vector3(-v.x(), v.y(), v.z()) : v);
     }
     // Of rotation; a mirror turns it round but for the part across the mirror.
-    engine::Vector3 axial(const engine::Vector3& v, double unit) const {
-        return turn * engine::Vector3(unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v));
+    engine::Vector3 axial(const engine::Vector3& v, double unit) const { return turn * axial_in_body(v, unit); }
+    engine::Vector3 axial_in_body(const engine::Vector3& v, double unit) const {
+        return unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v);
     }
     engine::Quaternion orientation(const engine::Quaternion& q) const {
         return turn * (mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q);
@@ -61,6 +62,8 @@ struct Similarity {
         for (const auto& body : scene.bodies) other.bodies.push_back(map(body));
         for (const auto& distance : scene.distances) other.distances.push_back(map(distance));
         for (const auto& force : scene.forces) other.forces.push_back(map(force));
+        other.no_contacts = scene.no_contacts;
+        other.materials = scene.materials;
         return other;
     }
 
@@ -90,7 +93,10 @@ struct Similarity {
     }
 
     demos::ForceDescription map(demos::ForceDescription poke) const {
-        poke.force = direction(poke.force, force());
+        const bool turns = poke.frame == engine::Poke::Frame::body;
+        poke.force = turns ? in_body(poke.force, force()) : direction(poke.force, force());
+        poke.torque = turns ? axial_in_body(poke.torque, force() * length) : axial(poke.torque, force() * length);
+        poke.point = in_body(poke.point, length);
         poke.from *= time.value();
         if (poke.until) *poke.until *= time.value();
         return poke;

@@ -24,7 +24,9 @@ bool moves_without_momentum(const demos::SceneDescription& scene, const demos::S
     return settings.contacts.kind == engine::PushKind::single_frame ||
            settings.distances.kind == engine::PushKind::single_frame ||
            std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                       [](const auto& body) { return body.restitution > 0.0; });
+                       [](const auto& body) { return body.restitution > 0.0; }) ||
+           std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const auto& pair) { return pair.restitution.value_or(0.0) > 0.0; });
 }
 
 // Sweeps row by row lower q with every row while the bounds are numbers; over-relaxed or conjugate ones need not.

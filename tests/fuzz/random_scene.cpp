@@ -66,6 +66,8 @@ class Generator {
         if (chance(0.5)) add_distances(isolated);
         if (!isolated && chance(0.3)) add_force();
         add_options();
+        if (chance(0.2)) add_pairs();
+        if (chance(0.5)) turn_forces();
         return std::move(scene_);
     }
 
@@ -183,6 +185,33 @@ class Generator {
         demos::ForceDescription force{.body = scene_.bodies.back().name, .force = vector(mass_ * decades(-1, 3))};
         if (chance(0.5)) force.until = 0.1;
         scene_.forces.push_back(force);
+    }
+
+    void turn_forces() {
+        for (demos::ForceDescription& force : scene_.forces) {
+            if (chance(0.5)) force.torque = size_ * vector(mass_ * decades(-1, 3));
+            if (chance(0.5)) force.point = vector(size_);
+            if (chance(0.5)) force.frame = engine::Poke::Frame::body;
+        }
+    }
+
+    // Bodies that do not touch each other, and what materials have on each other.
+    void add_pairs() {
+        for (BodyDescription& body : scene_.bodies) {
+            if (chance(0.3)) body.group = "group";
+            if (chance(0.5)) body.material = chance(0.5) ? "ice" : "rubber";
+        }
+        const auto is_used = [&](const char* name) {
+            return std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                               [&](const BodyDescription& body) { return body.material == name; });
+        };
+        for (const auto& [a, b] : {std::pair{"ice", "ice"}, std::pair{"ice", "rubber"}}) {
+            if (!is_used(a) || !is_used(b)) continue;
+            scene_.materials.push_back({.a = a, .b = b, .friction = in(0, 1)});
+            if (chance(0.3)) scene_.materials.back().restitution = in(0, 1);
+        }
+        const BodyDescription &a = scene_.bodies.front(), &b = scene_.bodies.back();
+        if (a.name != b.name) scene_.no_contacts.emplace_back(a.name, b.name);
     }
 
     void add_options() {

@@ -1,5 +1,6 @@
 #include "tests/fuzz/shrink.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -26,6 +27,8 @@ class Simplifications {
         drop_bodies();
         drop_each(&SceneDescription::distances);
         drop_each(&SceneDescription::forces);
+        drop_each(&SceneDescription::no_contacts);
+        drop_each(&SceneDescription::materials);
         drop_options();
         calm();
         for (const int digits : {1, 2, 3}) round(digits);
@@ -34,6 +37,11 @@ class Simplifications {
     std::vector<SceneDescription> take() { return std::move(found_); }
 
   private:
+    static bool has_material(const SceneDescription& scene, const std::string& name) {
+        return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                           [&](const BodyDescription& body) { return body.material == name; });
+    }
+
     // With what hangs on it.
     void drop_bodies() {
         for (const BodyDescription& body : scene_.bodies) {
@@ -42,6 +50,11 @@ class Simplifications {
             std::erase_if(simpler.distances,
                           [&](const auto& d) { return d.a.body == body.name || d.b.body == body.name; });
             std::erase_if(simpler.forces, [&](const auto& force) { return force.body == body.name; });
+            std::erase_if(simpler.no_contacts,
+                          [&](const auto& pair) { return pair.first == body.name || pair.second == body.name; });
+            std::erase_if(simpler.materials, [&](const auto& pair) {
+                return !has_material(simpler, pair.a) || !has_material(simpler, pair.b);
+            });
             found_.push_back(std::move(simpler));
         }
     }
@@ -88,6 +101,12 @@ class Simplifications {
             set(body.orientation, Quaternion(Quaternion::Identity()));
             set(body.restitution, 0.0);
             set(body.friction, 0.0);
+            set(body.group, std::string());
+        }
+        for (auto& force : edited_.forces) {
+            set(force.torque, Vector3(Vector3::Zero()));
+            set(force.point, Vector3(Vector3::Zero()));
+            set(force.frame, engine::Poke::Frame::world);
         }
         for (auto& distance : edited_.distances) {
             set(distance.acts, engine::Distance::Acts::both);

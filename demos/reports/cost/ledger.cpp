@@ -25,6 +25,7 @@ void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
     std::vector<engine::collision::Pose> poses;
     for (const engine::Body& body : scene.world.bodies) poses.push_back(engine::collision::pose_of(body));
     engine::collision::BroadPhase broad_phase;
+    broad_phase.leave_out(scene.contacts->filter());
     sum.pairs += static_cast<double>(
         broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
     Pairs touching;

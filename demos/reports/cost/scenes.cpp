@@ -92,6 +92,8 @@ Parts parts_of(const BuiltScene& scene, const Settings& settings) {
         parts.constraints.emplace_back("contacts");
         if (scene.contacts->friction()) parts.contacts.emplace_back("friction");
         if (scene.contacts->restitution()) parts.contacts.emplace_back("restitution");
+        if (scene.contacts->materials()) parts.contacts.emplace_back("materials");
+        if (scene.contacts->filter()) parts.contacts.emplace_back("pairs left out");
         if (scene.contacts->continuous_collision()) parts.contacts.emplace_back("sweep");
         if (scene.contacts->cache()) parts.contacts.emplace_back("cache");
     }
