@@ -26,8 +26,18 @@ bool rests(const World& world, const std::pair<int, int>& bodies) {
     return world.rest && (world.rest->is_at_rest(bodies.first) || world.rest->is_at_rest(bodies.second));
 }
 
-// Work of running belts on the bodies in contact with them [J].
-double work_of_belts(const World& world) {
+// Rate of a row along its axis [m/s].
+double rate_of(const ConstraintRow& row, std::span<const Body> bodies) {
+    const auto velocity_of = [bodies](int body) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        return stacked(velocity(own), angular_velocity(own));
+    };
+    return row.jacobian.a.dot(velocity_of(row.body_a)) + row.jacobian.b.dot(velocity_of(row.body_b));
+}
+
+// Work of running belts on the bodies in contact with them, and of running motors [J]. A belt has its speed, a
+// motor may be stalled or carried along.
+double work_of_drives(const World& world, std::span<const Body> before) {
     const Columns& lambda = world.lambda();
     double work = 0.0;
     for (const Island& island : world.islands().all()) {
@@ -35,7 +45,11 @@ double work_of_belts(const World& world) {
         for (const RowRun& run : island.runs) {
             for (int j = run.begin; j < run.end; ++j) {
                 const ConstraintRow& row = world.rows()[static_cast<std::size_t>(j)];
-                if (row.label.kind == RowKind::friction) work += lambda(j, lambda.cols() - 1) * row.push.lasting;
+                const double force = lambda(j, lambda.cols() - 1);
+                if (row.label.kind == RowKind::friction) work += force * row.push.lasting;
+                if (row.label.kind == RowKind::motor && row.push.lasting != 0.0) {
+                    work += 0.5 * force * (rate_of(row, before) + rate_of(row, world.bodies));
+                }
             }
         }
     }
@@ -99,7 +113,7 @@ double EnergyAccount::work_of_removing(const World& world) {
 
 // With the mean velocity of the step, which matches the momenta.
 double EnergyAccount::external_work_of(const World& world, double dt) const {
-    double work = world.rows().empty() ? 0.0 : work_of_belts(world);
+    double work = world.rows().empty() ? 0.0 : work_of_drives(world, before_);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body &before = before_[i], &after = world.bodies[i];
         if (before.is_static()) continue;

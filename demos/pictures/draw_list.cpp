@@ -4,6 +4,7 @@
 #include "demos/pictures/to_glm.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pushfactor::demos::pictures {
 
@@ -41,10 +42,36 @@ double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     return radius;
 }
 
+// Thick enough to be seen from where the scene is usually looked at.
+double least_radius(const BuiltScene& scene) {
+    return 0.0015 * (scene.view.eye - scene.view.target).norm();
+}
+
+// A hinge is a pin that sticks out of the smaller of its bodies, a ball joint a ball.
+void add_joints(const BuiltScene& scene, renderer::Picture& picture) {
+    if (!scene.joints) return;
+    for (const engine::Joint& joint : scene.joints->joints()) {
+        double size = std::numeric_limits<double>::infinity();
+        for (const int end : {joint.body_a, joint.body_b}) {
+            const auto i = static_cast<std::size_t>(end);
+            if (i < scene.bodies.size() && scene.bodies[i].mass) {
+                size = std::min(size, bounding_radius(scene.bodies[i]));
+            }
+        }
+        const engine::Span span = span_of(joint, scene.world.bodies);
+        const engine::Quaternion& frame = scene.world.bodies[static_cast<std::size_t>(joint.body_a)].orientation;
+        const Vector3 half = joint.hinge ? Vector3(0.5 * size * (frame * joint.hinge->axis)) : Vector3::Zero();
+        renderer::Bar bar;
+        bar.from = to_glm(span.from - half);
+        bar.to = to_glm(span.to + half);
+        bar.radius = static_cast<float>(std::max(least_radius(scene), std::min(0.1 * size, 0.04)));
+        picture.bars.push_back(bar);
+    }
+}
+
 void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
-    // Thick enough to be seen from where the scene is usually looked at.
-    const double least = 0.0015 * (scene.view.eye - scene.view.target).norm();
+    const double least = least_radius(scene);
     for (const engine::Distance& distance : scene.distances->distances()) {
         const auto [from, to] = span_of(distance, scene.world.bodies);
         renderer::Bar bar;
@@ -84,6 +111,7 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
             described.shape);
     }
     add_bars(scene, picture);
+    add_joints(scene, picture);
     return picture;
 }
 

@@ -107,25 +107,30 @@ void require_joint_without_bounds(const DistanceDescription& described) {
                                "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
 }
 
-void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
-    if (description.distances.empty()) return;
-    std::optional<int> world;
+// Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
+template <typename Described, typename Held>
+void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
+          std::optional<int>& world, Held& held) {
     const auto body_index = [&](const std::string& name) {
         return name == "world" ? world_body(scene, world) : index_of(name, description);
     };
+    held.body_a = body_index(described.a.body);
+    held.body_b = body_index(described.b.body);
+    held.point_a = described.a.point;
+    held.point_b = described.b.point;
+    const auto is_static = [&](int body) { return scene.world.bodies[static_cast<std::size_t>(body)].is_static(); };
+    if (!is_static(held.body_a) || !is_static(held.body_b)) return;
+    throw engine::InvalidInput(std::string(what) + " between " + described.a.body + " and", described.b.body,
+                               "a movable body, as the other one is static");
+}
+
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                   std::optional<int>& world) {
+    if (description.distances.empty()) return;
     std::vector<engine::Distance> distances;
     for (const DistanceDescription& described : description.distances) {
-        engine::Distance distance{.body_a = body_index(described.a.body),
-                                  .body_b = body_index(described.b.body),
-                                  .point_a = described.a.point,
-                                  .point_b = described.b.point};
-        const auto is_static = [&](int body) {
-            return scene.world.bodies[static_cast<std::size_t>(body)].is_static();
-        };
-        if (is_static(distance.body_a) && is_static(distance.body_b)) {
-            throw engine::InvalidInput("distance between " + described.a.body + " and", described.b.body,
-                                       "a movable body, as the other one is static");
-        }
+        engine::Distance distance;
+        join(scene, description, described, "distance", world, distance);
         distance.length = length_of(described, distance, scene.world.bodies);
         if (!std::isfinite(distance.length)) {
             throw engine::InvalidInput(
@@ -142,6 +147,32 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
         std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
     if (description.state) source->set_forces(description.state->distance_forces);
     scene.distances = source.get();
+    scene.world.constraints.push_back(std::move(source));
+}
+
+engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const Body& b) {
+    return {.axis = described.axis.normalized(),
+            .zero = described.zero.value_or(a.orientation.conjugate() * b.orientation),
+            .motor = described.motor,
+            .limits = described.limits};
+}
+
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                std::optional<int>& world) {
+    if (description.joints.empty()) return;
+    std::vector<engine::Joint> joints;
+    for (const JointDescription& described : description.joints) {
+        engine::Joint& joint = joints.emplace_back();
+        join(scene, description, described, "joint", world, joint);
+        if (!described.hinge) continue;
+        const auto& bodies = scene.world.bodies;
+        joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],
+                                 bodies[static_cast<std::size_t>(joint.body_b)]);
+    }
+    auto source =
+        std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
+    if (description.state) source->set_forces(description.state->joint_forces);
+    scene.joints = source.get();
     scene.world.constraints.push_back(std::move(source));
 }
 
@@ -178,6 +209,10 @@ std::unique_ptr<collision::PairFilter> make_filter(const SceneDescription& descr
     std::vector<collision::Pair> pairs;
     for (const auto& [a, b] : description.no_contacts) {
         pairs.push_back({index_of(a, description), index_of(b, description)});
+    }
+    for (const JointDescription& joint : description.joints) {
+        if (joint.collide || joint.a.body == "world" || joint.b.body == "world") continue;
+        pairs.push_back({index_of(joint.a.body, description), index_of(joint.b.body, description)});
     }
     if (groups.by_name.empty() && pairs.empty()) return nullptr;
     return std::make_unique<collision::PairFilter>(groups.by_name.empty() ? std::vector<int>() : groups.of_bodies,
@@ -287,6 +322,7 @@ void require_bars_alone(const SceneDescription& description, const Settings& set
         throw engine::InvalidInput("--scheme", name, "auto or whole for a scene with " + what);
     };
     if (description.contacts) refuse("contacts");
+    if (!description.joints.empty()) refuse("joints");
     for (const DistanceDescription& distance : description.distances) {
         if (distance.acts != engine::Distance::Acts::both) refuse("ropes or struts");
         if (distance.max_force) refuse("bars that yield");
@@ -350,7 +386,9 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     for (const BodyDescription& body : description.bodies) scene.world.bodies.push_back(make_body(body));
     require_finite(scene);
     add_forces(scene, description);
-    add_distances(scene, description, settings);
+    std::optional<int> world;
+    add_distances(scene, description, settings, world);
+    add_joints(scene, description, settings, world);
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings.rotation, description.contacts);

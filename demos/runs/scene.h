@@ -23,6 +23,7 @@ struct BuiltScene {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
     const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
+    const engine::JointConstraints* joints = nullptr;        // part of the world; null without joints
 
     std::optional<double> substeps_before{};  // when it goes on: StepDivision::level()
 
@@ -32,9 +33,9 @@ struct BuiltScene {
     std::function<std::unique_ptr<SceneMeasure>(const engine::World&)> measure;
 };
 
-// The world of a description under the settings. What either leaves out is not constructed. When distances hang on
-// "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, for an
-// scheme that does not fit the scene, and for what the engine refuses.
+// The world of a description under the settings. What either leaves out is not constructed. When distances or
+// joints hang on "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has,
+// for an scheme that does not fit the scene, and for what the engine refuses.
 BuiltScene build_scene(const SceneDescription& description, const Settings& settings);
 // Of a run.
 BuiltScene build_scene(const Choices& choices);

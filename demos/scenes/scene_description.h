@@ -5,6 +5,7 @@
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
 #include "engine/forces/poke.h"
 
 #include <functional>
@@ -68,6 +69,19 @@ struct DistanceDescription {
     std::optional<double> max_force{};  // N
 };
 
+struct HingeDescription {
+    engine::Vector3 axis = engine::Vector3::UnitZ();  // of any length, frame of a (world frame for "world")
+    std::optional<engine::Quaternion> zero{};  // of b in the frame of a at angle 0; that of the start without
+    std::optional<engine::Motor> motor{};
+    std::optional<engine::AngleLimits> limits{};
+};
+
+struct JointDescription {
+    DistanceDescription::End a{}, b{};
+    std::optional<HingeDescription> hinge{};  // a ball joint without
+    bool collide = false;                     // whether the two bodies touch each other
+};
+
 struct ForceDescription {
     std::string body{};
     engine::Vector3 force = engine::Vector3::Zero();   // N
@@ -118,6 +132,7 @@ struct SceneDescription {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);  // m/s^2; no force source when zero
     std::vector<BodyDescription> bodies;
     std::vector<DistanceDescription> distances;
+    std::vector<JointDescription> joints;
     std::vector<ForceDescription> forces;
     bool contacts = false;
     std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other

@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 namespace pushfactor::demos {
@@ -22,9 +24,9 @@ using engine::Vector3;
 constexpr std::size_t most_bodies = 100000;
 
 using Keys = std::vector<std::string>;
-const Keys scene_keys{"version", "name",     "gravity_m_per_s2", "bodies",         "distance_constraints",
-                      "forces",  "contacts", "no_contacts",      "material_pairs", "state",
-                      "options", "camera",   "colours"};
+const Keys scene_keys{"version", "name",    "gravity_m_per_s2", "bodies",      "distance_constraints",
+                      "joints",  "forces",  "contacts",         "no_contacts", "material_pairs",
+                      "state",   "options", "camera",           "colours"};
 const Keys body_keys{"name",
                      "shape",
                      "size_m",
@@ -44,6 +46,8 @@ const Keys body_keys{"name",
                      "surface_velocity_m_per_s",
                      "surface_from_s"};
 const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n"};
+const Keys joint_keys{"type", "a", "b", "axis", "zero_wxyz", "motor", "limits_rad", "collide"};
+const Keys motor_keys{"speed_rad_per_s", "max_torque_n_m"};
 const Keys end_keys{"body", "point_m"};
 const Keys force_keys{"body", "force_n", "torque_n_m", "point_m", "frame", "from_s", "until_s"};
 const Keys material_pair_keys{"a", "b", "friction", "restitution"};
@@ -161,14 +165,58 @@ DistanceDescription::End read_end(const JsonReader& json, const Names& names) {
     return end;
 }
 
-DistanceDescription read_distance(const JsonReader& json, const Names& names) {
-    json.require_object(distance_keys);
-    DistanceDescription distance{.a = read_end(json.at("a"), names), .b = read_end(json.at("b"), names)};
-    if (distance.a.body == distance.b.body) json.at("b").at("body").refuse("another body than a");
+// Two ends of something, at least one of them on a movable body.
+template <typename Described>
+Described read_ends(const JsonReader& json, const Names& names) {
+    Described described{.a = read_end(json.at("a"), names), .b = read_end(json.at("b"), names)};
+    if (described.a.body == described.b.body) json.at("b").at("body").refuse("another body than a");
     const auto is_static = [&](const std::string& name) { return name == "world" || names.at(name); };
-    if (is_static(distance.a.body) && is_static(distance.b.body)) {
+    if (is_static(described.a.body) && is_static(described.b.body)) {
         json.at("b").at("body").refuse("a movable body, as a is static");
     }
+    return described;
+}
+
+engine::Motor read_motor(const JsonReader& json) {
+    json.require_object(motor_keys);
+    engine::Motor motor{.speed = json.at("speed_rad_per_s").number(-1e9, 1e9)};
+    if (json.has("max_torque_n_m")) motor.max_torque = json.at("max_torque_n_m").positive();
+    return motor;
+}
+
+engine::AngleLimits read_limits(const JsonReader& json) {
+    const std::string allowed = "two angles from -6.2832 to 6.2832, the second from the first to a turn above it";
+    const std::vector<double> limits = json.numbers(2, allowed);
+    constexpr double turn = 2.0 * std::numbers::pi;
+    const bool in_range = std::abs(limits[0]) <= turn && std::abs(limits[1]) <= turn;
+    if (!in_range || limits[1] < limits[0] || limits[1] > limits[0] + turn) json.refuse(allowed);
+    return {limits[0], limits[1]};
+}
+
+JointDescription read_joint(const JsonReader& json, const Names& names) {
+    json.require_object(joint_keys);
+    auto joint = read_ends<JointDescription>(json, names);
+    const std::string type = json.at("type").string();
+    if (json.has("collide")) joint.collide = json.at("collide").boolean();
+    if (type == "ball") {
+        refuse_if_given(json, {"axis", "zero_wxyz", "motor", "limits_rad"}, "left out: a ball joint has no axis");
+        return joint;
+    }
+    if (type != "hinge") json.at("type").refuse("one of hinge, ball");
+    HingeDescription& hinge = joint.hinge.emplace();
+    hinge.axis = json.at("axis").vector();
+    if (const double length = hinge.axis.norm(); !(length >= 1e-100 && length <= 1e100)) {
+        json.at("axis").refuse("a vector from 1e-100 to 1e+100 long");
+    }
+    if (json.has("zero_wxyz")) hinge.zero = json.at("zero_wxyz").rotation();
+    if (json.has("motor")) hinge.motor = read_motor(json.at("motor"));
+    if (json.has("limits_rad")) hinge.limits = read_limits(json.at("limits_rad"));
+    return joint;
+}
+
+DistanceDescription read_distance(const JsonReader& json, const Names& names) {
+    json.require_object(distance_keys);
+    auto distance = read_ends<DistanceDescription>(json, names);
     if (json.has("length_m")) distance.length = json.at("length_m").not_negative();
     if (json.has("max_force_n")) distance.max_force = json.at("max_force_n").positive();
     if (json.has("acts")) distance.acts = read_word(json.at("acts"), act_names);
@@ -272,6 +320,10 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
             scene.distances.push_back(read_distance(entry, names));
         }
     }
+    if (json.has("joints")) {
+        for (const JsonReader& entry : json.at("joints").elements())
+            scene.joints.push_back(read_joint(entry, names));
+    }
     if (json.has("forces")) {
         for (const JsonReader& entry : json.at("forces").elements())
             scene.forces.push_back(read_force(entry, names));
@@ -299,6 +351,8 @@ const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
             {"scene", scene_keys},
             {"body", body_keys},
             {"distance_constraint", distance_keys},
+            {"joint", joint_keys},
+            {"motor", motor_keys},
             {"end", end_keys},
             {"force", force_keys},
             {"material_pair", material_pair_keys},

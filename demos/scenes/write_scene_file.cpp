@@ -3,6 +3,8 @@
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
 
+#include <cmath>
+
 namespace pushfactor::demos {
 
 namespace {
@@ -61,6 +63,23 @@ Json to_json(const DistanceDescription& distance) {
     return json;
 }
 
+Json to_json(const engine::Motor& motor) {
+    Json json{{"speed_rad_per_s", motor.speed}};
+    if (std::isfinite(motor.max_torque)) json["max_torque_n_m"] = motor.max_torque;
+    return json;
+}
+
+Json to_json(const JointDescription& joint) {
+    Json json{{"type", joint.hinge ? "hinge" : "ball"}, {"a", to_json(joint.a)}, {"b", to_json(joint.b)}};
+    if (joint.collide) json["collide"] = true;
+    if (!joint.hinge) return json;
+    json["axis"] = to_json(joint.hinge->axis);
+    if (const auto& q = joint.hinge->zero) json["zero_wxyz"] = Json::array({q->w(), q->x(), q->y(), q->z()});
+    if (joint.hinge->motor) json["motor"] = to_json(*joint.hinge->motor);
+    if (const auto& limits = joint.hinge->limits) json["limits_rad"] = Json::array({limits->low, limits->high});
+    return json;
+}
+
 Json to_json(const ForceDescription& force) {
     Json json{{"body", force.body}, {"force_n", to_json(force.force)}, {"from_s", force.from}};
     if (!force.torque.isZero(0.0)) json["torque_n_m"] = to_json(force.torque);
@@ -100,6 +119,7 @@ std::string scene_file_text(const SceneDescription& scene) {
     json["bodies"] = Json::array();
     put_list(json, "bodies", scene.bodies);
     put_list(json, "distance_constraints", scene.distances);
+    put_list(json, "joints", scene.joints);
     put_list(json, "forces", scene.forces);
     if (scene.contacts) json["contacts"] = true;
     put_list(json, "no_contacts", scene.no_contacts);

@@ -16,8 +16,8 @@
 
 namespace pushfactor::engine {
 
-enum class RowKind { contact, friction, distance };
-inline constexpr std::size_t row_kind_count = 3;
+enum class RowKind { contact, friction, distance, joint, motor, limit };
+inline constexpr std::size_t row_kind_count = 6;
 
 // j_c in two parts, one per body (6.1.2). World frame.
 struct Jacobian {
@@ -48,8 +48,9 @@ struct Lambda {
 // Description of a row for outputs. Not used in computations.
 struct RowLabel {
     RowKind kind = RowKind::contact;
-    int point = 0;     // contact point within its pair, or index of the distance
-    double gap = 0.0;  // m, negative is penetration; for distances the length error, 0 for a loose rope
+    int point = 0;     // contact point within its pair, or index of the distance or the joint
+    double gap = 0.0;  // m, negative is penetration; for distances the length error, 0 for a loose rope; for joints
+                       // how far they are open, for limits what is left
 };
 
 struct ConstraintRow {

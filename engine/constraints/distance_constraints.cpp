@@ -88,14 +88,12 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
 void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
-    const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);
-    const PairPoint points(pair_of(distance, bodies), middle);
-    for (int axis = 0; axis < 3; ++axis) {
-        ConstraintRow& row = rows.emplace_back();
-        points.place(row, Vector3::Unit(axis));
-        row.push = correct(correction_, -p_ab[axis], dt);
-        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = p_ab.norm()};
-        if (cached_) row.guess = forces_[index][static_cast<std::size_t>(axis)];
+    const std::size_t first = rows.size();
+    append_point_rows(pair_of(distance, bodies), p_a, p_b, correction_, dt, rows);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ConstraintRow& row = rows[first + axis];
+        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};
+        if (cached_) row.guess = forces_[index][axis];
     }
 }
 

@@ -122,7 +122,8 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
+    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
+    if (may_drive && row.push.lasting != 0.0) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.

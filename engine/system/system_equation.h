@@ -46,7 +46,7 @@ struct RowDigest {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
         rebounds = 4,         // one-sided row with a lasting push in its direction
-        drives = 8,           // friction that aims at a speed (belt)
+        drives = 8,           // aims at a speed: friction on a belt, or a motor
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
     };

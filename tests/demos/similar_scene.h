@@ -29,8 +29,9 @@ struct Similarity {
     engine::Vector3 axial_in_body(const engine::Vector3& v, double unit) const {
         return unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v);
     }
-    engine::Quaternion orientation(const engine::Quaternion& q) const {
-        return turn * (mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q);
+    engine::Quaternion orientation(const engine::Quaternion& q) const { return turn * mirrored_only(q); }
+    engine::Quaternion mirrored_only(const engine::Quaternion& q) const {
+        return mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q;
     }
 
     double speed() const { return length / time.value(); }
@@ -61,6 +62,7 @@ struct Similarity {
         other.contacts = scene.contacts;
         for (const auto& body : scene.bodies) other.bodies.push_back(map(body));
         for (const auto& distance : scene.distances) other.distances.push_back(map(distance));
+        for (const auto& joint : scene.joints) other.joints.push_back(map(joint));
         for (const auto& force : scene.forces) other.forces.push_back(map(force));
         other.no_contacts = scene.no_contacts;
         other.materials = scene.materials;
@@ -83,10 +85,32 @@ struct Similarity {
         return body;
     }
 
-    demos::DistanceDescription map(demos::DistanceDescription distance) const {
-        for (demos::DistanceDescription::End* end : {&distance.a, &distance.b}) {
+    template <typename Described>
+    void map_ends(Described& described) const {
+        for (demos::DistanceDescription::End* end : {&described.a, &described.b}) {
             end->point = end->body == "world" ? position(end->point) : in_body(end->point, length);
         }
+    }
+
+    demos::JointDescription map(demos::JointDescription joint) const {
+        map_ends(joint);
+        if (!joint.hinge) return joint;
+        demos::HingeDescription& hinge = *joint.hinge;
+        const bool to_world = joint.a.body == "world";
+        hinge.axis = to_world ? axial(hinge.axis, 1.0) : axial_in_body(hinge.axis, 1.0);
+        if (hinge.zero) {
+            const engine::Quaternion q = mirrored_only(*hinge.zero);
+            hinge.zero = to_world ? turn * q : joint.b.body == "world" ? q * turn.conjugate() : q;
+        }
+        if (hinge.motor) {
+            hinge.motor->speed /= time.value();
+            hinge.motor->max_torque *= force() * length;
+        }
+        return joint;
+    }
+
+    demos::DistanceDescription map(demos::DistanceDescription distance) const {
+        map_ends(distance);
         if (distance.length) *distance.length *= length;
         if (distance.max_force) *distance.max_force *= force();
         return distance;

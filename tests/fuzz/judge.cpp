@@ -15,6 +15,7 @@ bool is_isolated(const demos::SceneDescription& scene) {
     const auto touches_world = [](const auto& d) { return d.a.body == "world" || d.b.body == "world"; };
     return scene.gravity.isZero(0.0) && scene.forces.empty() &&
            std::none_of(scene.distances.begin(), scene.distances.end(), touches_world) &&
+           std::none_of(scene.joints.begin(), scene.joints.end(), touches_world) &&
            std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.mass; });
 }
 

@@ -68,6 +68,7 @@ class Generator {
         add_options();
         if (chance(0.2)) add_pairs();
         if (chance(0.5)) turn_forces();
+        if (chance(0.2)) add_joints(isolated);
         return std::move(scene_);
     }
 
@@ -185,6 +186,27 @@ class Generator {
         demos::ForceDescription force{.body = scene_.bodies.back().name, .force = vector(mass_ * decades(-1, 3))};
         if (chance(0.5)) force.until = 0.1;
         scene_.forces.push_back(force);
+    }
+
+    void add_joints(bool isolated) {
+        const std::size_t bodies = scene_.bodies.size(), count = 1 + below(4);
+        for (std::size_t i = 0; i < count; ++i) {
+            const BodyDescription &a = scene_.bodies[below(bodies)], &b = scene_.bodies[below(bodies)];
+            const bool to_world = !isolated && chance(0.3);
+            if ((!b.mass && (to_world || !a.mass)) || (!to_world && a.name == b.name)) continue;
+            demos::JointDescription joint;
+            joint.a = end(to_world ? "world" : a.name, chance(0.3));
+            joint.b = end(b.name, chance(0.3));
+            joint.collide = chance(0.3);
+            if (chance(0.8)) {
+                joint.hinge.emplace().axis = vector(1.0) + Vector3(0.1, 0, 0);
+                if (chance(0.3)) joint.hinge->zero = random_.rotation();
+                if (chance(0.4)) joint.hinge->motor = engine::Motor{.speed = in(-10, 10)};
+                if (joint.hinge->motor && chance(0.8)) joint.hinge->motor->max_torque = mass_ * decades(-2, 3);
+                if (chance(0.4)) joint.hinge->limits = engine::AngleLimits{in(-2, 0), in(0, 2)};
+            }
+            scene_.joints.push_back(joint);
+        }
     }
 
     void turn_forces() {

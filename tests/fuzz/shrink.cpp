@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::tests {
@@ -26,6 +27,7 @@ class Simplifications {
     explicit Simplifications(const SceneDescription& scene) : scene_(scene) {
         drop_bodies();
         drop_each(&SceneDescription::distances);
+        drop_each(&SceneDescription::joints);
         drop_each(&SceneDescription::forces);
         drop_each(&SceneDescription::no_contacts);
         drop_each(&SceneDescription::materials);
@@ -49,6 +51,9 @@ class Simplifications {
             std::erase_if(simpler.bodies, [&](const auto& other) { return other.name == body.name; });
             std::erase_if(simpler.distances,
                           [&](const auto& d) { return d.a.body == body.name || d.b.body == body.name; });
+            std::erase_if(simpler.joints, [&](const auto& joint) {
+                return joint.a.body == body.name || joint.b.body == body.name;
+            });
             std::erase_if(simpler.forces, [&](const auto& force) { return force.body == body.name; });
             std::erase_if(simpler.no_contacts,
                           [&](const auto& pair) { return pair.first == body.name || pair.second == body.name; });
@@ -111,6 +116,22 @@ class Simplifications {
         for (auto& distance : edited_.distances) {
             set(distance.acts, engine::Distance::Acts::both);
             set(distance.max_force, std::optional<double>());
+        }
+        for (auto& joint : edited_.joints) {
+            set(joint.collide, false);
+            if (!joint.hinge) continue;
+            SceneDescription simpler = edited_;
+            auto& hinge = simpler.joints[static_cast<std::size_t>(&joint - edited_.joints.data())].hinge;
+            const auto add_without = [&](auto part) {
+                if (!((*hinge).*part)) return;
+                const auto before = std::exchange((*hinge).*part, std::nullopt);
+                found_.push_back(simpler);
+                (*hinge).*part = before;
+            };
+            add_without(&demos::HingeDescription::motor);
+            add_without(&demos::HingeDescription::limits);
+            hinge.reset();
+            found_.push_back(std::move(simpler));
         }
     }
 

@@ -53,10 +53,27 @@ void add_islands(const engine::World& world, Counts& sum) {
     }
 }
 
+double& rows_in(engine::RowKind kind, Counts& counts) {
+    switch (kind) {
+        case engine::RowKind::friction:
+            return counts.friction_rows;
+        case engine::RowKind::distance:
+            return counts.distance_rows;
+        case engine::RowKind::joint:
+        case engine::RowKind::motor:
+        case engine::RowKind::limit:
+            return counts.joint_rows;
+        case engine::RowKind::contact:
+            break;
+    }
+    return counts.contact_rows;
+}
+
 void add_step(const engine::StepCount& step, Counts& sum) {
-    sum.contact_rows += step.rows(engine::RowKind::contact);
-    sum.friction_rows += step.rows(engine::RowKind::friction);
-    sum.distance_rows += step.rows(engine::RowKind::distance);
+    for (std::size_t k = 0; k < engine::row_kind_count; ++k) {
+        const auto kind = static_cast<engine::RowKind>(k);
+        rows_in(kind, sum) += step.rows(kind);
+    }
     sum.columns += step.columns;
     sum.at_rest += step.at_rest;
     sum.sweeps += step.sweeps;
@@ -66,7 +83,8 @@ void add_step(const engine::StepCount& step, Counts& sum) {
 
 // What there is once per step is divided by the engine steps, the rest by the steps of the run.
 Counts means_of(Counts sum) {
-    for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns, &sum.at_rest}) {
+    for (double* each :
+         {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.joint_rows, &sum.columns, &sum.at_rest}) {
         *each /= sum.substeps;
     }
     for (double* each :

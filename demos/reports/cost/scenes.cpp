@@ -88,6 +88,7 @@ Parts parts_of(const BuiltScene& scene, const Settings& settings) {
     }
     if (scene.distances)
         parts.constraints.push_back(fmt::format("{} distances", scene.distances->distances().size()));
+    if (scene.joints) parts.constraints.push_back(fmt::format("{} joints", scene.joints->joints().size()));
     if (scene.contacts) {
         parts.constraints.emplace_back("contacts");
         if (scene.contacts->friction()) parts.contacts.emplace_back("friction");

@@ -43,12 +43,8 @@ class Together {
             std::string& group = all.bodies.back().group;
             if (!group.empty()) group = std::to_string(number_) + " " + group;
         }
-        for (DistanceDescription distance : scene.distances) {
-            for (DistanceDescription::End* end : {&distance.a, &distance.b}) {
-                if (end->body != "world") end->body = names_.at(end->body);
-            }
-            all.distances.push_back(distance);
-        }
+        for (const DistanceDescription& distance : scene.distances) all.distances.push_back(renamed(distance));
+        for (const JointDescription& joint : scene.joints) all.joints.push_back(renamed(joint));
         for (ForceDescription force : scene.forces) {
             force.body = names_.at(force.body);
             all.forces.push_back(force);
@@ -61,6 +57,14 @@ class Together {
     SceneDescription all;
 
   private:
+    template <typename Described>
+    Described renamed(Described described) const {
+        for (DistanceDescription::End* end : {&described.a, &described.b}) {
+            if (end->body != "world") end->body = names_.at(end->body);
+        }
+        return described;
+    }
+
     // A material is the same in all scenes; the first one to speak of a pair is heard.
     void add(const MaterialPairDescription& pair) {
         const bool known = std::any_of(all.materials.begin(), all.materials.end(), [&](const auto& other) {
