@@ -63,9 +63,9 @@ double EnergyAccount::energy(std::span<const Body> bodies, double dt) const {
     return kinetic_energy(bodies) + potential_energy(bodies, gravity_) - std::max(0.0, rising);
 }
 
-void EnergyAccount::open(std::span<const Body> bodies, double dt) {
+void EnergyAccount::open(std::span<const Body> bodies, double dt, double stored) {
     *this = EnergyAccount(gravity_);
-    start_ = latest_ = energy(bodies, dt);
+    start_ = latest_ = energy(bodies, dt) + stored;
 }
 
 void EnergyAccount::begin(std::span<const Body> bodies) {
@@ -80,7 +80,7 @@ void EnergyAccount::end(const World& world, double dt) {
     noted_ = true;
     gain_ = latest_ - start_ - external_ - push_;
     external_ += external_work_of(world, dt);
-    latest_ = energy(world.bodies, dt);
+    latest_ = energy(world.bodies, dt) + world.stored_energy();
 }
 
 void EnergyAccount::note_overlaps(const World& world) {

@@ -21,8 +21,8 @@ class EnergyAccount {
   public:
     explicit EnergyAccount(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
 
-    // Sets the state that counts as the start.
-    void open(std::span<const Body> bodies, double dt);
+    // Sets the state that counts as the start; `stored` [J] is World::stored_energy().
+    void open(std::span<const Body> bodies, double dt, double stored = 0.0);
 
     // To be called before and after a step of `dt` [s].
     void begin(std::span<const Body> bodies);

@@ -289,6 +289,12 @@ void World::hand_out_answers() {
     }
 }
 
+double World::stored_energy() const {
+    double sum = 0.0;
+    for (const auto& source : constraints) sum += source->stored_energy(bodies);
+    return sum;
+}
+
 void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
     island_solver_.set_memory(memory);

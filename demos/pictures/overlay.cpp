@@ -67,7 +67,10 @@ void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add
     std::size_t row = 0;
     for (const std::size_t acting : scene.distances->acting()) {
         const engine::Distance& distance = scene.distances->distances()[acting];
-        while (world.rows()[row].label.kind != engine::RowKind::distance) ++row;
+        const auto is_of_distance = [](engine::RowKind kind) {
+            return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
+        };
+        while (!is_of_distance(world.rows()[row].label.kind)) ++row;
         const auto [from, to] = span_of(distance, world.bodies);
         Vector3 on_b;
         if (is_ball_joint(distance)) {

@@ -102,9 +102,10 @@ double length_of(const DistanceDescription& described, const engine::Distance& d
 
 // Such a length 0 has no direction to pull or push along, and no direction in which a force could have a limit.
 void require_joint_without_bounds(const DistanceDescription& described) {
-    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
-    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
-                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
+    if (described.acts == engine::Distance::Acts::both && !described.max_force && !described.spring) return;
+    throw engine::InvalidInput(
+        "length of the distance between " + described.a.body + " and " + described.b.body, "0",
+        "above 0, or it is a ball joint, which acts both ways and without max_force_n or spring");
 }
 
 // Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
@@ -140,6 +141,7 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
         if (is_ball_joint(distance)) require_joint_without_bounds(described);
         distance.acts = described.acts;
         if (described.max_force) distance.max_force = *described.max_force;
+        distance.spring = described.spring;
         distances.push_back(distance);
     }
     const engine::Correction whole{engine::PushKind::persistent, 1.0};
@@ -326,6 +328,7 @@ void require_bars_alone(const SceneDescription& description, const Settings& set
     for (const DistanceDescription& distance : description.distances) {
         if (distance.acts != engine::Distance::Acts::both) refuse("ropes or struts");
         if (distance.max_force) refuse("bars that yield");
+        if (distance.spring) refuse("springs");
     }
     if (settings.start_kick == StartKick::on) {
         throw engine::InvalidInput("--start-kick", "on", "off or auto with --scheme " + name);

@@ -101,6 +101,8 @@ std::string_view name_of(engine::RowKind kind) {
             return "motor";
         case engine::RowKind::limit:
             return "limit";
+        case engine::RowKind::spring:
+            return "spring";
         case engine::RowKind::contact:
             break;
     }

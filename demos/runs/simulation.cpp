@@ -72,7 +72,7 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
       energy_(scene_.gravity) {
     if (scene_.contacts) detector_.broad_phase().leave_out(scene_.contacts->filter());
     start();
-    energy_.open(scene_.world.bodies, settings_.dt.value());
+    energy_.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
     measure_state();
 }
 

@@ -29,7 +29,7 @@ double radius_of(const BuiltScene& scene, int body) {
 }
 
 double scale_of(const Distance& distance, const BuiltScene& scene) {
-    if (std::isfinite(distance.max_force)) return 0.0;
+    if (std::isfinite(distance.max_force) || distance.spring) return 0.0;
     if (distance.length > 0.0) return distance.length;
     return std::max(radius_of(scene, distance.body_a), radius_of(scene, distance.body_b));
 }

@@ -66,7 +66,8 @@ struct DistanceDescription {
     End a{}, b{};
     std::optional<double> length{};  // m; what it is at the start without
     engine::Distance::Acts acts = engine::Distance::Acts::both;
-    std::optional<double> max_force{};  // N
+    std::optional<double> max_force{};       // N
+    std::optional<engine::Spring> spring{};  // rigid without
 };
 
 struct HingeDescription {

@@ -45,7 +45,8 @@ const Keys body_keys{"name",
                      "group",
                      "surface_velocity_m_per_s",
                      "surface_from_s"};
-const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n"};
+const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n", "spring"};
+const Keys spring_keys{"stiffness_n_per_m", "damping_n_s_per_m"};
 const Keys joint_keys{"type", "a", "b", "axis", "zero_wxyz", "motor", "limits_rad", "collide"};
 const Keys motor_keys{"speed_rad_per_s", "max_torque_n_m"};
 const Keys end_keys{"body", "point_m"};
@@ -214,12 +215,28 @@ JointDescription read_joint(const JsonReader& json, const Names& names) {
     return joint;
 }
 
+engine::Spring read_spring(const JsonReader& json) {
+    json.require_object(spring_keys);
+    const auto number = [&](const char* key) { return json.has(key) ? json.at(key).number(0.0, 1e100) : 0.0; };
+    const engine::Spring spring{number("stiffness_n_per_m"), number("damping_n_s_per_m")};
+    if (std::max(spring.stiffness, spring.damping) < 1e-100) {
+        json.refuse("given a stiffness or a damping from 1e-100 to 1e+100");
+    }
+    return spring;
+}
+
 DistanceDescription read_distance(const JsonReader& json, const Names& names) {
     json.require_object(distance_keys);
     auto distance = read_ends<DistanceDescription>(json, names);
     if (json.has("length_m")) distance.length = json.at("length_m").not_negative();
     if (json.has("max_force_n")) distance.max_force = json.at("max_force_n").positive();
     if (json.has("acts")) distance.acts = read_word(json.at("acts"), act_names);
+    if (json.has("spring")) {
+        refuse_if_given(json, {"acts", "max_force_n"}, "left out of a spring");
+        distance.spring = read_spring(json.at("spring"));
+        if (distance.length == 0.0)
+            json.at("length_m").refuse("above 0, as a spring of no length has no direction");
+    }
     if (distance.length == 0.0 && (distance.acts != engine::Distance::Acts::both || distance.max_force)) {
         json.at("length_m").refuse("above 0, or it is a ball joint, which acts both ways and without max_force_n");
     }
@@ -351,6 +368,7 @@ const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
             {"scene", scene_keys},
             {"body", body_keys},
             {"distance_constraint", distance_keys},
+            {"spring", spring_keys},
             {"joint", joint_keys},
             {"motor", motor_keys},
             {"end", end_keys},

@@ -60,6 +60,9 @@ Json to_json(const DistanceDescription& distance) {
         if (acts == distance.acts && acts != Distance::Acts::both) json["acts"] = name;
     }
     if (distance.max_force) json["max_force_n"] = *distance.max_force;
+    if (const auto& spring = distance.spring) {
+        json["spring"] = {{"stiffness_n_per_m", spring->stiffness}, {"damping_n_s_per_m", spring->damping}};
+    }
     return json;
 }
 

@@ -107,7 +107,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     const double b = row.squared();
     const auto index = static_cast<Eigen::Index>(j);
     if (disc == Disc::none) {
-        system.diagonal[index] = b;
+        system.diagonal[index] = b > 0.0 ? b + system.rows[j].softness : b;
         return;
     }
     const WeightedRow first(system.rows[j - 1], system);

@@ -113,6 +113,10 @@ struct Similarity {
         map_ends(distance);
         if (distance.length) *distance.length *= length;
         if (distance.max_force) *distance.max_force *= force();
+        if (distance.spring) {
+            distance.spring->stiffness *= force() / length;
+            distance.spring->damping *= force() / speed();
+        }
         return distance;
     }
 

@@ -69,6 +69,7 @@ class Generator {
         if (chance(0.2)) add_pairs();
         if (chance(0.5)) turn_forces();
         if (chance(0.2)) add_joints(isolated);
+        if (chance(0.2)) soften_distances();
         return std::move(scene_);
     }
 
@@ -186,6 +187,14 @@ class Generator {
         demos::ForceDescription force{.body = scene_.bodies.back().name, .force = vector(mass_ * decades(-1, 3))};
         if (chance(0.5)) force.until = 0.1;
         scene_.forces.push_back(force);
+    }
+
+    void soften_distances() {
+        for (demos::DistanceDescription& distance : scene_.distances) {
+            const bool rigid = distance.max_force || distance.acts != engine::Distance::Acts::both;
+            if (rigid || !has_length(distance) || chance(0.3)) continue;
+            distance.spring = engine::Spring{mass_ * decades(-1, 5), chance(0.5) ? mass_ * decades(-2, 3) : 0.0};
+        }
     }
 
     void add_joints(bool isolated) {

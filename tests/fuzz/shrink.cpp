@@ -116,6 +116,10 @@ class Simplifications {
         for (auto& distance : edited_.distances) {
             set(distance.acts, engine::Distance::Acts::both);
             set(distance.max_force, std::optional<double>());
+            if (!distance.spring) continue;
+            const auto spring = std::exchange(distance.spring, std::nullopt);
+            found_.push_back(edited_);
+            distance.spring = spring;
         }
         for (auto& joint : edited_.joints) {
             set(joint.collide, false);

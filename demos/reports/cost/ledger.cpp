@@ -58,6 +58,7 @@ double& rows_in(engine::RowKind kind, Counts& counts) {
         case engine::RowKind::friction:
             return counts.friction_rows;
         case engine::RowKind::distance:
+        case engine::RowKind::spring:
             return counts.distance_rows;
         case engine::RowKind::joint:
         case engine::RowKind::motor:
