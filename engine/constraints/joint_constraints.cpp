@@ -74,7 +74,8 @@ double angle_of(const Joint& joint, std::span<const Body> bodies) {
 
 std::size_t row_count(const Joint& joint) {
     if (!joint.hinge) return 3;
-    return 5u + (joint.hinge->motor ? 1 : 0) + (joint.hinge->limits ? 2 : 0);
+    const auto& limits = joint.hinge->limits;
+    return 5u + (joint.hinge->motor ? 1 : 0) + (!limits ? 0 : limits->low < limits->high ? 2 : 1);
 }
 
 JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached)
@@ -132,6 +133,13 @@ void JointConstraints::append_hinge(std::size_t index, std::span<const Body> bod
     const double middle = 0.5 * (hinge.limits->low + hinge.limits->high);
     const double half = 0.5 * (hinge.limits->high - hinge.limits->low);
     const double phi = std::remainder(twist(turn, hinge.axis) - middle, 2.0 * std::numbers::pi);
+    if (!(half > 0.0)) {
+        ConstraintRow& row = append_turn(pair, axis, rows);
+        row.push = correct(correction_, -lever * phi, dt);
+        row.error = lever * phi;
+        row.label = label(RowKind::limit, lever * phi);
+        return;
+    }
     for (const double side : {1.0, -1.0}) {
         const double gap = lever * (half + side * phi);
         ConstraintRow& row = append_turn(pair, side * axis, rows);

@@ -15,7 +15,8 @@
 // it rows that turn are in m/s and N like all others, and tolerances mean the same.
 //
 // The motor is one of the "constant speed motors" of 8.1: its push lasts. It is the bounds that make it stall.
-// Limits are one-sided rows like contacts: open ones may close within the step, closed ones are corrected.
+// Limits are one-sided rows like contacts: open ones may close within the step, closed ones are corrected. Two
+// equal limits are one row that acts both ways: the bodies are welded.
 #pragma once
 
 #include "engine/constraints/constraint_source.h"

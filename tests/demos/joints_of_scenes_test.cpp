@@ -87,6 +87,22 @@ TEST_CASE("a cart on driven wheels runs at speed x radius, and its motors' work 
     CHECK(count.rows(RowKind::contact) == 2);  // the wheels on the ground; not on the box, which they overlap
 }
 
+TEST_CASE("the rover drives over planks on sprung arms without coming apart or gaining energy") {
+    const Choices choices = understand(std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/scenes/rover.json", {});
+    Simulation run(choices);
+    const double loaded = run.scene().world.bodies[1].position.y();
+    for (int i = 0; i < 240; ++i) {
+        const Sample& sample = run.advance();
+        REQUIRE(sample.max_length_error < 1e-3);
+        REQUIRE(sample.residual < 1e-3);
+        REQUIRE(sample.energy_gain < 0.01);
+    }
+    const engine::Body& chassis = run.scene().world.bodies[1];
+    CHECK(chassis.position.x() > 6.0);
+    CHECK(std::abs(chassis.position.y() - loaded) < 0.3);
+    CHECK((chassis.orientation * Vector3::UnitY()).y() > 0.95);
+}
+
 TEST_CASE("joined bodies touch each other only where the joint says so") {
     const Settings settings = preset_settings("default");
     Simulation apart(build_scene(read(cart("")), settings), settings);
