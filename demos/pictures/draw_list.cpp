@@ -12,7 +12,7 @@ namespace {
 
 using engine::Vector3;
 
-// The colour that was chosen, or else one after the other. `movable` counts the bodies that had none.
+// The body's own colour, or the next one of the palette. `movable` counts movable bodies without a colour.
 glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
     return to_glm(body.colour ? *find_colour(*body.colour)
                   : body.mass ? palette[movable++ % palette.size()]
@@ -30,7 +30,7 @@ void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Pict
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
-// Slender against its own length and against what hangs on it; a ball joint is a ball.
+// Slender compared with its length and with the bodies that hang on it; a ball joint is drawn as a ball.
 double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     for (const int end : {distance.body_a, distance.body_b}) {
@@ -42,7 +42,7 @@ double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     return radius;
 }
 
-// Thick enough to be seen from where the scene is usually looked at.
+// Visible from the scene's usual view.
 double least_radius(const BuiltScene& scene) {
     return 0.0015 * (scene.view.eye - scene.view.target).norm();
 }

@@ -11,10 +11,10 @@ namespace {
 
 using engine::Vector3;
 
-// What the step made of one row.
+// The solution of one row.
 struct RowAnswer {
     const engine::ConstraintRow& row;
-    double lasting_force;  // N, what enters the momenta
+    double lasting_force;  // N, acts on the momenta
 };
 
 RowAnswer answer_of(const engine::World& world, std::size_t row) {
@@ -22,7 +22,7 @@ RowAnswer answer_of(const engine::World& world, std::size_t row) {
     return {world.rows()[row], lambda(static_cast<Eigen::Index>(row), lambda.cols() - 1)};
 }
 
-// On which body of a contact its force is drawn: 1 for b, -1 for a.
+// Body of a contact that its force is drawn on: 1 for b, -1 for a.
 double drawn_on(const engine::ContactSite& site, const engine::World& world) {
     if (world.bodies[static_cast<std::size_t>(site.body_a)].is_static()) return 1.0;
     if (world.bodies[static_cast<std::size_t>(site.body_b)].is_static()) return -1.0;
@@ -59,8 +59,8 @@ void add_contact_push(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Calls `add` with the place of each movable end of a distance and the vector on it of which `number_of` gives, row
-// for row, the part that pushes the ends apart.
+// Calls `add` with the place of each movable end of a distance and the vector on it; `number_of` gives per row the
+// component that pushes the ends apart.
 template <typename NumberOf, typename Add>
 void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
     const engine::World& world = scene.world;
@@ -148,8 +148,8 @@ void add_velocities(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// By the first body of the island, so that an island keeps its colour while others come and go: the palette in
-// three shades, neighbours in different colours.
+// Depends on the island's first body, so that an island keeps its colour while others come and go. Fifteen colours:
+// the palette in three shades.
 glm::vec3 colour_of_island(std::size_t first_body) {
     constexpr std::size_t colours = palette.size() - 1;  // ivory is for bodies in none
     const glm::vec3 colour = to_glm(palette[first_body % colours]);
@@ -176,7 +176,7 @@ void add_islands(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Which entry of the overlay a movable body belongs to.
+// Legend entry of a movable body.
 std::size_t rest_of(const BuiltScene& scene, std::size_t body) {
     const auto index = static_cast<int>(body);
     if (scene.world.rest->is_at_rest(index)) return 0;
@@ -201,7 +201,7 @@ glm::vec3 rest_colour_of(const BuiltScene& scene, std::size_t body) {
     return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
 }
 
-// Each movable body in the colour that `colour_of` gives. They are in the picture in their order, shape by shape.
+// Colours movable bodies with `colour_of`. The picture has them in order, shape by shape.
 template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();

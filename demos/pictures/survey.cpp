@@ -12,7 +12,7 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// Of every body the box around its places, so that a long run needs no more memory than a short one.
+// Corners of the box around all places of each body: memory does not grow with the run.
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].isEmpty()) continue;
@@ -23,7 +23,7 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
     }
 }
 
-// Advances to a step. False if the run becomes non-finite before it; whoever draws the run reports that.
+// Advances to a step. False if the run becomes non-finite before it; the run that is drawn reports that.
 bool reaches(Simulation& simulation, long step) {
     try {
         while (simulation.sample().step < step) {

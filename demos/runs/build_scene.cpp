@@ -76,7 +76,7 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
     }
 }
 
-// The index of the static body that stands for the world; it is made when it is first wanted.
+// Index of the static body that represents the world; created on first use.
 int world_body(BuiltScene& scene, std::optional<int>& known) {
     if (!known) {
         known = static_cast<int>(scene.world.bodies.size());
@@ -100,7 +100,7 @@ double length_of(const DistanceDescription& described, const engine::Distance& d
     return length <= 1e-6 * levers + 1e-15 * (from.norm() + to.norm()) ? 0.0 : length;
 }
 
-// Such a length 0 has no direction to pull or push along, and no direction in which a force could have a limit.
+// Length 0 has no direction to pull, push or limit a force along.
 void require_joint_without_bounds(const DistanceDescription& described) {
     if (described.acts == engine::Distance::Acts::both && !described.max_force && !described.spring) return;
     throw engine::InvalidInput(
@@ -289,7 +289,7 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
     scene.world.constraints.push_back(std::move(contacts));
 }
 
-// Bodies that may bounce turn by small steps; where nothing is met, the splitting keeps its order.
+// Bodies with contacts rotate by small turns, without them by splitting, which then keeps its order.
 engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     switch (rotation) {
         case Rotation::paper:
@@ -302,7 +302,7 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
-// With a fixed number of iterations, or another solver than the one that decides, steps stay whole.
+// With a fixed number of iterations or another solver than auto, steps stay whole.
 bool takes_small_steps(const Settings& settings) {
     if (settings.scheme == Scheme::small_steps) return true;
     return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
@@ -317,7 +317,7 @@ void add_solver(BuiltScene& scene, const Settings& settings) {
     }
 }
 
-// RATTLE is for bars, and begins with momenta that belong to the positions.
+// RATTLE is for bars alone, and its initial momenta belong to the time of the positions.
 void require_bars_alone(const SceneDescription& description, const Settings& settings) {
     const std::string name = scheme_name(settings);
     const auto refuse = [&](const std::string& what) {

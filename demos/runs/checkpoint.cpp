@@ -28,7 +28,7 @@ SceneDescription resumed(SceneDescription description, const BuiltScene& scene, 
         described.linear_momentum = body.linear_momentum;
         described.angular_momentum = body.angular_momentum;
     }
-    // Lengths and angles that the start decided would be others now.
+    // Lengths and angles that were taken from the start must not be taken from the current state.
     for (std::size_t i = 0; i < description.distances.size(); ++i) {
         description.distances[i].length = scene.distances->distances()[i].length;
     }

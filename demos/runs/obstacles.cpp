@@ -10,7 +10,7 @@ namespace {
 
 using engine::Vector3;
 
-// Whether the way between two places in the frame of a box crosses a middle plane of it inside it.
+// Whether the segment between two places in the frame of a box crosses one of its middle planes inside it.
 bool crosses_middle(const Vector3& from, const Vector3& to, const Vector3& half_size) {
     for (int axis = 0; axis < 3; ++axis) {
         if ((from[axis] < 0.0) == (to[axis] < 0.0)) continue;

@@ -1,4 +1,4 @@
-// The static bodies of a scene as what no other body may get through.
+// The static bodies of a scene as obstacles that no other body may pass through.
 #pragma once
 
 #include "demos/runs/scene.h"
@@ -14,8 +14,8 @@ class Obstacles {
     // Whether a centre is on the wrong side of a plane. Positions in m, world frame.
     bool is_behind_plane(const engine::Vector3& centre) const;
 
-    // Whether a centre that moves straight from one place to the other gets to the other side of a box between its
-    // faces, or as deep as half its radius into a sphere: bodies that touch and roll off come nowhere near that.
+    // Whether a centre that moves straight from one place to the other crosses a middle plane of a box inside it,
+    // or comes within half the radius of a sphere's centre. Ordinary contacts come nowhere near that.
     bool is_passed(const engine::Vector3& from, const engine::Vector3& to) const;
 
   private:

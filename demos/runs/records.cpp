@@ -11,7 +11,7 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-// Lines are gathered and written together.
+// Lines are buffered.
 class CsvRecord : public Record {
   public:
     CsvRecord(const std::filesystem::path& path, std::string_view header) : file_(path) {

@@ -41,7 +41,7 @@ StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
     return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
 }
 
-// Of the body with the largest number in its state; the first of several.
+// Index of the body with the largest number in its state; the first of several.
 std::size_t most_extreme(std::span<const engine::Body> bodies) {
     const auto extreme = [](const engine::Body& body) {
         return std::max({body.position.cwiseAbs().maxCoeff(), body.linear_momentum.cwiseAbs().maxCoeff(),
@@ -55,7 +55,7 @@ std::size_t most_extreme(std::span<const engine::Body> bodies) {
 }  // namespace
 
 long whole_steps(const Settings& settings) {
-    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
+    // Slightly more than the quotient, so that rounding cannot make 599 steps of 10 s at 1/60 s.
     return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
 }
 
@@ -81,7 +81,7 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
-    // What the rules ask about is not known before the first solve.
+    // The rules need the forces of a first solve.
     if (!settings_.substeps && !scene_.substeps_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
     StepDivision first = division_;
@@ -140,7 +140,7 @@ void Simulation::step_engine(double dt) {
     ++sample_.substeps;
 }
 
-// While sample_.count is of the engine step that has just ended.
+// Call while sample_.count is that of the engine step that has just ended.
 void Simulation::find_worst(double residual) {
     if (sample_.count.islands_unsolved > 0 && residual > largest_unsolved_) {
         largest_unsolved_ = residual;
@@ -180,7 +180,7 @@ void Simulation::require_finite_state() const {
     if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
 }
 
-// A finite state may still be too large for the squares in what is measured of it.
+// A finite state may still overflow squares in the measured numbers.
 void Simulation::require_finite_sample() const {
     const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
                               std::pair{sample_.potential_energy, "potential energy"},

@@ -9,14 +9,14 @@ namespace pushfactor::demos {
 
 namespace {
 
-// How far the state may go beyond a rule before the rest of a step is divided anew. All rules keep a distance from
-// where things go wrong, and a step of unequal parts is less exact than one of equal parts.
+// Factor by which a rule may be exceeded before the rest of a step is divided again: all rules have a safety
+// margin, and a step of unequal parts is less accurate than one of equal parts.
 constexpr double refine_beyond = 1.6;
 
 constexpr double most_rise = 2.0;
 constexpr double most_fall = 15.0 / 16.0;
 
-// A rule that is met but for rounding asks for no part more.
+// Rounded up, but rounding errors do not add a part.
 int whole(double parts) {
     return static_cast<int>(std::ceil(parts * (1.0 - 1e-9)));
 }

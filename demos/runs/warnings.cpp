@@ -20,14 +20,14 @@ std::string bodies_of(const UnsolvedSteps::Place& place, const BuiltScene& scene
                        body_name(scene, place.bodies->b));
 }
 
-// What is more than a good run has: of 2 % the swing of a chain that is too coarse for it can be seen to grow, and
-// of 10 % its bars to be wrong. A solver is far from its answer when the residual is such a share of the speeds.
+// Limits for warnings: the swing of a chain with too long steps visibly grows at 2 %, and its bars are visibly
+// wrong at 10 %. The residual is relative to the largest speed.
 constexpr double much_gain = 0.02;
 constexpr double much_stretch = 0.1;
 constexpr double much_residual = 1e-2;
 
-// What to change: a correction of wrong lengths at the start that stays as speed; an answer that is too far off, a
-// step that is too long, or both.
+// The option to try: another push if wrong initial lengths turn into lasting speed; else better solves, shorter
+// steps, or both.
 std::string remedy(const Simulation& simulation, const Measurements& measured) {
     const Settings& settings = simulation.settings();
     const bool persists = settings.distances.kind == engine::PushKind::persistent;

@@ -32,7 +32,7 @@ std::span<const SceneEntry> catalogue() {
         SceneEntry{"chain", "A chain of bars swings down from the horizontal with a weight at its end.",
                    chain_parameters(), chain},
         SceneEntry{"heavy-on-light",
-                   "A heavy cube stands on light ones: the mass ratio is what iterations cannot do.",
+                   "A heavy cube stands on light ones: a mass ratio that iterations alone do not solve.",
                    heavy_on_light_parameters(), heavy_on_light},
     };
     return table;

@@ -1,5 +1,5 @@
-// A scene as data: what a scene file says and what the scenes in C++ return. Nothing here acts; build_scene() makes
-// the world of it, and what the description does not mention is not constructed.
+// A scene as data, from a scene file or from a scene in C++. build_scene() makes the world of it; parts that the
+// description does not mention are absent.
 #pragma once
 
 #include "engine/base/math.h"
@@ -50,7 +50,7 @@ struct BodyDescription {
     std::optional<std::string> colour{};                         // name in the palette
 };
 
-// Of a sphere around the body's centre that holds it, m; 0 for a plane, which nothing holds.
+// Radius [m] of the bounding sphere around the body's centre; 0 for a plane.
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
@@ -64,7 +64,7 @@ struct DistanceDescription {
         engine::Vector3 point = engine::Vector3::Zero();  // m, body frame (world frame for "world")
     };
     End a{}, b{};
-    std::optional<double> length{};  // m; what it is at the start without
+    std::optional<double> length{};  // m; none: the distance at the start
     engine::Distance::Acts acts = engine::Distance::Acts::both;
     std::optional<double> max_force{};       // N
     std::optional<engine::Spring> spring{};  // rigid without
@@ -99,7 +99,7 @@ struct MaterialPairDescription {
     std::optional<double> friction{}, restitution{};
 };
 
-// Where one looks from, and at what [m]. `floor` is the height of a ground that is drawn and nothing else.
+// A camera [m]. `floor` is the height of a ground that is only drawn.
 struct View {
     engine::Vector3 eye = engine::Vector3(6, 5, 14);
     engine::Vector3 target = engine::Vector3(0, 1, 0);
@@ -110,14 +110,13 @@ struct View {
 // A scene whose bodies should come to stand one on the other.
 struct Standing {
     double side = 0.0;                 // m, edge of a body
-    std::vector<double> rest_heights;  // m, of the centres, one a movable body
+    std::vector<double> rest_heights;  // m, of the centres, one per movable body
 };
 
-// Where in time the momenta of a run belong: half a step before the positions, as semi-implicit Euler leaves them,
-// or with them.
+// Time of the momenta: half a step before the positions, as in semi-implicit Euler, or the same.
 enum class MomentaAt { half_steps, whole_steps };
 
-// What a scene is about, as numbers for the summary; only the scenes in C++ have one.
+// A scene's own measures for the summary; only scenes in C++ have them.
 class SceneMeasure {
   public:
     virtual ~SceneMeasure() = default;
@@ -125,7 +124,7 @@ class SceneMeasure {
     virtual std::vector<std::pair<std::string, double>> result() const = 0;
 };
 
-// What a run carries from step to step beside the bodies (run_state.h).
+// State of a run besides the bodies (run_state.h).
 struct RunState;
 
 struct SceneDescription {
@@ -138,11 +137,11 @@ struct SceneDescription {
     bool contacts = false;
     std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other
     std::vector<MaterialPairDescription> materials;
-    std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
+    std::shared_ptr<const RunState> state;  // of a resumed run, else null
     View view;
-    bool has_camera = true;  // false: none is known, and `view` says no more than a direction
+    bool has_camera = true;  // false: `view` gives only a direction
 
-    // Simulation options that the scene brings along, before command line and config ("preset" among them).
+    // Simulation options of the scene, overridden by command line and config ("preset" among them).
     std::map<std::string, std::string> options;
 
     std::optional<Standing> standing;

@@ -75,7 +75,7 @@ void refuse_if_given(const JsonReader& json, std::initializer_list<const char*> 
     }
 }
 
-// What would be read by nobody was meant for something.
+// A key that would be ignored is refused: it was meant for something.
 void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bool fixed) {
     const bool plane = std::holds_alternative<PlaneShape>(body.shape);
     std::visit(
@@ -322,7 +322,7 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     json.require_object(scene_keys);
     SceneDescription scene;
     scene.name = json.has("name") ? json.at("name").string() : file.stem().string();
-    // It becomes the name of a folder of frames, so it may not lead out of it.
+    // It becomes the name of a folder of frames, so it must not lead elsewhere.
     const bool plain =
         !scene.name.empty() && scene.name.front() != '.' && scene.name.find('/') == std::string::npos;
     if (json.has("name") && !plain) json.at("name").refuse("a name without slashes that does not begin with a dot");

@@ -1,4 +1,4 @@
-// What reading and writing a scene file share.
+// Constants shared by the reader and the writer of scene files.
 #pragma once
 
 #include "demos/scenes/scene_description.h"

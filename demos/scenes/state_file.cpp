@@ -1,5 +1,7 @@
 #include "demos/scenes/state_file.h"
 
+#include "demos/scenes/vector_json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +23,7 @@ using engine::Vector3;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-// Of the state itself, solved_exactly and kept_steps are from the time before each body had its own.
+// solved_exactly and kept_steps of the state as a whole are read from older files without values per body.
 const Keys state_keys{"time_s",         "warm_start", "substeps", "distance_forces_n", "joint_forces_n",
                       "contact_forces", "places",     "at_rest",  "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
@@ -40,8 +42,8 @@ Lambda read_lambda(const JsonReader& json) {
     return {columns[0], columns[1]};
 }
 
-// Two numbers of a bar; three times two of a ball joint, of which files from the time when it was one row with a
-// direction of rounding hold two.
+// Two numbers for a bar, three times two for a ball joint. Older files have two for a ball joint, which are
+// ignored.
 DistanceForce read_distance_force(const JsonReader& json, const DistanceDescription& distance) {
     const bool joint = distance.length == 0.0;
     if (!json.json().is_array() || json.json().empty() || !json.json().front().is_array()) {
@@ -60,7 +62,7 @@ std::vector<DistanceForce> read_distance_forces(const JsonReader& json, const Sc
         forces.push_back(read_distance_force(entries[i], scene.distances[i]));
     }
     if (entries.size() != scene.distances.size()) {
-        json.refuse(fmt::format("an array of {} forces, one a distance constraint", scene.distances.size()));
+        json.refuse(fmt::format("an array of {} forces, one per distance constraint", scene.distances.size()));
     }
     return forces;
 }
@@ -116,7 +118,7 @@ class BodyIndex {
     std::map<std::string, int, std::less<>> indices_;
 };
 
-// What `json` says, of the bodies that it is about.
+// Warm start memory common to the bodies of `json`.
 IslandSolver::Memory read_memory(const JsonReader& json) {
     IslandSolver::Memory memory;
     if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();
@@ -143,7 +145,7 @@ std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const 
     return memory;
 }
 
-// A place without position and orientation is where the body is.
+// A missing position or orientation is that of the body.
 std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
     std::vector<Rest::Memory> memory(scene.bodies.size());
@@ -203,9 +205,7 @@ ContactCache read_contact_forces(const JsonReader& json, const SceneDescription&
     return cache;
 }
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
+using demos::to_json;  // of a vector
 
 Json to_json(const Lambda& lambda) {
     return Json::array({lambda.first, lambda.last});
@@ -233,7 +233,7 @@ Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const 
     return json;
 }
 
-// Bodies that have the same to remember stand together; those that have nothing are left out.
+// Bodies with equal memory are grouped; those without any are left out.
 Json warm_start_json(const RunState& state, const SceneDescription& scene) {
     std::map<std::tuple<bool, int, double, double>, Json> names;
     const std::tuple<bool, int, double, double> nothing{};

@@ -2,6 +2,7 @@
 #include "demos/scenes/scene_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
+#include "demos/scenes/vector_json.h"
 
 #include <cmath>
 
@@ -12,9 +13,7 @@ namespace {
 using engine::Distance;
 using engine::Vector3;
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
+using demos::to_json;  // of a vector
 
 Json to_json(const BodyDescription& body) {
     Json json{{"name", body.name}};

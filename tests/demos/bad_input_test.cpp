@@ -1,5 +1,5 @@
-// What is no number, infinite, zero or negative, in every field of a scene file and every option: refused by the
-// field's name, before anything runs.
+// Bad values in every field of a scene file and every option (not a number, infinite, zero, negative): refused with
+// the field's name, before anything runs.
 #include "demos/options/choices.h"
 #include "demos/options/frame_options.h"
 #include "demos/options/simulation_options.h"
@@ -22,7 +22,7 @@ using tests::Folder;
 
 namespace {
 
-// One of everything that a scene file can hold.
+// A scene with one of everything that a scene file can hold.
 const char* const everything = R"({
     "version": 1, "name": "everything", "gravity_m_per_s2": [0, -10, 0],
     "bodies": [
@@ -62,7 +62,7 @@ const char* const everything = R"({
     "colours": {"box": "blue"}
 })";
 
-// A key of the file, and what it must not be beside what no key may be. Values as JSON.
+// A key of the file, and the values that it refuses in addition to those that every key refuses. Values as JSON.
 struct Field {
     std::string part, key;
     std::string pointer;  // where `everything` has it
@@ -198,7 +198,7 @@ const std::vector<Field> fields{
     {"camera", "floor_m", "/camera/floor_m", no_numbers},
 };
 
-// What is said to `everything` with the text `value` at `pointer`; empty when it is taken.
+// The error message for `everything` with the text `value` at `pointer`; empty when it is accepted.
 std::string said_of(const std::string& pointer, const std::string& value) {
     Json json = Json::parse(everything);
     json[Json::json_pointer(pointer)] = "HERE";
@@ -214,7 +214,7 @@ std::string said_of(const std::string& pointer, const std::string& value) {
     return {};
 }
 
-// Of the field whose value is replaced, or of one that it is part of.
+// The name of the field whose value is replaced, or of one that it is part of.
 bool names(const std::string& message, const Field& field) {
     return message.find(field.key) != std::string::npos && message.find('\n') == std::string::npos &&
            message.find("my.json: ") != std::string::npos;
@@ -261,7 +261,7 @@ TEST_CASE("in every field of a scene file NaN, infinities and numbers beyond dou
 
 TEST_CASE(
     "every option with a number refuses NaN, infinities, and zero and negative ones where they make no sense") {
-    // Zero: no time, no friction, no rebound, no correction, every sweep, nothing left alone, no margin.
+    // Options that may be zero.
     const std::set<std::string_view> may_be_zero{"seconds", "tolerance", "beta",        "distance-beta",
                                                  "slop",    "friction",  "restitution", "margin"};
     for (const SimulationOption& option : simulation_options()) {
@@ -276,7 +276,8 @@ TEST_CASE(
     for (const FrameOption& option : frame_options()) {
         FrameChoices choices;
         for (const char* const text : {"NaN", "inf", "-inf", "1e999", "-1", "", "orbit:nan", "orbit:inf", "1x1"}) {
-            if (option.name == "overlay" || option.name == "camera") continue;  // words and files, tested with them
+            if (option.name == "overlay" || option.name == "camera")
+                continue;  // words and files have their own tests
             INFO(option.name << " " << text);
             CHECK(!option.set(choices, text));
         }

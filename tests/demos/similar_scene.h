@@ -1,5 +1,5 @@
-// Scenes that are alike: shifted, turned, mirrored, or with other units of length, time and mass. The physics of
-// such a scene is the physics of the first one, seen in the same way.
+// Similar scenes: shifted, turned, mirrored, or with other units of length, time and mass. Their motion is that of
+// the original under the same map.
 #pragma once
 
 #include "demos/options/settings.h"
@@ -8,8 +8,8 @@
 
 namespace pushfactor::tests {
 
-// Maps a scene to one that is alike: x -> turn mirror x * length + shift. Factors 1 and no movement map it to
-// itself. Gravity is an acceleration, so it stays what it is where length = time^2.
+// Maps a scene to a similar one: x -> turn mirror x * length + shift. Factors 1 and no movement map it to itself.
+// Gravity is an acceleration, so it is unchanged where length = time^2.
 struct Similarity {
     engine::Quaternion turn = engine::Quaternion::Identity();
     engine::Vector3 shift = engine::Vector3::Zero();  // m
@@ -24,7 +24,7 @@ struct Similarity {
     engine::Vector3 in_body(const engine::Vector3& v, double unit) const {
         return unit * (mirrored ? engine::Vector3(-v.x(), v.y(), v.z()) : v);
     }
-    // Of rotation; a mirror turns it round but for the part across the mirror.
+    // Of rotation; a mirror reverses it except for the part normal to the mirror.
     engine::Vector3 axial(const engine::Vector3& v, double unit) const { return turn * axial_in_body(v, unit); }
     engine::Vector3 axial_in_body(const engine::Vector3& v, double unit) const {
         return unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v);
@@ -54,7 +54,7 @@ struct Similarity {
         return settings;
     }
 
-    // Without view and measure, which the physics does not look at.
+    // Without view and measure, which do not affect the physics.
     demos::SceneDescription map(const demos::SceneDescription& scene) const {
         demos::SceneDescription other;
         other.name = scene.name;

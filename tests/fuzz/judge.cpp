@@ -19,8 +19,8 @@ bool is_isolated(const demos::SceneDescription& scene) {
            std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.mass; });
 }
 
-// Corrections do so for a frame, and bounces in flight: where a body is after the step is not where the speed that
-// it leaves with would have taken it.
+// Corrections for one frame do so, and bounces within a step: the body is not where its final velocity would have
+// taken it.
 bool moves_without_momentum(const demos::SceneDescription& scene, const demos::Settings& settings) {
     return settings.contacts.kind == engine::PushKind::single_frame ||
            settings.distances.kind == engine::PushKind::single_frame ||

@@ -19,7 +19,7 @@ using demos::BodyDescription;
 using demos::SceneDescription;
 using engine::Vector3;
 
-// What may be drawn for an option; the first choice is left to the preset.
+// The choices for an option; the first one leaves it to the preset.
 struct OptionChoices {
     const char* name;
     std::vector<const char*> texts;
@@ -86,7 +86,7 @@ class Generator {
         return v;
     }
 
-    // To four digits: a failure has to be read.
+    // To four digits, so that a failing scene is readable.
     static double rounded(double value) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
@@ -150,7 +150,7 @@ class Generator {
         return body->position + body->orientation * end.point;
     }
 
-    // A length that is given, or left to where the points are.
+    // A given length, or none: the distance of the points at the start.
     bool has_length(const demos::DistanceDescription& distance) const {
         if (distance.length) return *distance.length > 0.0;
         return (world_point(distance.a) - world_point(distance.b)).norm() > 1e-3 * size_;

@@ -21,7 +21,7 @@ double rounded(double value, int digits) {
     return std::strtod(text, nullptr);
 }
 
-// Every scene that is one step simpler than `scene_`, the greatest steps first.
+// Every scene that is one simplification away from `scene_`, the greatest first.
 class Simplifications {
   public:
     explicit Simplifications(const SceneDescription& scene) : scene_(scene) {
@@ -44,7 +44,7 @@ class Simplifications {
                            [&](const BodyDescription& body) { return body.material == name; });
     }
 
-    // With what hangs on it.
+    // With everything that refers to it.
     void drop_bodies() {
         for (const BodyDescription& body : scene_.bodies) {
             SceneDescription simpler = scene_;
@@ -73,7 +73,7 @@ class Simplifications {
         }
     }
 
-    // How long it runs stays, and what the other options change.
+    // Keeps the duration and the effects of the other options.
     void drop_options() {
         for (const auto& [name, text] : scene_.options) {
             if (name == "preset" || name == "seconds" || name == "dt") continue;

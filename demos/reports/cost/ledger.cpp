@@ -82,7 +82,7 @@ void add_step(const engine::StepCount& step, Counts& sum) {
     sum.multiply_adds += step.multiply_adds;
 }
 
-// What there is once per step is divided by the engine steps, the rest by the steps of the run.
+// Counts of engine steps are divided by the engine steps, the rest by the steps of the run.
 Counts means_of(Counts sum) {
     for (double* each :
          {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.joint_rows, &sum.columns, &sum.at_rest}) {

@@ -30,7 +30,7 @@ const std::vector<Size> sizes{
     {"funnel of 2000", "funnel", {{"count", "2000"}}, true},
 };
 
-// A bar that yields at once: it never has its length, and so asks for a correction in every step.
+// A bar that yields at once: it never has its length, and so needs a correction in every step.
 DistanceDescription yielding_bar(const BodyDescription& body) {
     DistanceDescription bar;
     bar.a.point = body.position + engine::Vector3(0, 2, 0);

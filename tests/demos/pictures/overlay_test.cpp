@@ -1,4 +1,4 @@
-// What the overlays show, against closed forms.
+// The overlays against closed forms.
 #include "demos/pictures/overlay.h"
 
 #include "demos/options/choices.h"
