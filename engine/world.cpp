@@ -289,6 +289,12 @@ void World::hand_out_answers() {
     }
 }
 
+double World::stored_energy() const {
+    double sum = 0.0;
+    for (const auto& source : constraints) sum += source->stored_energy(bodies);
+    return sum;
+}
+
 void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
     island_solver_.set_memory(memory);
@@ -374,6 +380,9 @@ void World::find_what_turns_unseen() {
     turns_unseen_.assign(bodies.size(), 1);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (const auto& source : constraints) {
+            turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
+        }
+        for (const auto& source : forces) {
             turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
         }
     }

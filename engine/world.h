@@ -78,6 +78,7 @@ class World {
     Threads* threads_worth_calling() const;
 
     double time() const { return time_; }  // s, sum of all steps
+    double stored_energy() const;          // J, in springs
 
     // State carried from step to step besides the bodies and the memory of the sources: the time and this, one per
     // body. A new world with all of it continues bit-identically.

@@ -44,12 +44,13 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
         if (!scene.bodies[i].mass) continue;
         balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
     }
-    if (!scene.distances) return balls;
-    for (const engine::Distance& distance : scene.distances->distances()) {
-        const auto [from, to] = span_of(distance, scene.world.bodies);
+    const auto add_ends = [&](const auto& held) {
+        const auto [from, to] = span_of(held, scene.world.bodies);
         balls.push_back({.centre = from});
         balls.push_back({.centre = to});
-    }
+    };
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), add_ends);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), add_ends);
     return balls;
 }
 

@@ -67,15 +67,15 @@ std::vector<double> corners_of(const BuiltScene& scene) {
     return corners;
 }
 
-// Per movable body whether a distance holds it.
+// Per movable body whether a distance or a joint holds it.
 std::vector<bool> held_in(const BuiltScene& scene) {
     std::vector<bool> all(scene.world.bodies.size(), false), held;
-    if (scene.distances) {
-        for (const engine::Distance& distance : scene.distances->distances()) {
-            all[static_cast<std::size_t>(distance.body_a)] = true;
-            all[static_cast<std::size_t>(distance.body_b)] = true;
-        }
-    }
+    const auto hold = [&all](const auto& held_by) {
+        all[static_cast<std::size_t>(held_by.body_a)] = true;
+        all[static_cast<std::size_t>(held_by.body_b)] = true;
+    };
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), hold);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), hold);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!scene.world.bodies[i].is_static()) held.push_back(all[i]);
     }

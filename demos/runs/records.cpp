@@ -95,6 +95,14 @@ std::string_view name_of(engine::RowKind kind) {
             return "friction";
         case engine::RowKind::distance:
             return "distance";
+        case engine::RowKind::joint:
+            return "joint";
+        case engine::RowKind::motor:
+            return "motor";
+        case engine::RowKind::limit:
+            return "limit";
+        case engine::RowKind::spring:
+            return "spring";
         case engine::RowKind::contact:
             break;
     }

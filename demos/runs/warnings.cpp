@@ -33,7 +33,8 @@ std::string remedy(const Simulation& simulation, const Measurements& measured) {
     const bool persists = settings.distances.kind == engine::PushKind::persistent;
     if (persists && measured.start_stretch() > much_stretch) return "--distance-push single-frame";
     std::vector<std::string> options;
-    if (settings.substeps && simulation.scene().distances) options.emplace_back("--substeps auto");
+    if (settings.substeps && (simulation.scene().distances || simulation.scene().joints))
+        options.emplace_back("--substeps auto");
     if (measured.unsolved().worst_residual > much_residual * measured.max_speed()) {
         const bool exact = settings.solver == "auto" || settings.solver == "direct";
         options.push_back(exact ? fmt::format("--iterations above {}", settings.iterations) : "--solver auto");

@@ -5,6 +5,8 @@
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
+#include "engine/forces/poke.h"
 
 #include <functional>
 #include <map>
@@ -41,6 +43,8 @@ struct BodyDescription {
     std::optional<engine::Vector3> linear_momentum{}, angular_momentum{};
     double friction = 0.5;
     double restitution = 0.0;
+    std::string material{};  // none when empty
+    std::string group{};     // whose bodies do not touch each other; none when empty
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
     double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
@@ -62,14 +66,37 @@ struct DistanceDescription {
     End a{}, b{};
     std::optional<double> length{};  // m; none: the distance at the start
     engine::Distance::Acts acts = engine::Distance::Acts::both;
-    std::optional<double> max_force{};  // N
+    std::optional<double> max_force{};       // N
+    std::optional<engine::Spring> spring{};  // rigid without
+};
+
+struct HingeDescription {
+    engine::Vector3 axis = engine::Vector3::UnitZ();  // of any length, frame of a (world frame for "world")
+    std::optional<engine::Quaternion> zero{};  // of b in the frame of a at angle 0; that of the start without
+    std::optional<engine::Motor> motor{};
+    std::optional<engine::AngleLimits> limits{};
+};
+
+struct JointDescription {
+    DistanceDescription::End a{}, b{};
+    std::optional<HingeDescription> hinge{};  // a ball joint without
+    bool collide = false;                     // whether the two bodies touch each other
 };
 
 struct ForceDescription {
     std::string body{};
-    engine::Vector3 force = engine::Vector3::Zero();  // N, world frame
-    double from = 0.0;                                // s
-    std::optional<double> until{};                    // s
+    engine::Vector3 force = engine::Vector3::Zero();   // N
+    engine::Vector3 torque = engine::Vector3::Zero();  // N m, beside that of the force
+    engine::Vector3 point = engine::Vector3::Zero();   // m, body frame: where the force acts
+    engine::Poke::Frame frame = engine::Poke::Frame::world;
+    double from = 0.0;              // s
+    std::optional<double> until{};  // s
+};
+
+// What two materials have on each other, instead of what their bodies would.
+struct MaterialPairDescription {
+    std::string a{}, b{};
+    std::optional<double> friction{}, restitution{};
 };
 
 // A camera [m]. `floor` is the height of a ground that is only drawn.
@@ -105,8 +132,11 @@ struct SceneDescription {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);  // m/s^2; no force source when zero
     std::vector<BodyDescription> bodies;
     std::vector<DistanceDescription> distances;
+    std::vector<JointDescription> joints;
     std::vector<ForceDescription> forces;
     bool contacts = false;
+    std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other
+    std::vector<MaterialPairDescription> materials;
     std::shared_ptr<const RunState> state;  // of a resumed run, else null
     View view;
     bool has_camera = true;  // false: `view` gives only a direction

@@ -34,6 +34,7 @@ struct Collider {
     // Surface velocity of a conveyor belt [m/s, body frame]; acts through friction.
     Vector3 surface_velocity = Vector3::Zero();
     double surface_from = 0.0;  // s since the start of the world, when the belt starts
+    int material = -1;          // number in MaterialPairs (detector.h); negative: none
 };
 
 // Whether the belt runs in a step that begins at `time` [s].

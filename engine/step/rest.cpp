@@ -193,7 +193,7 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
         if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
     }
     for (const RowRun& run : island.runs) {
-        // A running belt does not move what is held on it now, but may take it along later.
+        // A running belt or motor does not move what is held on it now, but may take it along later.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
         const bool runs_along =
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });

@@ -107,7 +107,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     const double b = row.squared();
     const auto index = static_cast<Eigen::Index>(j);
     if (disc == Disc::none) {
-        system.diagonal[index] = b;
+        system.diagonal[index] = b > 0.0 ? b + system.rows[j].softness : b;
         return;
     }
     const WeightedRow first(system.rows[j - 1], system);
@@ -122,7 +122,8 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
+    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
+    if (may_drive && row.push.lasting != 0.0) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.
