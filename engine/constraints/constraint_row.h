@@ -58,6 +58,7 @@ struct ConstraintRow {
 
     int body_a = 0;  // indices into the bodies of the world
     int body_b = 0;
+    double carried = 0.0;  // m/s, part of push.lasting: -J_s v_s of a static body that is moved (carried.h)
     Jacobian jacobian;
     PushFactor push;
     // c of the constraint at the start of the step [m], for tracking a one-sided row through small steps:

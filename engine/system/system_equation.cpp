@@ -135,7 +135,8 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     } else {
         const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
         traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
-        if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
+        const double own = row.push.lasting - row.carried;
+        if ((bounds.c_min >= 0.0 && own > 0.0) || (bounds.c_max <= 0.0 && own < 0.0)) {
             traits |= RowDigest::rebounds;
         }
     }

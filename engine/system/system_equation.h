@@ -45,8 +45,8 @@ struct RowDigest {
     enum Trait : std::uint8_t {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
-        rebounds = 4,         // one-sided row with a lasting push in its direction
-        drives = 8,           // friction that aims at a speed (belt)
+        rebounds = 4,         // one-sided row with a lasting push of its own in its direction
+        drives = 8,           // friction that aims at a speed (belt, moved body)
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
     };
