@@ -14,7 +14,7 @@ namespace {
 constexpr double same_time = 1e-9;
 
 bool is_same(double time, double other) {
-    return std::abs(time - other) <= same_time * std::abs(other);
+    return std::abs(time - other) <= same_time * std::abs(time);
 }
 
 // Rotation vector of the shorter way from one orientation to another [rad], world frame.

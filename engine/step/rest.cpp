@@ -197,9 +197,8 @@ void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& syste
         // A running belt or a moved body does not move what is held on it now, but may take it along later, or
         // go away.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
-        const auto is_moved = [&](int number) { return bodies[at(island.bodies[at(number)])].is_moved(); };
         const bool runs_along =
-            is_moved(run.a) || is_moved(run.b) ||
+            bodies[at(rows.front().body_a)].is_moved() || bodies[at(rows.front().body_b)].is_moved() ||
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
         bool any_force = false;
         for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));
