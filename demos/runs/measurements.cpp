@@ -190,6 +190,7 @@ void AtRest::add(const Sample& sample, bool all) {
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
     const Positions before = std::exchange(latest_, positions_of(simulation.scene().world));
+    obstacles_.follow(simulation.scene());
     for (std::size_t i = 0; i < latest_.size() && !passed_; ++i)
         passed_ = obstacles_.is_passed(before[i], latest_[i]);
 

@@ -30,21 +30,37 @@ double distance_to_way(const Vector3& point, const Vector3& from, const Vector3&
 }  // namespace
 
 Obstacles::Obstacles(const BuiltScene& scene) {
+    list(scene);
+}
+
+void Obstacles::follow(const BuiltScene& scene) {
+    if (!scene.world.moves_any()) return;
+    const std::vector<Box> boxes = std::move(boxes_);
+    const std::vector<Sphere> spheres = std::move(spheres_);
+    planes_.clear();
+    boxes_.clear();
+    spheres_.clear();
+    list(scene);
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes_[i].before = boxes[i].now;
+    for (std::size_t i = 0; i < spheres.size(); ++i) spheres_[i].before = spheres[i].now;
+}
+
+void Obstacles::list(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
         if (!body.is_static()) continue;
-        std::visit(
-            engine::Overloaded{[&](const engine::collision::Plane&) {
-                                   planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
-                               },
-                               [&](const engine::collision::Box& box) {
-                                   boxes_.push_back({body.position, box.half_size, body.orientation.conjugate()});
-                               },
-                               [&](const engine::collision::Sphere& sphere) {
-                                   spheres_.push_back({body.position, sphere.radius});
-                               }},
-            collider.shape);
+        const Pose pose{body.position, body.orientation.conjugate()};
+        std::visit(engine::Overloaded{[&](const engine::collision::Plane&) {
+                                          planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
+                                      },
+                                      [&](const engine::collision::Box& box) {
+                                          boxes_.push_back({pose, pose, box.half_size});
+                                      },
+                                      [&](const engine::collision::Sphere& sphere) {
+                                          spheres_.push_back({pose, pose, sphere.radius});
+                                      }},
+                   collider.shape);
     }
 }
 
@@ -55,10 +71,11 @@ bool Obstacles::is_behind_plane(const Vector3& centre) const {
 
 bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
     const auto passes_box = [&](const Box& box) {
-        return crosses_middle(box.to_box * (from - box.centre), box.to_box * (to - box.centre), box.half_size);
+        return crosses_middle(box.before.in_frame(from), box.now.in_frame(to), box.half_size);
     };
     const auto passes_sphere = [&](const Sphere& sphere) {
-        return distance_to_way(sphere.centre, from, to) < 0.5 * sphere.radius;
+        return distance_to_way(Vector3::Zero(), sphere.before.in_frame(from), sphere.now.in_frame(to)) <
+               0.5 * sphere.radius;
     };
     return std::any_of(boxes_.begin(), boxes_.end(), passes_box) ||
            std::any_of(spheres_.begin(), spheres_.end(), passes_sphere);

@@ -1,6 +1,7 @@
 #include "demos/scenes/scene_file.h"
 
 #include "demos/scenes/camera_file.h"
+#include "demos/scenes/motion_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
 #include "demos/text/errors.h"
@@ -33,6 +34,7 @@ const Keys body_keys{"name",
                      "radius_m",
                      "mass_kg",
                      "static",
+                     "motion",
                      "position_m",
                      "orientation_wxyz",
                      "velocity_m_per_s",
@@ -126,6 +128,12 @@ BodyDescription read_body(const JsonReader& json) {
     refuse_foreign_keys(json, body, fixed);
     if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) {
         body.mass = json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    }
+
+    if (json.has("motion")) {
+        if (body.mass)
+            json.at("motion").refuse("left out of a body with a mass; \"static\": true makes it one without");
+        body.motion = read_motion(json.at("motion"));
     }
 
     const auto vector = [&json](const char* key, Vector3& into) {
@@ -364,6 +372,7 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
 const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
     static const std::map<std::string, std::vector<std::string>> keys = [] {
         std::map<std::string, std::vector<std::string>> all = state_file_keys();
+        all.insert(motion_file_keys().begin(), motion_file_keys().end());
         all.insert({
             {"scene", scene_keys},
             {"body", body_keys},
