@@ -1,6 +1,6 @@
 // What a scene does not need is not constructed, makes no row and no column, and its code is not entered.
 #include "demos/runs/step_division.h"
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 
