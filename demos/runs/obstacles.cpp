@@ -20,6 +20,19 @@ bool crosses_middle(const Vector3& from, const Vector3& to, const Vector3& half_
     return false;
 }
 
+// The same for the polyhedron of half its size about its centre.
+bool crosses_core(const Vector3& from, const Vector3& to, const engine::collision::Hull& hull) {
+    double enters = 0.0, leaves = 1.0;  // shares of the way
+    for (const engine::collision::HullFace& face : hull.faces) {
+        const double at_from = face.normal.dot(from) - 0.5 * face.offset,
+                     at_to = face.normal.dot(to) - 0.5 * face.offset;
+        if (at_from > 0.0 && at_to > 0.0) return false;
+        if (at_from > 0.0) enters = std::max(enters, at_from / (at_from - at_to));
+        if (at_to > 0.0) leaves = std::min(leaves, at_from / (at_from - at_to));
+    }
+    return enters < leaves;
+}
+
 double distance_to_way(const Vector3& point, const Vector3& from, const Vector3& to) {
     const Vector3 way = to - from;
     const double length = way.squaredNorm();
@@ -34,17 +47,20 @@ Obstacles::Obstacles(const BuiltScene& scene) {
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
         if (!body.is_static()) continue;
-        std::visit(
-            engine::Overloaded{[&](const engine::collision::Plane&) {
-                                   planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
-                               },
-                               [&](const engine::collision::Box& box) {
-                                   boxes_.push_back({body.position, box.half_size, body.orientation.conjugate()});
-                               },
-                               [&](const engine::collision::Sphere& sphere) {
-                                   spheres_.push_back({body.position, sphere.radius});
-                               }},
-            collider.shape);
+        std::visit(engine::Overloaded{
+                       [&](const engine::collision::Plane&) {
+                           planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
+                       },
+                       [&](const engine::collision::Box& box) {
+                           boxes_.push_back({body.position, box.half_size, body.orientation.conjugate()});
+                       },
+                       [&](const engine::collision::Sphere& sphere) {
+                           spheres_.push_back({body.position, sphere.radius});
+                       },
+                       [&](const engine::collision::Polyhedron& polyhedron) {
+                           polyhedra_.push_back({body.position, polyhedron.mesh, body.orientation.conjugate()});
+                       }},
+                   collider.shape);
     }
 }
 
@@ -60,8 +76,13 @@ bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
     const auto passes_sphere = [&](const Sphere& sphere) {
         return distance_to_way(sphere.centre, from, to) < 0.5 * sphere.radius;
     };
+    const auto passes_polyhedron = [&](const Polyhedron& polyhedron) {
+        return crosses_core(polyhedron.to_body * (from - polyhedron.centre),
+                            polyhedron.to_body * (to - polyhedron.centre), polyhedron.mesh->hull());
+    };
     return std::any_of(boxes_.begin(), boxes_.end(), passes_box) ||
-           std::any_of(spheres_.begin(), spheres_.end(), passes_sphere);
+           std::any_of(spheres_.begin(), spheres_.end(), passes_sphere) ||
+           std::any_of(polyhedra_.begin(), polyhedra_.end(), passes_polyhedron);
 }
 
 }  // namespace pushfactor::demos

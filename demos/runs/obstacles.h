@@ -15,7 +15,8 @@ class Obstacles {
     bool is_behind_plane(const engine::Vector3& centre) const;
 
     // Whether a centre that moves straight from one place to the other gets to the other side of a box between its
-    // faces, or as deep as half its radius into a sphere: bodies that touch and roll off come nowhere near that.
+    // faces, or as deep as half its radius into a sphere, or into the inner half of a polyhedron: bodies that touch
+    // and roll off come nowhere near that.
     bool is_passed(const engine::Vector3& from, const engine::Vector3& to) const;
 
   private:
@@ -30,10 +31,16 @@ class Obstacles {
         engine::Vector3 centre;
         double radius = 0.0;  // m
     };
+    struct Polyhedron {
+        engine::Vector3 centre;
+        std::shared_ptr<const engine::collision::PolyhedronMesh> mesh;
+        engine::Quaternion to_body;  // from the world frame
+    };
 
     std::vector<Plane> planes_;
     std::vector<Box> boxes_;
     std::vector<Sphere> spheres_;
+    std::vector<Polyhedron> polyhedra_;
 };
 
 }  // namespace pushfactor::demos

@@ -2,6 +2,7 @@
 // the world of it, and what the description does not mention is not constructed.
 #pragma once
 
+#include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
@@ -31,7 +32,7 @@ struct PlaneShape {};  // infinite, normal along the body's y axis; static only
 
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape> shape{};
+    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
     std::optional<double> mass{};                        // kg; static without
     engine::Vector3 position = engine::Vector3::Zero();  // m
     engine::Quaternion orientation = engine::Quaternion::Identity();
@@ -50,9 +51,14 @@ struct BodyDescription {
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
-                                         [](const PlaneShape&) { return 0.0; }},
+                                         [](const PlaneShape&) { return 0.0; },
+                                         [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
                       body.shape);
 }
+
+// Gives the body the hull of points [m] in its frame, and moves its frame to the centre of mass and the principal
+// axes; velocities stay those of the centre of mass.
+void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron);
 
 struct DistanceDescription {
     struct End {

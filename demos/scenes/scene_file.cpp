@@ -1,6 +1,8 @@
 #include "demos/scenes/scene_file.h"
 
 #include "demos/scenes/camera_file.h"
+#include "demos/scenes/convex_hull.h"
+#include "demos/scenes/obj_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
 #include "demos/text/errors.h"
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <numbers>
 
 namespace pushfactor::demos {
 
@@ -28,7 +31,10 @@ const Keys body_keys{"name",
                      "shape",
                      "size_m",
                      "radius_m",
+                     "points_m",
+                     "obj_file",
                      "mass_kg",
+                     "density_kg_per_m3",
                      "static",
                      "position_m",
                      "orientation_wxyz",
@@ -48,12 +54,57 @@ double read_length(const JsonReader& json) {
     return json.number(engine::least_length, engine::greatest_length);
 }
 
+// The polyhedra of a file, each made once: bodies with the same points share them.
+struct Polyhedra {
+    std::filesystem::path folder;  // of the scene file
+    std::map<std::vector<double>, FramedPolyhedron> by_points{};
+    std::map<std::string, FramedPolyhedron> by_body{};
+};
+
+std::vector<Vector3> read_points(const JsonReader& json) {
+    std::vector<Vector3> points;
+    std::map<std::array<double, 3>, std::size_t> known;
+    for (const JsonReader& element : json.elements()) {
+        const Vector3 point = element.vector();
+        const auto [at, is_new] = known.emplace(std::array{point.x(), point.y(), point.z()}, points.size());
+        if (!is_new) element.refuse(fmt::format("another point than number {}", at->second));
+        points.push_back(point);
+    }
+    return points;
+}
+
+std::vector<Vector3> read_obj(const JsonReader& json, const std::filesystem::path& folder) {
+    try {
+        return read_obj_points(folder / json.string());
+    } catch (const engine::InvalidInput&) {
+        json.refuse("a Wavefront OBJ file with vertices, by its path from the folder of this file");
+    }
+}
+
+FramedPolyhedron read_polyhedron(const JsonReader& body, Polyhedra& polyhedra) {
+    if (body.has("obj_file") && body.has("points_m"))
+        body.at("points_m").refuse("left out where obj_file is given");
+    const JsonReader source = body.at(body.has("obj_file") ? "obj_file" : "points_m");
+    const std::vector<Vector3> points =
+        body.has("obj_file") ? read_obj(source, polyhedra.folder) : read_points(source);
+    std::vector<double> key;
+    for (const Vector3& point : points) key.insert(key.end(), point.begin(), point.end());
+    const auto known = polyhedra.by_points.find(key);
+    if (known != polyhedra.by_points.end()) return known->second;
+    try {
+        return polyhedra.by_points[key] = make_polyhedron(points);
+    } catch (const NoPolyhedron& found) {
+        source.refuse(fmt::format("{}, and these are {}", found.allowed, found.found));
+    }
+}
+
 decltype(BodyDescription::shape) read_shape(const JsonReader& body) {
     const JsonReader shape = body.at("shape");
     const std::string name = shape.string();
     if (name == "plane") return PlaneShape{};
+    if (name == "polyhedron") return PolyhedronShape{};  // read_body() gives it its points
     if (name == "sphere") return SphereShape{read_length(body.at("radius_m"))};
-    if (name != "box") shape.refuse("one of box, sphere, plane");
+    if (name != "box") shape.refuse("one of box, sphere, plane, polyhedron");
     const JsonReader size = body.at("size_m");
     const std::vector<JsonReader> edges = size.elements();
     if (edges.size() != 3) size.refuse("three numbers [x, y, z]");
@@ -71,17 +122,28 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
     const bool plane = std::holds_alternative<PlaneShape>(body.shape);
     std::visit(
         engine::Overloaded{
-            [&](const BoxShape&) { refuse_if_given(json, {"radius_m"}, "left out: a box has size_m"); },
-            [&](const SphereShape&) { refuse_if_given(json, {"size_m"}, "left out: a sphere has radius_m"); },
+            [&](const BoxShape&) {
+                refuse_if_given(json, {"radius_m", "points_m", "obj_file"}, "left out: a box has size_m");
+            },
+            [&](const SphereShape&) {
+                refuse_if_given(json, {"size_m", "points_m", "obj_file"}, "left out: a sphere has radius_m");
+            },
             [&](const PlaneShape&) {
-                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a plane has no size");
+                refuse_if_given(json, {"size_m", "radius_m", "points_m", "obj_file"},
+                                "left out: a plane has no size");
+            },
+            [&](const PolyhedronShape&) {
+                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a polyhedron has points_m or obj_file");
             }},
         body.shape);
-    if (plane) refuse_if_given(json, {"mass_kg"}, "left out: a plane is static");
+    if (plane) refuse_if_given(json, {"mass_kg", "density_kg_per_m3"}, "left out: a plane is static");
+    if (json.has("mass_kg")) {
+        refuse_if_given(json, {"density_kg_per_m3"}, "left out where mass_kg is given");
+    }
     if (plane || fixed) {
         refuse_if_given(json,
-                        {"mass_kg", "velocity_m_per_s", "angular_velocity_rad_per_s", "linear_momentum_kg_m_per_s",
-                         "angular_momentum_kg_m2_per_s"},
+                        {"mass_kg", "density_kg_per_m3", "velocity_m_per_s", "angular_velocity_rad_per_s",
+                         "linear_momentum_kg_m_per_s", "angular_momentum_kg_m2_per_s"},
                         "left out of a static body");
     }
     if (json.has("linear_momentum_kg_m_per_s")) {
@@ -92,14 +154,36 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
     }
 }
 
-BodyDescription read_body(const JsonReader& json) {
+double read_mass(const JsonReader& json, const BodyDescription& body) {
+    if (!json.has("density_kg_per_m3")) return json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    const JsonReader density = json.at("density_kg_per_m3");
+    const double volume = std::visit(
+        engine::Overloaded{
+            [](const BoxShape& box) { return box.size.prod(); },
+            [](const SphereShape& sphere) { return 4.0 / 3.0 * std::numbers::pi * std::pow(sphere.radius, 3); },
+            [](const PlaneShape&) { return 0.0; },
+            [](const PolyhedronShape& polyhedron) { return polyhedron.volume; }},
+        body.shape);
+    const double mass = density.positive() * volume;
+    if (!(mass >= engine::least_mass && mass <= engine::greatest_mass)) {
+        density.refuse(
+            fmt::format("such that the mass is from {:g} to {:g} kg", engine::least_mass, engine::greatest_mass));
+    }
+    return mass;
+}
+
+BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
     json.require_object(body_keys);
     BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
     const bool fixed = json.has("static") && json.at("static").boolean();
     refuse_foreign_keys(json, body, fixed);
-    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) {
-        body.mass = json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    const bool is_polyhedron = std::holds_alternative<PolyhedronShape>(body.shape);
+    FramedPolyhedron polyhedron;
+    if (is_polyhedron) {
+        polyhedron = read_polyhedron(json, polyhedra);
+        body.shape = polyhedron.shape;
     }
+    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
 
     const auto vector = [&json](const char* key, Vector3& into) {
         if (json.has(key)) into = json.at(key).vector();
@@ -116,6 +200,10 @@ BodyDescription read_body(const JsonReader& json) {
         body.angular_momentum = json.at("angular_momentum_kg_m2_per_s").vector();
     if (json.has("friction")) body.friction = json.at("friction").number(0.0, 100.0);
     if (json.has("restitution")) body.restitution = json.at("restitution").number(0.0, 1.0);
+    if (is_polyhedron) {
+        give_polyhedron(body, polyhedron);
+        polyhedra.by_body[body.name] = polyhedron;
+    }
     return body;
 }
 
@@ -169,11 +257,11 @@ ForceDescription read_force(const JsonReader& json, const Names& names) {
     return force;
 }
 
-void read_bodies(const JsonReader& json, SceneDescription& scene, Names& names) {
+void read_bodies(const JsonReader& json, SceneDescription& scene, Names& names, Polyhedra& polyhedra) {
     const std::vector<JsonReader> bodies = json.elements();
     if (bodies.size() > most_bodies) json.refuse(fmt::format("at most {} bodies", most_bodies));
     for (const JsonReader& body : bodies) {
-        scene.bodies.push_back(read_body(body));
+        scene.bodies.push_back(read_body(body, polyhedra));
         const std::string& name = scene.bodies.back().name;
         if (name.empty() || name == "world") body.at("name").refuse("a name other than world");
         if (!names.emplace(name, !scene.bodies.back().mass).second)
@@ -214,10 +302,16 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     scene.gravity = json.has("gravity_m_per_s2") ? json.at("gravity_m_per_s2").vector() : Vector3::Zero();
 
     Names names;
-    read_bodies(json.at("bodies"), scene, names);
+    Polyhedra polyhedra{.folder = file.parent_path()};
+    read_bodies(json.at("bodies"), scene, names, polyhedra);
     if (json.has("distance_constraints")) {
         for (const JsonReader& entry : json.at("distance_constraints").elements()) {
-            scene.distances.push_back(read_distance(entry, names));
+            DistanceDescription distance = read_distance(entry, names);
+            for (DistanceDescription::End* end : {&distance.a, &distance.b}) {
+                const auto polyhedron = polyhedra.by_body.find(end->body);
+                if (polyhedron != polyhedra.by_body.end()) end->point = polyhedron->second.to_body(end->point);
+            }
+            scene.distances.push_back(distance);
         }
     }
     if (json.has("forces")) {

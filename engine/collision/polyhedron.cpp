@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -42,9 +43,34 @@ bool points_forward(const Vector3& normal) {
     return true;
 }
 
-auto order_of(const Vector3& normal) {
-    const auto along = [&](int axis) { return -std::abs(rounded(normal[axis])); };
-    return std::tuple(along(0), along(1), along(2), -rounded(normal[0]), -rounded(normal[1]), -rounded(normal[2]));
+// Sorts directions: those along the axis `first` before those along the next ones, + before -.
+auto order_of(const Vector3& direction, int first = 0) {
+    const auto along = [&](int k) { return -rounded(direction[(first + k) % 3]); };
+    return std::tuple(-std::abs(along(0)), -std::abs(along(1)), -std::abs(along(2)), along(0), along(1), along(2));
+}
+
+int main_axis(const Vector3& normal) {
+    int axis = 0;
+    for (const int other : {1, 2}) {
+        if (std::abs(rounded(normal[other])) > std::abs(rounded(normal[axis]))) axis = other;
+    }
+    return axis;
+}
+
+// The sides of a face in the order in which they clip: numbers of the corners at which they begin.
+std::vector<int> sides_of(const Loop& loop, const Vector3& normal, std::span<const Vector3> vertices) {
+    const auto out = [&](int corner) -> Vector3 {
+        const auto i = static_cast<std::size_t>(corner);
+        const Vector3& from = vertices[static_cast<std::size_t>(loop[i])];
+        const Vector3& to = vertices[static_cast<std::size_t>(loop[i + 1 < loop.size() ? i + 1 : 0])];
+        return (to - from).cross(normal).normalized();
+    };
+    std::vector<int> sides(loop.size());
+    std::iota(sides.begin(), sides.end(), 0);
+    const int first = main_axis(normal) + 1;
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](int p, int q) { return order_of(out(p), first) < order_of(out(q), first); });
+    return sides;
 }
 
 // Begins the loop with its vertex farthest along x, among equals along y, then z.
@@ -123,6 +149,7 @@ PolyhedronMesh::PolyhedronMesh(std::vector<Vector3> vertices, const std::vector<
                           .clockwise = points_forward(normal)});
         hull_.size = std::min(hull_.size, offset + support(hull_, -normal));
         hull_.inner_radius = std::min(hull_.inner_radius, offset);
+        const std::vector<int> sides = sides_of(loop, normal, vertices_);
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const int from = loop[i], to = loop[i + 1 < loop.size() ? i + 1 : 0];
             const auto reverse = known.find({to, from});
@@ -130,7 +157,7 @@ PolyhedronMesh::PolyhedronMesh(std::vector<Vector3> vertices, const std::vector<
                 HullEdge& edge = edges_[static_cast<std::size_t>(reverse->second)];
                 require(edge.right < 0, "an edge of three faces", "two faces at each edge");
                 edge.right = static_cast<int>(f);
-                corners_.push_back({from, reverse->second});
+                corners_.push_back({from, reverse->second, sides[i]});
                 continue;
             }
             const auto number = static_cast<int>(edges_.size());
@@ -144,7 +171,7 @@ PolyhedronMesh::PolyhedronMesh(std::vector<Vector3> vertices, const std::vector<
                               .right = -1,
                               .direction = way.normalized(),
                               .length = way.norm()});
-            corners_.push_back({from, number});
+            corners_.push_back({from, number, sides[i]});
         }
     }
     for (HullEdge& edge : edges_) {

@@ -33,6 +33,8 @@ struct Hull {
     struct Corner {
         int vertex = 0;
         int edge = 0;  // the one to the next corner
+        // Whose corner's edge a clipping of another face to this one takes in the place of this corner's.
+        int side = 0;
     };
 
     std::span<const Vector3> vertices;  // m
@@ -59,8 +61,10 @@ class PolyhedronMesh {
     // seen from outside. Throws InvalidInput unless they are the surface of a convex polyhedron of 4 to 256
     // vertices.
     //
-    // The faces are sorted by their directions, x before y before z and + before -, and their corners begin with
-    // the one farthest along x, y, z: the order of contact points must not depend on the order of the input.
+    // The faces are sorted by their directions, x before y before z and + before -, their corners begin with the
+    // one farthest along x, y, z, and their sides are sorted by directions too, from the axis after that of the
+    // face on: the order of contact points must not depend on the order of the input, and is that of a box
+    // (box_box.cpp).
     PolyhedronMesh(std::vector<Vector3> vertices, const std::vector<std::vector<int>>& faces);
     PolyhedronMesh(const PolyhedronMesh&) = delete;
     PolyhedronMesh& operator=(const PolyhedronMesh&) = delete;

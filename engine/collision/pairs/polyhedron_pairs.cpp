@@ -162,7 +162,9 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
     Polygon *polygon = &first, *spare = &second;
     list_corners(reference, other, incident_face(other.hull(), other.pose().rotation.transpose() * normal),
                  *polygon);
-    for (const Hull::Corner& corner : hull.corners_of(face)) {
+    const auto corners = hull.corners_of(face);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Hull::Corner& corner = corners[static_cast<std::size_t>(corners[i].side)];
         const HullEdge& edge = hull.edge(corner.edge);
         Vector3 out = edge.direction.cross(face.normal);
         if (edge.from != corner.vertex) out = -out;
@@ -247,6 +249,13 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
                              : axes.face_b.gap > axes.face_a.gap + preference  ? axes.face_b
                                                                                : axes.face_a;
     collide_along(best, a, b, clip_tolerance * size, margin, manifold);
+    // What is below a preferred face may be beside it.
+    if (manifold.count == 0 && best.gap < axes.largest()) {
+        const Separation& least = axes.edges.gap >= axes.largest()    ? axes.edges
+                                  : axes.face_b.gap > axes.face_a.gap ? axes.face_b
+                                                                      : axes.face_a;
+        collide_along(least, a, b, clip_tolerance * size, margin, manifold);
+    }
     manifold.other_gap = largest_of_others(faces.all(), much, manifold.normal);
     manifold.separation = axes.largest();
 }
