@@ -6,42 +6,50 @@ namespace pushfactor::engine {
 
 namespace {
 
+// Wider than double, so that the moments of a cube are those of box_body() to the last bit.
+using Wide = long double;
+using WideVector = Eigen::Matrix<Wide, 3, 1>;
+using WideMatrix = Eigen::Matrix<Wide, 3, 3>;
+
 // Calls `visit(a, b, c)` for the triangles of all faces, corners relative to `origin`.
 template <typename Visit>
 void visit_triangles(std::span<const Vector3> vertices, std::span<const std::vector<int>> faces,
-                     const Vector3& origin, const Visit& visit) {
-    const auto at = [&](int index) -> Vector3 { return vertices[static_cast<std::size_t>(index)] - origin; };
+                     const WideVector& origin, const Visit& visit) {
+    const auto at = [&](int index) -> WideVector {
+        return vertices[static_cast<std::size_t>(index)].cast<Wide>() - origin;
+    };
     for (const std::vector<int>& face : faces) {
         for (std::size_t i = 2; i < face.size(); ++i) visit(at(face[0]), at(face[i - 1]), at(face[i]));
     }
 }
 
-Vector3 mean_of(std::span<const Vector3> points) {
-    Vector3 sum = Vector3::Zero();
-    for (const Vector3& point : points) sum += point;
-    return sum / static_cast<double>(points.size());
+WideVector mean_of(std::span<const Vector3> points) {
+    WideVector sum = WideVector::Zero();
+    for (const Vector3& point : points) sum += point.cast<Wide>();
+    return sum / static_cast<Wide>(points.size());
 }
 
 }  // namespace
 
 Solid solid_of(std::span<const Vector3> vertices, std::span<const std::vector<int>> faces) {
-    Solid solid;
-    const Vector3 inside = mean_of(vertices);
-    Vector3 moment = Vector3::Zero();
-    visit_triangles(vertices, faces, inside, [&](const Vector3& a, const Vector3& b, const Vector3& c) {
-        const double volume = a.dot(b.cross(c)) / 6.0;
-        solid.volume += volume;
-        moment += (0.25 * volume) * (a + b + c);
+    const WideVector inside = mean_of(vertices);
+    Wide volume = 0;
+    WideVector moment = WideVector::Zero();
+    visit_triangles(vertices, faces, inside, [&](const WideVector& a, const WideVector& b, const WideVector& c) {
+        const Wide part = a.dot(b.cross(c)) / 6;
+        volume += part;
+        moment += part / 4 * (a + b + c);
     });
-    solid.centre = inside + moment / solid.volume;
-    Matrix3 second = Matrix3::Zero();
-    visit_triangles(vertices, faces, solid.centre, [&](const Vector3& a, const Vector3& b, const Vector3& c) {
-        const Vector3 sum = a + b + c;
-        const double share = a.dot(b.cross(c)) / (120.0 * solid.volume);
+    const WideVector centre = inside + moment / volume;
+    WideMatrix second = WideMatrix::Zero();
+    visit_triangles(vertices, faces, centre, [&](const WideVector& a, const WideVector& b, const WideVector& c) {
+        const WideVector sum = a + b + c;
+        const Wide share = a.dot(b.cross(c)) / (120 * volume);
         second += share * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     });
-    solid.inertia = second.trace() * Matrix3::Identity() - second;
-    return solid;
+    const WideMatrix inertia = second.trace() * WideMatrix::Identity() - second;
+    return {
+        .volume = static_cast<double>(volume), .centre = centre.cast<double>(), .inertia = inertia.cast<double>()};
 }
 
 PrincipalAxes principal_axes(const Matrix3& inertia) {
