@@ -1,9 +1,9 @@
 // Energy balance of a run. Energy that was neither there at the start nor added from outside is an error of the
 // simulation, and no solver error excuses it.
 //
-// Added from outside: work of external forces other than gravity, of running belts, motors and moved bodies, and of the
-// push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and is
-// credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
+// Added from outside: work of external forces other than gravity, of running belts, motors and moved bodies, and of
+// the push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and
+// is credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
 // overlaps are positions from which bodies have fallen; lifting those back adds nothing.
 //
 // Semi-implicit Euler (3.2) has its momenta half a step before its positions: a rising body has the potential

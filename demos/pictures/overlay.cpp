@@ -207,12 +207,14 @@ template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
+    auto polyhedron = picture.polyhedra.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         glm::vec3* const colour =
             std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
                                           [&](const SphereShape&) { return &(sphere++)->colour; },
-                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; },
+                                          [&](const PolyhedronShape&) { return &(polyhedron++)->colour; }},
                        body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);

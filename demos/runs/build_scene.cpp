@@ -36,6 +36,9 @@ Body make_body(const BodyDescription& described) {
             [&](const PlaneShape&) -> Body {
                 throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
                                            "left out: a plane is static");
+            },
+            [&](const PolyhedronShape& polyhedron) {
+                return engine::solid_body(*described.mass, polyhedron.moments, described.position, orientation);
             }},
         described.shape);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
@@ -88,7 +91,10 @@ collision::Shape make_shape(const BodyDescription& described) {
         engine::Overloaded{
             [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
             [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
-            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; }},
+            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; },
+            [](const PolyhedronShape& polyhedron) -> collision::Shape {
+                return collision::Polyhedron{polyhedron.mesh};
+            }},
         described.shape);
 }
 

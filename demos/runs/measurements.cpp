@@ -53,7 +53,8 @@ double judged_speed(const BuiltScene& scene, double size) {
 double corner_distance(const BodyDescription& body) {
     return std::visit(
         engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
-                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; }},
+                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; },
+                           [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
         body.shape);
 }
 

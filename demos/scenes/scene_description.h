@@ -2,6 +2,7 @@
 // description does not mention are absent.
 #pragma once
 
+#include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
@@ -55,7 +56,7 @@ struct MotionDescription {
 
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape> shape{};
+    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
     std::optional<double> mass{};                        // kg; static without
     std::optional<MotionDescription> motion{};           // of a static body
     engine::Vector3 position = engine::Vector3::Zero();  // m
@@ -77,7 +78,8 @@ struct BodyDescription {
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
-                                         [](const PlaneShape&) { return 0.0; }},
+                                         [](const PlaneShape&) { return 0.0; },
+                                         [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
                       body.shape);
 }
 
@@ -85,6 +87,10 @@ inline double bounding_radius(const BodyDescription& body) {
 inline bool goes_about(const BodyDescription& body) {
     return body.mass || (body.motion && !std::holds_alternative<PlaneShape>(body.shape));
 }
+
+// Gives the body the hull of points [m] in its frame, and moves its frame to the centre of mass and the principal
+// axes; velocities stay those of the centre of mass.
+void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron);
 
 struct DistanceDescription {
     struct End {

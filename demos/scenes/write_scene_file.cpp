@@ -26,7 +26,13 @@ Json to_json(const BodyDescription& body) {
                                       json["shape"] = "sphere";
                                       json["radius_m"] = sphere.radius;
                                   },
-                                  [&](const PlaneShape&) { json["shape"] = "plane"; }},
+                                  [&](const PlaneShape&) { json["shape"] = "plane"; },
+                                  [&](const PolyhedronShape& polyhedron) {
+                                      json["shape"] = "polyhedron";
+                                      for (const Vector3& point : polyhedron.points()) {
+                                          json["points_m"].push_back(to_json(point));
+                                      }
+                                  }},
                body.shape);
     if (body.mass) {
         json["mass_kg"] = *body.mass;

@@ -344,7 +344,8 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
         const ConstraintRow& source = row_of(step.system, j);
         const solvers::UnitRows<1>::Row& row = rows_.rows[number];
         if (!(row.scale > 0.0) || !holds_place(source.bounds)) return;
-        const double moved = moved_along(row) - step.system.dt * step.system.carried_by(static_cast<std::size_t>(j));
+        const double moved =
+            moved_along(row) - step.system.dt * step.system.carried_by(static_cast<std::size_t>(j));
         const double correcting = step.system.dt * source.push.correcting;
         double want = correcting;
         if (source.bounds.c_min >= 0.0) {
