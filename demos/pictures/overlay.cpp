@@ -68,7 +68,10 @@ void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add
     std::size_t row = 0;
     for (const std::size_t acting : scene.distances->acting()) {
         const engine::Distance& distance = scene.distances->distances()[acting];
-        while (world.rows()[row].label.kind != engine::RowKind::distance) ++row;
+        const auto is_of_distance = [](engine::RowKind kind) {
+            return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
+        };
+        while (!is_of_distance(world.rows()[row].label.kind)) ++row;
         const auto [from, to] = span_of(distance, world.bodies);
         Vector3 on_b;
         if (is_ball_joint(distance)) {
@@ -79,6 +82,45 @@ void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add
         if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(from, Vector3(-on_b));
         if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(to, on_b);
     }
+}
+
+// The same for joints: the part at the point.
+template <typename NumberOf, typename Add>
+void each_joint_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
+    const engine::World& world = scene.world;
+    std::size_t row = 0;
+    for (const std::size_t acting : scene.joints->acting()) {
+        const engine::Joint& joint = scene.joints->joints()[acting];
+        const auto is_of_joint = [&](const engine::RowLabel& label) {
+            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(acting);
+        };
+        while (!is_of_joint(world.rows()[row].label)) ++row;
+        Vector3 on_b;
+        for (double& part : on_b) part = number_of(row++);
+        const auto [from, to] = span_of(joint, world.bodies);
+        if (!world.bodies[static_cast<std::size_t>(joint.body_a)].is_static()) add(from, Vector3(-on_b));
+        if (!world.bodies[static_cast<std::size_t>(joint.body_b)].is_static()) add(to, on_b);
+    }
+}
+
+void add_joint_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
+    each_joint_end(
+        scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
+        [&](const Vector3& place, const Vector3& force) {
+            found.push_back({.place = place, .value = force, .kind = 2});
+        });
+}
+
+void add_joint_push(const BuiltScene& scene, std::vector<Quantity>& found) {
+    const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
+        each_joint_end(
+            scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
+            [&](const Vector3& place, const Vector3& push) {
+                found.push_back({.place = place, .value = push, .kind = kind});
+            });
+    };
+    add(&engine::PushFactor::correcting, 0);
+    add(&engine::PushFactor::lasting, 1);
 }
 
 void add_distance_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
@@ -165,12 +207,14 @@ template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
+    auto polyhedron = picture.polyhedra.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         glm::vec3* const colour =
             std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
                                           [&](const SphereShape&) { return &(sphere++)->colour; },
-                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; },
+                                          [&](const PolyhedronShape&) { return &(polyhedron++)->colour; }},
                        body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);
@@ -185,7 +229,9 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::contacts:
             return {{"contact point", colour("vermilion"), ""}, {"within the margin", colour("ivory"), ""}};
         case OverlayKind::forces:
-            return {{"contact force", colour("violet"), "N"}, {"bar force", colour("green"), "N"}};
+            return {{"contact force", colour("violet"), "N"},
+                    {"bar force", colour("green"), "N"},
+                    {"joint force", colour("orange"), "N"}};
         case OverlayKind::push:
             return {{"push for this frame only", colour("orange"), "m/s"},
                     {"push that lasts", colour("vermilion"), "m/s"}};
@@ -218,6 +264,8 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (scene.contacts && kind == OverlayKind::push) add_contact_push(scene, found);
     if (scene.distances && kind == OverlayKind::forces) add_distance_forces(scene, found);
     if (scene.distances && kind == OverlayKind::push) add_distance_push(scene, found);
+    if (scene.joints && kind == OverlayKind::forces) add_joint_forces(scene, found);
+    if (scene.joints && kind == OverlayKind::push) add_joint_push(scene, found);
     return found;
 }
 
@@ -226,13 +274,13 @@ void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& over
         if (item.kind == OverlayKind::rest && !scene.world.rest) {
             throw UsageError("--overlay rest: nothing rests without --rest on");
         }
-        const bool any =
-            item.kind == OverlayKind::velocities || scene.contacts ||
-            (scene.distances && item.kind != OverlayKind::contacts && item.kind != OverlayKind::thrust);
+        const bool of_contacts_only = item.kind == OverlayKind::contacts || item.kind == OverlayKind::thrust;
+        const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
+                         ((scene.distances || scene.joints) && !of_contacts_only);
         if (any) continue;
-        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show",
-                                     name_of(item.kind), scene.name,
-                                     scene.distances ? "no contacts" : "neither contacts nor distances"));
+        throw UsageError(fmt::format(
+            "--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind), scene.name,
+            scene.distances || scene.joints ? "no contacts" : "neither contacts nor distances"));
     }
 }
 

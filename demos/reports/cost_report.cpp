@@ -50,7 +50,7 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
                            joined(parts.contacts),
                            joined(parts.step_rules)};
     for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
-                               counts.distance_rows, counts.columns, counts.substeps})
+                               counts.distance_rows, counts.joint_rows, counts.columns, counts.substeps})
         line.emplace_back(value);
     for (const auto& [kept, swept, exact, small_steps] : counts.islands)
         line.insert(line.end(), {kept, swept, exact, small_steps});
@@ -64,8 +64,8 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
 // A line per entry for the scene as it is, and if `both` another with everything.
 Table table_of(const std::vector<Entry>& entries, bool both) {
     Table table{{"scene", "start_s", "made", "bodies", "force_sources", "constraint_sources", "contact_rules",
-                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "columns",
-                 "substeps"}};
+                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "joint_rows",
+                 "columns", "substeps"}};
     for (const std::string_view kind : island_kinds) {
         for (const char* const way : {"kept", "swept", "exact", "small_steps"})
             table.columns.push_back(fmt::format("{}_{}", kind, way));

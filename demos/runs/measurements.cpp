@@ -53,7 +53,8 @@ double judged_speed(const BuiltScene& scene, double size) {
 double corner_distance(const BodyDescription& body) {
     return std::visit(
         engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
-                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; }},
+                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; },
+                           [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
         body.shape);
 }
 
@@ -67,15 +68,15 @@ std::vector<double> corners_of(const BuiltScene& scene) {
     return corners;
 }
 
-// Per movable body whether a distance holds it.
+// Per movable body whether a distance or a joint holds it.
 std::vector<bool> held_in(const BuiltScene& scene) {
     std::vector<bool> all(scene.world.bodies.size(), false), held;
-    if (scene.distances) {
-        for (const engine::Distance& distance : scene.distances->distances()) {
-            all[static_cast<std::size_t>(distance.body_a)] = true;
-            all[static_cast<std::size_t>(distance.body_b)] = true;
-        }
-    }
+    const auto hold = [&all](const auto& held_by) {
+        all[static_cast<std::size_t>(held_by.body_a)] = true;
+        all[static_cast<std::size_t>(held_by.body_b)] = true;
+    };
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), hold);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), hold);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!scene.world.bodies[i].is_static()) held.push_back(all[i]);
     }
@@ -190,6 +191,7 @@ void AtRest::add(const Sample& sample, bool all) {
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
     const Positions before = std::exchange(latest_, positions_of(simulation.scene().world));
+    obstacles_.follow(simulation.scene());
     for (std::size_t i = 0; i < latest_.size() && !passed_; ++i)
         passed_ = obstacles_.is_passed(before[i], latest_[i]);
 

@@ -23,6 +23,7 @@ struct BuiltScene {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
     const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
+    const engine::JointConstraints* joints = nullptr;        // part of the world; null without joints
 
     std::optional<double> substeps_before{};  // of a resumed run: StepDivision::level()
 
@@ -32,9 +33,9 @@ struct BuiltScene {
     std::function<std::unique_ptr<SceneMeasure>(const engine::World&)> measure;
 };
 
-// Builds the world of a description under the settings; parts that either leaves out are absent. If distances hang
-// on "world", the last body is a static one for it. Throws engine::InvalidInput for an unknown body name, for a
-// scheme that does not fit the scene, and for what the engine refuses.
+// Builds the world of a description under the settings; parts that either leaves out are absent. If distances or
+// joints hang on "world", the last body is a static one for it. Throws engine::InvalidInput for an unknown body
+// name, for a scheme that does not fit the scene, and for what the engine refuses.
 BuiltScene build_scene(const SceneDescription& description, const Settings& settings);
 // The same for the options of a run.
 BuiltScene build_scene(const Choices& choices);

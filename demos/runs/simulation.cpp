@@ -17,7 +17,8 @@ namespace {
 double max_length_error(std::span<const engine::ConstraintRow> rows) {
     double largest = 0.0;
     for (const engine::ConstraintRow& row : rows) {
-        if (row.label.kind == engine::RowKind::distance) largest = std::max(largest, std::abs(row.label.gap));
+        const bool holds = row.label.kind == engine::RowKind::distance || row.label.kind == engine::RowKind::joint;
+        if (holds) largest = std::max(largest, std::abs(row.label.gap));
     }
     return largest;
 }
@@ -26,6 +27,9 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     const StartKick choice = settings.start_kick;
     if (is_rattle(settings.scheme)) return false;
     if (choice != StartKick::where_it_fits) return choice == StartKick::on;
+    // A motor may give its speed in the first step.
+    const auto is_driven = [](const engine::Joint& joint) { return joint.hinge && joint.hinge->motor; };
+    if (scene.joints && std::ranges::any_of(scene.joints->joints(), is_driven)) return false;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
         return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
     });
@@ -66,8 +70,9 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
       division_(division_of(scene_, settings)),
       clock_(clock),
       energy_(scene_.gravity) {
+    if (scene_.contacts) detector_.broad_phase().leave_out(scene_.contacts->filter());
     start();
-    energy_.open(scene_.world.bodies, settings_.dt.value());
+    energy_.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
     measure_state();
 }
 
@@ -129,7 +134,7 @@ void Simulation::step_engine(double dt) {
     sample_.count.islands_contradicting =
         std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
     sample_.residual = std::max(sample_.residual, residual);
-    if (sample_.count.rows(engine::RowKind::distance) > 0) {
+    if (sample_.count.rows(engine::RowKind::distance) + sample_.count.rows(engine::RowKind::joint) > 0) {
         sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
     }
     ++sample_.substeps;

@@ -32,6 +32,10 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
         rules.push_back(
             {"turning", [distances](const World& w) { return turning_rate(*distances, w.bodies); }, true});
     }
+    if (const auto* joints = scene.joints) {
+        rules.push_back({"tension", [joints](const World& w) { return tension_rate(*joints, w.bodies); }, false});
+        rules.push_back({"turning", [joints](const World& w) { return turning_rate(*joints, w.bodies); }, true});
+    }
     const auto& bodies = scene.world.bodies;
     if (std::any_of(bodies.begin(), bodies.end(), engine::is_slender)) {
         rules.push_back({"spin", [](const World& w) { return engine::spin_rate(w.bodies); }, true});

@@ -54,9 +54,11 @@ std::string made_of(const SceneDescription& description) {
     if (!description.gravity.isZero()) parts += ", gravity";
     if (!description.forces.empty()) parts += ", " + std::to_string(description.forces.size()) + " forces";
     if (!description.distances.empty()) parts += ", " + std::to_string(description.distances.size()) + " distances";
+    if (!description.joints.empty()) parts += ", " + std::to_string(description.joints.size()) + " joints";
     if (description.contacts) parts += ", contacts";
     if (description.contacts && has(&BodyDescription::friction)) parts += ", friction";
     if (description.contacts && has(&BodyDescription::restitution)) parts += ", restitution";
+    if (description.contacts && !description.materials.empty()) parts += ", material pairs";
     return parts;
 }
 

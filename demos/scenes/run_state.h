@@ -3,6 +3,7 @@
 
 #include "engine/constraints/contact_cache.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
 #include "engine/step/island_solver.h"
 #include "engine/step/rest.h"
 
@@ -15,6 +16,7 @@ struct RunState {
     std::vector<engine::IslandSolver::Memory> warm_start{};  // one per body; empty before the first solve
     double substeps = 1.0;                                   // StepDivision::level() of the last step
     std::vector<engine::DistanceForce> distance_forces{};    // N, one per distance
+    std::vector<engine::JointForce> joint_forces{};          // N, one per joint
     engine::ContactCache contact_forces{};                   // colliders are the bodies in their order
     std::vector<engine::Rest::Memory> rest{};                // one per body, or none
 };

@@ -2,9 +2,12 @@
 // description does not mention are absent.
 #pragma once
 
+#include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
+#include "engine/forces/poke.h"
 
 #include <functional>
 #include <map>
@@ -29,10 +32,33 @@ struct SphereShape {
 };
 struct PlaneShape {};  // infinite, normal along the body's y axis; static only
 
+// How a body without mass is moved (engine/bodies/path.h), from its own pose on.
+struct SteadyMotion {
+    engine::Vector3 velocity = engine::Vector3::Zero();          // m/s, world frame
+    engine::Vector3 angular_velocity = engine::Vector3::Zero();  // rad/s, world frame, about the body's centre
+};
+struct ShakingMotion {       // amplitude (sin(2 pi frequency t + phase) - sin(phase)) along the direction
+    double amplitude = 0.0;  // m
+    engine::Vector3 direction = engine::Vector3::UnitY();  // of any length
+    double frequency = 1.0;                                // 1/s
+    double phase = 0.0;                                    // degrees; -90 begins at the lowest point
+};
+struct TimedPose {
+    double time = 0.0;                                // s, above 0 and above that of the pose before
+    std::optional<engine::Vector3> position{};        // m; as before without
+    std::optional<engine::Quaternion> orientation{};  // as before without
+};
+struct MotionDescription {
+    std::variant<SteadyMotion, ShakingMotion, std::vector<TimedPose>> kind{};
+    double from = 0.0;              // s; of poses: not used
+    std::optional<double> until{};  // s
+};
+
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape> shape{};
+    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
     std::optional<double> mass{};                        // kg; static without
+    std::optional<MotionDescription> motion{};           // of a static body
     engine::Vector3 position = engine::Vector3::Zero();  // m
     engine::Quaternion orientation = engine::Quaternion::Identity();
     engine::Vector3 velocity = engine::Vector3::Zero();          // m/s, world frame
@@ -41,6 +67,8 @@ struct BodyDescription {
     std::optional<engine::Vector3> linear_momentum{}, angular_momentum{};
     double friction = 0.5;
     double restitution = 0.0;
+    std::string material{};  // none when empty
+    std::string group{};     // whose bodies do not touch each other; none when empty
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
     double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
@@ -50,9 +78,19 @@ struct BodyDescription {
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
-                                         [](const PlaneShape&) { return 0.0; }},
+                                         [](const PlaneShape&) { return 0.0; },
+                                         [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
                       body.shape);
 }
+
+// Whether it has mass or motion, and a size: what a camera has to follow.
+inline bool goes_about(const BodyDescription& body) {
+    return body.mass || (body.motion && !std::holds_alternative<PlaneShape>(body.shape));
+}
+
+// Gives the body the hull of points [m] in its frame, and moves its frame to the centre of mass and the principal
+// axes; velocities stay those of the centre of mass.
+void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron);
 
 struct DistanceDescription {
     struct End {
@@ -62,14 +100,37 @@ struct DistanceDescription {
     End a{}, b{};
     std::optional<double> length{};  // m; none: the distance at the start
     engine::Distance::Acts acts = engine::Distance::Acts::both;
-    std::optional<double> max_force{};  // N
+    std::optional<double> max_force{};       // N
+    std::optional<engine::Spring> spring{};  // rigid without
+};
+
+struct HingeDescription {
+    engine::Vector3 axis = engine::Vector3::UnitZ();  // of any length, frame of a (world frame for "world")
+    std::optional<engine::Quaternion> zero{};  // of b in the frame of a at angle 0; that of the start without
+    std::optional<engine::Motor> motor{};
+    std::optional<engine::AngleLimits> limits{};
+};
+
+struct JointDescription {
+    DistanceDescription::End a{}, b{};
+    std::optional<HingeDescription> hinge{};  // a ball joint without
+    bool collide = false;                     // whether the two bodies touch each other
 };
 
 struct ForceDescription {
     std::string body{};
-    engine::Vector3 force = engine::Vector3::Zero();  // N, world frame
-    double from = 0.0;                                // s
-    std::optional<double> until{};                    // s
+    engine::Vector3 force = engine::Vector3::Zero();   // N
+    engine::Vector3 torque = engine::Vector3::Zero();  // N m, beside that of the force
+    engine::Vector3 point = engine::Vector3::Zero();   // m, body frame: where the force acts
+    engine::Poke::Frame frame = engine::Poke::Frame::world;
+    double from = 0.0;              // s
+    std::optional<double> until{};  // s
+};
+
+// What two materials have on each other, instead of what their bodies would.
+struct MaterialPairDescription {
+    std::string a{}, b{};
+    std::optional<double> friction{}, restitution{};
 };
 
 // A camera [m]. `floor` is the height of a ground that is only drawn.
@@ -105,8 +166,11 @@ struct SceneDescription {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);  // m/s^2; no force source when zero
     std::vector<BodyDescription> bodies;
     std::vector<DistanceDescription> distances;
+    std::vector<JointDescription> joints;
     std::vector<ForceDescription> forces;
     bool contacts = false;
+    std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other
+    std::vector<MaterialPairDescription> materials;
     std::shared_ptr<const RunState> state;  // of a resumed run, else null
     View view;
     bool has_camera = true;  // false: `view` gives only a direction

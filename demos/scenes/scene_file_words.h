@@ -16,4 +16,7 @@ inline constexpr std::array<std::pair<std::string_view, engine::Distance::Acts>,
      {"pulls", engine::Distance::Acts::pulls},
      {"pushes", engine::Distance::Acts::pushes}}};
 
+inline constexpr std::array<std::pair<std::string_view, engine::Poke::Frame>, 2> frame_names{
+    {{"world", engine::Poke::Frame::world}, {"body", engine::Poke::Frame::body}}};
+
 }  // namespace pushfactor::demos

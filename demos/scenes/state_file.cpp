@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -15,6 +16,7 @@ namespace {
 using engine::ContactCache;
 using engine::DistanceForce;
 using engine::IslandSolver;
+using engine::JointForce;
 using engine::Lambda;
 using engine::Rest;
 using engine::Vector3;
@@ -22,8 +24,8 @@ using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
 // solved_exactly and kept_steps of the state as a whole are read from older files without values per body.
-const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
-                      "places", "at_rest",    "solved_exactly", "kept_steps"};
+const Keys state_keys{"time_s",         "warm_start", "substeps", "distance_forces_n", "joint_forces_n",
+                      "contact_forces", "places",     "at_rest",  "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
 const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
@@ -61,6 +63,27 @@ std::vector<DistanceForce> read_distance_forces(const JsonReader& json, const Sc
     }
     if (entries.size() != scene.distances.size()) {
         json.refuse(fmt::format("an array of {} forces, one per distance constraint", scene.distances.size()));
+    }
+    return forces;
+}
+
+std::size_t rows_of(const JointDescription& joint) {
+    engine::Joint rows;
+    if (joint.hinge) rows.hinge = {.motor = joint.hinge->motor, .limits = joint.hinge->limits};
+    return row_count(rows);
+}
+
+std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDescription& scene) {
+    const std::vector<JsonReader> entries = json.elements();
+    if (entries.size() != scene.joints.size()) {
+        json.refuse(fmt::format("an array of {} lists of forces, one a joint", scene.joints.size()));
+    }
+    std::vector<JointForce> forces(entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::vector<JsonReader> rows = entries[i].elements();
+        const std::size_t count = rows_of(scene.joints[i]);
+        if (rows.size() != count) entries[i].refuse(fmt::format("{} times two numbers, one a row", count));
+        std::transform(rows.begin(), rows.end(), forces[i].begin(), read_lambda);
     }
     return forces;
 }
@@ -280,6 +303,10 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     if (json.has("distance_forces_n")) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
     }
+    state.joint_forces.resize(scene.joints.size());
+    if (json.has("joint_forces_n")) {
+        state.joint_forces = read_joint_forces(json.at("joint_forces_n"), scene);
+    }
     if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
     if (json.has("places")) state.rest = read_places(json.at("places"), scene);
     if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
@@ -292,6 +319,11 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
     for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
         const bool joint = scene.distances[i].length == 0.0;
         json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
+    }
+    for (std::size_t i = 0; i < state.joint_forces.size(); ++i) {
+        Json& rows = json["joint_forces_n"].emplace_back(Json::array());
+        for (std::size_t j = 0; j < rows_of(scene.joints[i]); ++j)
+            rows.push_back(to_json(state.joint_forces[i][j]));
     }
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));

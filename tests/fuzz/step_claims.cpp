@@ -99,6 +99,7 @@ Objective objective(const SystemEquation& system, const engine::Island& island, 
             forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * force;
             forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * force;
             q.value -= dt2 * system.b(j, last) * force;
+            q.value += 0.5 * dt2 * row.softness * force * force;
             q.scale += dt2 * (std::abs(system.b(j, last) * force) + system.diagonal(j) * force * force);
         }
     }

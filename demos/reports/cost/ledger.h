@@ -96,13 +96,14 @@ struct Counts {
     double pairs = 0.0;    // with overlapping bounding boxes
     double touches = 0.0;  // pairs with contact points
     double contact_rows = 0.0, friction_rows = 0.0, distance_rows = 0.0, columns = 0.0;
+    double joint_rows = 0.0;                                  // motors and limits included
     double at_rest = 0.0;                                     // sleeping bodies
     std::array<IslandCounts, island_kinds.size()> islands{};  // of the last engine step in each step of the run
     double sweeps = 0.0;         // iterations of any solver, of the island with the most
     double row_updates = 0.0;    // rows x columns x iterations, sum over islands
     double multiply_adds = 0.0;  // of the solver
 
-    double rows() const { return contact_rows + friction_rows + distance_rows; }
+    double rows() const { return contact_rows + friction_rows + distance_rows + joint_rows; }
 };
 
 struct Times {

@@ -88,10 +88,13 @@ Parts parts_of(const BuiltScene& scene, const Settings& settings) {
     }
     if (scene.distances)
         parts.constraints.push_back(fmt::format("{} distances", scene.distances->distances().size()));
+    if (scene.joints) parts.constraints.push_back(fmt::format("{} joints", scene.joints->joints().size()));
     if (scene.contacts) {
         parts.constraints.emplace_back("contacts");
         if (scene.contacts->friction()) parts.contacts.emplace_back("friction");
         if (scene.contacts->restitution()) parts.contacts.emplace_back("restitution");
+        if (scene.contacts->materials()) parts.contacts.emplace_back("materials");
+        if (scene.contacts->filter()) parts.contacts.emplace_back("pairs left out");
         if (scene.contacts->continuous_collision()) parts.contacts.emplace_back("sweep");
         if (scene.contacts->cache()) parts.contacts.emplace_back("cache");
     }

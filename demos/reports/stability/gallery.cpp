@@ -64,6 +64,10 @@ void shift(SceneDescription& scene, const Vector3& by) {
         if (distance.a.body == "world") distance.a.point += by;
         if (distance.b.body == "world") distance.b.point += by;
     }
+    for (JointDescription& joint : scene.joints) {
+        if (joint.a.body == "world") joint.a.point += by;
+        if (joint.b.body == "world") joint.b.point += by;
+    }
     scene.view.eye += by;
     scene.view.target += by;
 }

@@ -90,7 +90,7 @@ TEST_CASE("a command of the ledger ends with the rows that the ledger counted") 
         const auto rows = static_cast<std::size_t>(std::find(names.begin(), names.end(), "rows") - names.begin());
         const double counted_rows = std::stod(table.at(i, "contact_rows")) +
                                     std::stod(table.at(i, "friction_rows")) +
-                                    std::stod(table.at(i, "distance_rows"));
+                                    std::stod(table.at(i, "distance_rows")) + std::stod(table.at(i, "joint_rows"));
         CHECK(std::stod(steps.back().at(rows)) == counted_rows);
     }
 }
