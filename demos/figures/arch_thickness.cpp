@@ -16,7 +16,7 @@ namespace pushfactor::demos::figures {
 namespace {
 
 constexpr std::array voussoirs{5, 7, 9, 11, 15, 21, 31};
-constexpr double seconds = 4.0;
+constexpr double run_seconds = 4.0;
 constexpr double fallen = 0.02;       // of the height of the crown
 constexpr double never_slips = 10.0;  // friction coefficient of the thinnest arches
 constexpr double thickness = 0.12;    // of the arches with the least friction
@@ -28,7 +28,7 @@ bool stands(int count, double thick, double friction) {
                                    {"voussoirs", std::to_string(count)},
                                    {"thickness", fmt::format("{}", thick)},
                                    {"friction", fmt::format("{}", friction)},
-                                   {"seconds", fmt::format("{}", seconds)}}));
+                                   {"seconds", fmt::format("{}", run_seconds)}}));
     const std::vector<engine::Body> start = run.scene().world.bodies;
     const double crown = std::max_element(start.begin(), start.end(), [](const auto& a, const auto& b) {
                              return a.position.y() < b.position.y();
@@ -76,7 +76,7 @@ Plate arch_thickness(FigureOutput& output, const Figure& figure) {
         "exact preset. Line: limit analysis of the same blocks (Heyman). Dashed: a semicircle of very many blocks, "
         "{} "
         "(Milankovitch 1907). They differ by {:.2g} % at most.",
-        thickness, seconds, scenes::milankovitch, 100.0 * farthest);
+        thickness, run_seconds, scenes::milankovitch, 100.0 * farthest);
     output.plot(table, std::string(figure.name), 1.6, plate);
     plate.commands = {
         "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.12 --seconds 60",
