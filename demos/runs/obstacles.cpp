@@ -10,7 +10,7 @@ namespace {
 
 using engine::Vector3;
 
-// Whether the way between two places in the frame of a box crosses a middle plane of it inside it.
+// Whether the segment between two places in the frame of a box crosses one of its middle planes inside it.
 bool crosses_middle(const Vector3& from, const Vector3& to, const Vector3& half_size) {
     for (int axis = 0; axis < 3; ++axis) {
         if ((from[axis] < 0.0) == (to[axis] < 0.0)) continue;
@@ -43,23 +43,42 @@ double distance_to_way(const Vector3& point, const Vector3& from, const Vector3&
 }  // namespace
 
 Obstacles::Obstacles(const BuiltScene& scene) {
+    list(scene);
+}
+
+void Obstacles::follow(const BuiltScene& scene) {
+    if (!scene.world.moves_any()) return;
+    const std::vector<Box> boxes = std::move(boxes_);
+    const std::vector<Sphere> spheres = std::move(spheres_);
+    const std::vector<Polyhedron> polyhedra = std::move(polyhedra_);
+    planes_.clear();
+    boxes_.clear();
+    spheres_.clear();
+    polyhedra_.clear();
+    list(scene);
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes_[i].before = boxes[i].now;
+    for (std::size_t i = 0; i < spheres.size(); ++i) spheres_[i].before = spheres[i].now;
+    for (std::size_t i = 0; i < polyhedra.size(); ++i) polyhedra_[i].before = polyhedra[i].now;
+}
+
+void Obstacles::list(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
         if (!body.is_static()) continue;
-        std::visit(engine::Overloaded{
-                       [&](const engine::collision::Plane&) {
-                           planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
-                       },
-                       [&](const engine::collision::Box& box) {
-                           boxes_.push_back({body.position, box.half_size, body.orientation.conjugate()});
-                       },
-                       [&](const engine::collision::Sphere& sphere) {
-                           spheres_.push_back({body.position, sphere.radius});
-                       },
-                       [&](const engine::collision::Polyhedron& polyhedron) {
-                           polyhedra_.push_back({body.position, polyhedron.mesh, body.orientation.conjugate()});
-                       }},
+        const Pose pose{body.position, body.orientation.conjugate()};
+        std::visit(engine::Overloaded{[&](const engine::collision::Plane&) {
+                                          planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
+                                      },
+                                      [&](const engine::collision::Box& box) {
+                                          boxes_.push_back({pose, pose, box.half_size});
+                                      },
+                                      [&](const engine::collision::Sphere& sphere) {
+                                          spheres_.push_back({pose, pose, sphere.radius});
+                                      },
+                                      [&](const engine::collision::Polyhedron& polyhedron) {
+                                          polyhedra_.push_back({pose, pose, polyhedron.mesh});
+                                      }},
                    collider.shape);
     }
 }
@@ -71,14 +90,14 @@ bool Obstacles::is_behind_plane(const Vector3& centre) const {
 
 bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
     const auto passes_box = [&](const Box& box) {
-        return crosses_middle(box.to_box * (from - box.centre), box.to_box * (to - box.centre), box.half_size);
+        return crosses_middle(box.before.in_frame(from), box.now.in_frame(to), box.half_size);
     };
     const auto passes_sphere = [&](const Sphere& sphere) {
-        return distance_to_way(sphere.centre, from, to) < 0.5 * sphere.radius;
+        return distance_to_way(Vector3::Zero(), sphere.before.in_frame(from), sphere.now.in_frame(to)) <
+               0.5 * sphere.radius;
     };
     const auto passes_polyhedron = [&](const Polyhedron& polyhedron) {
-        return crosses_core(polyhedron.to_body * (from - polyhedron.centre),
-                            polyhedron.to_body * (to - polyhedron.centre), polyhedron.mesh->hull());
+        return crosses_core(polyhedron.before.in_frame(from), polyhedron.now.in_frame(to), polyhedron.mesh->hull());
     };
     return std::any_of(boxes_.begin(), boxes_.end(), passes_box) ||
            std::any_of(spheres_.begin(), spheres_.end(), passes_sphere) ||

@@ -11,7 +11,7 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-// Lines are gathered and written together.
+// Lines are buffered.
 class CsvRecord : public Record {
   public:
     CsvRecord(const std::filesystem::path& path, std::string_view header) : file_(path) {
@@ -76,7 +76,8 @@ class TrajectoryRecord : public CsvRecord {
         const auto& bodies = simulation.scene().world.bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const Body& body = bodies[i];
-            if (body.is_static()) continue;
+            const auto& described = simulation.scene().bodies;
+            if (body.is_static() && !(i < described.size() && described[i].motion)) continue;
             const Vector3 v = velocity(body);
             const Vector3 w = angular_velocity(body);
             line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", simulation.sample().time, i, body.position.x(),
@@ -95,6 +96,14 @@ std::string_view name_of(engine::RowKind kind) {
             return "friction";
         case engine::RowKind::distance:
             return "distance";
+        case engine::RowKind::joint:
+            return "joint";
+        case engine::RowKind::motor:
+            return "motor";
+        case engine::RowKind::limit:
+            return "limit";
+        case engine::RowKind::spring:
+            return "spring";
         case engine::RowKind::contact:
             break;
     }

@@ -6,7 +6,7 @@ namespace {
 
 using engine::Vector6;
 
-using Outcome = engine::IslandSolver::Outcome;
+using IslandOutcome = engine::IslandSolver::Outcome;
 
 class Search {
   public:
@@ -60,11 +60,11 @@ std::optional<BodyPair> worst_among(const engine::World& world, Concerned concer
 }  // namespace
 
 std::optional<BodyPair> worst_unsolved(const engine::World& world) {
-    return worst_among(world, [](const Outcome& outcome) { return !outcome.solved; });
+    return worst_among(world, [](const IslandOutcome& outcome) { return !outcome.solved; });
 }
 
 std::optional<BodyPair> worst_contradicting(const engine::World& world) {
-    return worst_among(world, [](const Outcome& outcome) { return outcome.contradicts; });
+    return worst_among(world, [](const IslandOutcome& outcome) { return outcome.contradicts; });
 }
 
 }  // namespace pushfactor::demos

@@ -32,7 +32,7 @@ std::span<const SceneEntry> catalogue() {
         SceneEntry{"chain", "A chain of bars swings down from the horizontal with a weight at its end.",
                    chain_parameters(), chain},
         SceneEntry{"heavy-on-light",
-                   "A heavy cube stands on light ones: the mass ratio is what iterations cannot do.",
+                   "A heavy cube stands on light ones: a mass ratio that iterations alone do not solve.",
                    heavy_on_light_parameters(), heavy_on_light},
     };
     return table;
@@ -54,9 +54,11 @@ std::string made_of(const SceneDescription& description) {
     if (!description.gravity.isZero()) parts += ", gravity";
     if (!description.forces.empty()) parts += ", " + std::to_string(description.forces.size()) + " forces";
     if (!description.distances.empty()) parts += ", " + std::to_string(description.distances.size()) + " distances";
+    if (!description.joints.empty()) parts += ", " + std::to_string(description.joints.size()) + " joints";
     if (description.contacts) parts += ", contacts";
     if (description.contacts && has(&BodyDescription::friction)) parts += ", friction";
     if (description.contacts && has(&BodyDescription::restitution)) parts += ", restitution";
+    if (description.contacts && !description.materials.empty()) parts += ", material pairs";
     return parts;
 }
 

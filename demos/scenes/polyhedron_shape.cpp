@@ -48,10 +48,22 @@ FramedPolyhedron make_polyhedron(std::span<const Vector3> points) {
 }
 
 void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron) {
+    Vector3 position = body.position;
+    engine::Quaternion orientation = body.orientation;
     body.shape = polyhedron.shape;
     body.position += body.orientation * polyhedron.centre;
     body.orientation = body.orientation * polyhedron.axes;
     body.surface_velocity = polyhedron.axes.conjugate() * body.surface_velocity;
+    if (!body.motion) return;
+    auto* const poses = std::get_if<std::vector<TimedPose>>(&body.motion->kind);
+    if (!poses) return;
+    // Each becomes whole, because a turn about the frame of the points moves the centre of mass.
+    for (TimedPose& pose : *poses) {
+        position = pose.position.value_or(position);
+        orientation = pose.orientation.value_or(orientation);
+        pose.position = position + orientation * polyhedron.centre;
+        pose.orientation = orientation * polyhedron.axes;
+    }
 }
 
 }  // namespace pushfactor::demos

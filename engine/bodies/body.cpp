@@ -68,11 +68,12 @@ Body solid_body(double mass, const Vector3& moments, const Vector3& position, co
 }
 
 Vector3 velocity(const Body& body) {
+    if (body.is_static()) return body.prescribed.velocity;
     return body.inverse_mass * body.linear_momentum;
 }
 
 Vector3 angular_velocity(const Body& body) {
-    if (body.is_static()) return Vector3::Zero();
+    if (body.is_static()) return body.prescribed.angular_velocity;
     const Vector3 in_body = body.orientation.conjugate() * body.angular_momentum;
     return body.orientation * body.inverse_inertia.cwiseProduct(in_body).eval();
 }

@@ -44,9 +44,23 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 
 }  // namespace
 
+PairFilter::PairFilter(std::vector<int> groups, std::vector<Pair> pairs)
+    : groups_(std::move(groups)), pairs_(std::move(pairs)) {
+    for (Pair& pair : pairs_) pair = {std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    std::sort(pairs_.begin(), pairs_.end());
+}
+
+bool PairFilter::leaves_out(const Pair& pair) const {
+    if (!groups_.empty()) {
+        const int group = groups_[static_cast<std::size_t>(pair.a)];
+        if (group >= 0 && group == groups_[static_cast<std::size_t>(pair.b)]) return true;
+    }
+    return std::binary_search(pairs_.begin(), pairs_.end(), pair);
+}
+
 // Collects the planes and the places in bounds_ of the finite shapes among `moved`.
 void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
-                             std::span<const int> moved) {
+                             const Foresight* foresight, std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
     if (all) place_.assign(colliders.size(), -1);
     planes_.clear();  // always listed again: planes are static, and static ones are always in `moved`
@@ -56,7 +70,9 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
         const Collider& collider = at(colliders, i);
         if (!is_finite(collider.shape)) {
             const Pose& pose = poses[static_cast<std::size_t>(collider.body)];
-            planes_.push_back({.point = pose.position, .up = pose.rotation.col(1), .collider = i});
+            const Vector3 up = pose.rotation.col(1);
+            const double path = foresight ? foresight->path(i) : 0.0;  // of a moved one
+            planes_.push_back({.point = pose.position + path * up, .up = up, .collider = i});
             continue;
         }
         if (all) place_[static_cast<std::size_t>(i)] = place++;
@@ -68,7 +84,7 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
                        std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
                        std::span<const int> moved, Threads* threads) {
-    list_shapes(colliders, poses, moved);
+    list_shapes(colliders, poses, foresight, moved);
     share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int i : moved.subspan(begin, end - begin)) {
             const Collider& collider = at(colliders, i);
@@ -213,6 +229,7 @@ void BroadPhase::add_with_planes(int index, std::vector<Candidate>& found) const
         const Plane& plane = wide_planes_[static_cast<std::size_t>(p)];
         if (box.idle || !reaches(box, plane)) continue;
         const auto [a, b] = std::minmax(plane.collider, box.collider);
+        if (filter_ && filter_->leaves_out({a, b})) continue;
         found.push_back({{a, b}, index, -1 - p});
     }
 }
@@ -222,6 +239,7 @@ void BroadPhase::add_if_near(int index, int other, std::vector<Candidate>& found
     const Bounds& near = wide_[static_cast<std::size_t>(other)];
     if (!overlap(box, near) || (box.idle && near.idle) || box.body == near.body) return;
     const auto [a, b] = std::minmax(box.collider, near.collider);
+    if (filter_ && filter_->leaves_out({a, b})) return;
     found.push_back({{a, b}, index, other});
 }
 

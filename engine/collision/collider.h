@@ -35,6 +35,7 @@ struct Collider {
     // Surface velocity of a conveyor belt [m/s, body frame]; acts through friction.
     Vector3 surface_velocity = Vector3::Zero();
     double surface_from = 0.0;  // s since the start of the world, when the belt starts
+    int material = -1;          // number in MaterialPairs (detector.h); negative: none
 };
 
 // Whether the belt runs in a step that begins at `time` [s].
@@ -58,7 +59,7 @@ Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
 double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& direction);
 
 // Squared distance from the centre to the farthest point that turning moves [m^2]; zero for spheres, whose surface
-// turning does not change, and for planes, which never turn.
+// turning does not change, and for planes, which turn only if moved (foresight.h: path_of_moved).
 double squared_turning_radius(const Shape& shape);
 
 // Whether the shape is invariant under rotation about its centre.

@@ -70,8 +70,8 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
 }
 
-bool bounces(const Collider& collider) {
-    return collider.restitution > 0.0;
+bool bounces(const Collider& collider, const MaterialPairs* materials) {
+    return collider.restitution > 0.0 || (materials && materials->bounces(collider.material));
 }
 
 // Distance at which two bodies have met, as a fraction of the size.
@@ -144,11 +144,15 @@ Moving ContinuousCollision::moving(int collider, const Step& step) const {
 bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& step) {
     fast_.assign(step.colliders.size(), false);
     dangerous_.assign(step.colliders.size(), false);
-    bool any = false, any_pressed = false;
+    bool any = false, any_pressed = false, any_moved = false;
     for (const int index : step.awake) {
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
         const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        if (body.is_static()) {
+            any_moved = any_moved || body.is_moved();
+            continue;
+        }
         const double path = free_path(collider, body, step);
         dangerous_[i] = path > dangerous * size_of(collider.shape);
         fast_[i] = dangerous_[i] || (step.any_bounces && path > margin_of(collider, step));
@@ -157,9 +161,28 @@ bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& s
         any_pressed = could_be_pressed(collider, body, path, step) &&
                       is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
+    if (any_moved) any = any_moved_fast(step) || any;
     if (!any_pressed) return any;
     find_pressed(touches, step);
     return std::find(fast_.begin(), fast_.end(), true) != fast_.end();
+}
+
+// A moved body does not rest on anything, so what it may bounce is swept however slowly it comes; and it may pass
+// through what is smaller than itself.
+bool ContinuousCollision::any_moved_fast(const Step& step) {
+    const double smallest = smallest_movable(step.colliders, step.bodies);
+    bool any = false;
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
+        const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        if (!body.is_moved()) continue;
+        dangerous_[i] =
+            is_finite(collider.shape) && path_of_moved(collider, body.prescribed, step.dt) > dangerous * smallest;
+        fast_[i] = dangerous_[i] || step.any_bounces;
+        any = any || fast_[i];
+    }
+    return any;
 }
 
 // Bodies that lie on something are held: not fast, however hard they are pressed.
@@ -200,7 +223,9 @@ bool ContinuousCollision::any_thrown(std::span<const Vector6> forces, std::span<
 
 bool ContinuousCollision::is_swept(const Pair& pair, const Step& step) const {
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
+    const MaterialPairs* const materials = step.detection.materials;
+    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a], materials) ||
+           bounces(step.colliders[b], materials);
 }
 
 // Adds a touch for a pair that meets with the current motions.
@@ -210,7 +235,7 @@ ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, 
     const Moving b = moving(pair.b, step);
     Touch touch;
     name_pair(pair, step.colliders, step.bodies, touch);
-    combine_surfaces(step.colliders, touch);
+    combine_surfaces(step.colliders, step.detection.materials, touch);
     const double permitted = step.detection.permitted * touch.size;
     Course course = follow(
         a, b, step.dt,

@@ -43,6 +43,9 @@ class ConstraintSource {
     virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
                                    std::span<const NewForce> /*changed*/, RowList& /*rows*/) {}
 
+    // Energy that springs hold [J], which belongs to the scene like that of gravity.
+    virtual double stored_energy(std::span<const Body> /*bodies*/) const { return 0.0; }
+
     // Whether the rows of the source do not change when `body` turns about its centre, as for a ball. A body
     // that is at rest may go on turning if this holds for all sources (rest.h).
     virtual bool turns_unseen(int /*body*/) const { return false; }
@@ -50,6 +53,10 @@ class ConstraintSource {
     // Resting bodies whose rows in a step that begins at `until` differ from those at `from` [s] although
     // nothing has moved.
     virtual SomeBodies changed_anew(double /*from*/, double /*until*/) const { return {}; }
+
+    // Resting bodies that a moved body (path.h) of this step holds or may meet in it. A source that omits rows of
+    // resting bodies has to tell, because no force of theirs can.
+    virtual SomeBodies met_by_moved(const StepStart& /*step*/) const { return {}; }
 
     // Whether the source can omit rows between resting bodies, or resting and static ones, and keeps their
     // forces meanwhile (rest.h). If not, bodies with rows of this source do not come to rest.

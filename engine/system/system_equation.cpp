@@ -107,7 +107,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     const double b = row.squared();
     const auto index = static_cast<Eigen::Index>(j);
     if (disc == Disc::none) {
-        system.diagonal[index] = b;
+        system.diagonal[index] = b > 0.0 ? b + system.rows[j].softness : b;
         return;
     }
     const WeightedRow first(system.rows[j - 1], system);
@@ -117,12 +117,14 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
+    const std::span<const ConstraintRow> rows = system.rows;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
+    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
+    if (may_drive && (row.push.lasting != 0.0 || system.carried_by(j) != 0.0)) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.
@@ -160,7 +162,7 @@ void weigh_rows(SystemEquation& system) {
     size_rows(system);
     for (std::size_t j = 0; j < system.rows.size(); ++j) {
         weigh(j, system);
-        system.digests[j] = digest_of(system.rows, j);
+        system.digests[j] = digest_of(system, j);
     }
 }
 
@@ -188,9 +190,10 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
-            system.digests[j] = digest_of(rows, j);
-            const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                         row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            system.digests[j] = digest_of(system, j);
+            double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                   row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            if (!system.carried.empty()) unconstrained -= system.carried[j] / system.dt;
             const auto index = static_cast<Eigen::Index>(j);
             system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;

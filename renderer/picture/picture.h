@@ -78,6 +78,7 @@ struct Arrow {
     glm::vec3 from{0.0f};            // world frame, m
     glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; an arrow that points at the eye is invisible
     glm::vec3 colour{0.0f};          // sRGB, each 0..1
+    bool head = true;                // false: a plain line
 };
 
 struct Dot {

@@ -20,7 +20,7 @@ using demos::BodyDescription;
 using demos::SceneDescription;
 using engine::Vector3;
 
-// What may be drawn for an option; the first choice is left to the preset.
+// The choices for an option; the first one leaves it to the preset.
 struct OptionChoices {
     const char* name;
     std::vector<const char*> texts;
@@ -67,6 +67,13 @@ class Generator {
         if (chance(0.5)) add_distances(isolated);
         if (!isolated && chance(0.3)) add_force();
         add_options();
+        if (chance(0.2)) add_pairs();
+        if (chance(0.5)) turn_forces();
+        if (chance(0.2)) add_joints(isolated);
+        if (chance(0.2)) soften_distances();
+        for (BodyDescription& body : scene_.bodies) {
+            if (!body.mass && chance(0.3)) body.motion = motion();
+        }
         return std::move(scene_);
     }
 
@@ -83,7 +90,7 @@ class Generator {
         return v;
     }
 
-    // To four digits: a failure has to be read.
+    // To four digits, so that a failing scene is readable.
     static double rounded(double value) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
@@ -153,6 +160,31 @@ class Generator {
         }
     }
 
+    demos::MotionDescription motion() {
+        demos::MotionDescription motion;
+        if (chance(0.3)) {
+            motion.kind = demos::ShakingMotion{.amplitude = rounded(size_ * decades(-2, 0.5)),
+                                               .direction = vector(1.0) + Vector3(0, 2, 0),
+                                               .frequency = decades(-1, 2),
+                                               .phase = in(-180, 180)};
+        } else if (chance(0.3)) {
+            std::vector<demos::TimedPose> poses;
+            for (double time = 0.0; poses.size() < 3;) {
+                time += in(0.01, 0.3);
+                poses.push_back({.time = time, .position = vector(2 * size_)});
+                if (chance(0.5)) poses.back().orientation = random_.rotation();
+            }
+            motion.kind = poses;
+            return motion;
+        } else {
+            motion.kind = demos::SteadyMotion{chance(0.7) ? vector(size_ * decades(-1, 2)) : Vector3::Zero(),
+                                              chance(0.5) ? vector(decades(-1, 2)) : Vector3::Zero()};
+        }
+        if (chance(0.3)) motion.from = in(0.0, 0.3);
+        if (chance(0.3)) motion.until = motion.from + in(0.0, 0.3);
+        return motion;
+    }
+
     // Three factors, up to `decades_each_way` decades from 1.
     Vector3 positive(double decades_each_way) {
         Vector3 v;
@@ -171,7 +203,7 @@ class Generator {
         return body->position + body->orientation * end.point;
     }
 
-    // A length that is given, or left to where the points are.
+    // A given length, or none: the distance of the points at the start.
     bool has_length(const demos::DistanceDescription& distance) const {
         if (distance.length) return *distance.length > 0.0;
         return (world_point(distance.a) - world_point(distance.b)).norm() > 1e-3 * size_;
@@ -208,6 +240,62 @@ class Generator {
         demos::ForceDescription force{.body = scene_.bodies.back().name, .force = vector(mass_ * decades(-1, 3))};
         if (chance(0.5)) force.until = 0.1;
         scene_.forces.push_back(force);
+    }
+
+    void soften_distances() {
+        for (demos::DistanceDescription& distance : scene_.distances) {
+            const bool rigid = distance.max_force || distance.acts != engine::Distance::Acts::both;
+            if (rigid || !has_length(distance) || chance(0.3)) continue;
+            distance.spring = engine::Spring{mass_ * decades(-1, 5), chance(0.5) ? mass_ * decades(-2, 3) : 0.0};
+        }
+    }
+
+    void add_joints(bool isolated) {
+        const std::size_t bodies = scene_.bodies.size(), count = 1 + below(4);
+        for (std::size_t i = 0; i < count; ++i) {
+            const BodyDescription &a = scene_.bodies[below(bodies)], &b = scene_.bodies[below(bodies)];
+            const bool to_world = !isolated && chance(0.3);
+            if ((!b.mass && (to_world || !a.mass)) || (!to_world && a.name == b.name)) continue;
+            demos::JointDescription joint;
+            joint.a = end(to_world ? "world" : a.name, chance(0.3));
+            joint.b = end(b.name, chance(0.3));
+            joint.collide = chance(0.3);
+            if (chance(0.8)) {
+                joint.hinge.emplace().axis = vector(1.0) + Vector3(0.1, 0, 0);
+                if (chance(0.3)) joint.hinge->zero = random_.rotation();
+                if (chance(0.4)) joint.hinge->motor = engine::Motor{.speed = in(-10, 10)};
+                if (joint.hinge->motor && chance(0.8)) joint.hinge->motor->max_torque = mass_ * decades(-2, 3);
+                if (chance(0.4)) joint.hinge->limits = engine::AngleLimits{in(-2, 0), in(0, 2)};
+            }
+            scene_.joints.push_back(joint);
+        }
+    }
+
+    void turn_forces() {
+        for (demos::ForceDescription& force : scene_.forces) {
+            if (chance(0.5)) force.torque = size_ * vector(mass_ * decades(-1, 3));
+            if (chance(0.5)) force.point = vector(size_);
+            if (chance(0.5)) force.frame = engine::Poke::Frame::body;
+        }
+    }
+
+    // Bodies that do not touch each other, and what materials have on each other.
+    void add_pairs() {
+        for (BodyDescription& body : scene_.bodies) {
+            if (chance(0.3)) body.group = "group";
+            if (chance(0.5)) body.material = chance(0.5) ? "ice" : "rubber";
+        }
+        const auto is_used = [&](const char* name) {
+            return std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                               [&](const BodyDescription& body) { return body.material == name; });
+        };
+        for (const auto& [a, b] : {std::pair{"ice", "ice"}, std::pair{"ice", "rubber"}}) {
+            if (!is_used(a) || !is_used(b)) continue;
+            scene_.materials.push_back({.a = a, .b = b, .friction = in(0, 1)});
+            if (chance(0.3)) scene_.materials.back().restitution = in(0, 1);
+        }
+        const BodyDescription &a = scene_.bodies.front(), &b = scene_.bodies.back();
+        if (a.name != b.name) scene_.no_contacts.emplace_back(a.name, b.name);
     }
 
     void add_options() {

@@ -1,5 +1,5 @@
-// What a renderer keeps of the frame before must not be seen: every frame of a run is, to the byte, the one that a
-// new renderer draws of the same picture.
+// Reuse of the previous frame must not be visible: every frame of a run is byte for byte the one that a new
+// renderer draws.
 #include "renderer/frames/stages.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
@@ -19,8 +19,8 @@ namespace {
 constexpr int width = 240;   // pixels
 constexpr int height = 150;  // pixels
 
-// The frames that come out otherwise when nothing of the frame before can be kept: between them the other renderer
-// draws something else, from another place.
+// The frames that differ when nothing of the previous frame can be reused: between them the other renderer draws
+// something else, from another viewpoint.
 std::set<int> frames_that_differ(int count, const std::function<Picture(int)>& picture, int samples = 1) {
     Studio film(width, height, samples);
     Studio afresh(width, height, samples);

@@ -1,4 +1,4 @@
-// What the tests of the renderer draw, and how they look at it.
+// Pictures for the tests of the renderer, and queries of images.
 #pragma once
 
 #include "renderer/gl/offscreen_context.h"
@@ -34,7 +34,7 @@ class Studio {
 
     Image render(const Picture& picture) { return renderer_.render(picture); }
 
-    // What every picture shows where it shows nothing. By itself that is refused.
+    // The background of every picture. An empty picture is refused.
     Image background() {
         Image image = render({.camera = from_the_front, .boxes = {{}}});
         const auto corner = image.pixel(0, 0);

@@ -93,10 +93,11 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
     for (std::size_t j = 0; j < states_.size(); ++j) {
         if (states_[j] != State::free) continue;
         const Row& row = problem.rows[j];
+        const double rho = rho_of(row);
         if (any_follows) {
-            matrix_.add_product(row.a, rho_ * pushed_[j].a, row.unit->a, row.b, rho_ * pushed_[j].b, row.unit->b);
+            matrix_.add_product(row.a, rho * pushed_[j].a, row.unit->a, row.b, rho * pushed_[j].b, row.unit->b);
         } else {
-            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho_);
+            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho);
         }
         work += any_follows ? 180.0 : 108.0;
     }
@@ -129,7 +130,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
             case State::free:
                 for (const auto& [body, axis] :
                      {std::pair{row.a, &pushed_[j].a}, std::pair{row.b, &pushed_[j].b}}) {
-                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho_ * r_[j]);
+                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho_of(row) * r_[j]);
                 }
                 continue;
             case State::slides:
@@ -147,7 +148,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     matrix_.solve(d_);
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
-        if (states_[j] == State::free) moved_[j] = y[j] + rho_ * (r_[j] - along(row, d_));
+        if (states_[j] == State::free) moved_[j] = y[j] + rho_of(row) * (r_[j] - along(row, d_));
     }
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {

@@ -84,7 +84,8 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
                             .high = row.high[c],
                             .leader = row.of_row,
                             .disc = row.disc,
-                            .scale = row.scale};
+                            .scale = row.scale,
+                            .soft = row.soft};
         y_[j] = row.y[c];
     }
     clamp(problem_, y_);

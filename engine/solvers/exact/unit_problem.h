@@ -1,7 +1,7 @@
 // One column of the system in unit rows (unit_rows.h), in the form for the exact methods. Internal to the solvers.
 //
 // Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
-// the residual of the rows.
+// the residual of the rows; of soft rows r = t - U x - soft y.
 #pragma once
 
 #include "engine/system/system_equation.h"
@@ -22,6 +22,7 @@ struct UnitProblem {
         int leader = -1;               // earlier row that its bounds follow, or -1
         Disc disc = Disc::none;
         double scale = 0.0;  // m/s of a row per unit of y; 0 for a row that cannot move anything
+        double soft = 0.0;   // share of its softness in A_jj
     };
     std::vector<Row> rows;
     std::size_t bodies = 0;
@@ -98,7 +99,11 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     x.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
     r.resize(y.size());
-    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+    for (std::size_t j = 0; j < y.size(); ++j) {
+        const UnitProblem::Row& row = problem.rows[j];
+        r[j] = row.t - along(row, x);
+        if (row.soft > 0.0) r[j] -= row.soft * y[j];
+    }
 }
 
 // Change of a force by the natural map: of row `j`, or of both rows of a disc if `j` is its second.
@@ -129,15 +134,16 @@ inline double residual(const UnitProblem& problem, const std::vector<double>& y,
     return largest;
 }
 
-// q = 1/2 |x|^2 - t . y [J], which the solution minimises: the energy that the forces give the bodies beyond what
-// is asked for, less a rounding allowance. During the iteration the residual may be small while the forces do more
-// work than zero forces would.
+// q = 1/2 |x|^2 + 1/2 soft . y^2 - t . y [J], which the solution minimises: the energy that the forces give the
+// bodies beyond what is asked for, less a rounding allowance. During the iteration the residual may be small while
+// the forces do more work than zero forces would.
 inline double objective(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x) {
     double q = 0.0;
     for (const Vector6& velocity : x) q += 0.5 * velocity.squaredNorm();
     for (std::size_t j = 0; j < y.size(); ++j) {
         const double work = problem.rows[j].t * y[j];
         q -= work + 1e-13 * std::abs(work);
+        if (problem.rows[j].soft > 0.0) q += 0.5 * problem.rows[j].soft * y[j] * y[j];
     }
     return q;
 }
