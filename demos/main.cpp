@@ -1,4 +1,4 @@
-// pushfactor: one program, a command each for physics, frames and the list of scenes. See --help.
+// The program pushfactor. See --help for its commands.
 #include "demos/commands/command_line.h"
 #include "demos/commands/commands.h"
 #include "demos/platform/progress.h"
@@ -49,7 +49,7 @@ int carry_out(const Request& request) {
 
 int main(int argc, char** argv) {
     note_interrupts();
-    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of its write, not the end of the program
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that is too large then fails in write() instead of killing the program
     try {
         const auto request = parse_command_line(argc, argv);
         return request ? carry_out(*request) : done;

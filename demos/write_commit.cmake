@@ -1,6 +1,6 @@
 # Run by every build: cmake -D SOURCE=DIR -D HEADER=FILE -P write_commit.cmake
-# Writes the commit that is checked out in SOURCE into HEADER, and leaves HEADER alone while it is the same, so that
-# nothing is compiled for it. Sources that merely lie within somebody else's checkout have no commit.
+# Writes the commit checked out in SOURCE into HEADER, only if it has changed, so that nothing is recompiled
+# otherwise. Sources inside the checkout of another project have no commit.
 cmake_minimum_required(VERSION 3.25)
 
 set(commit unknown)

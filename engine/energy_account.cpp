@@ -26,8 +26,18 @@ bool rests(const World& world, const std::pair<int, int>& bodies) {
     return world.rest && (world.rest->is_at_rest(bodies.first) || world.rest->is_at_rest(bodies.second));
 }
 
-// Work of running belts on the bodies in contact with them [J].
-double work_of_belts(const World& world) {
+// Rate of a row along its axis [m/s].
+double rate_of(const ConstraintRow& row, std::span<const Body> bodies) {
+    const auto velocity_of = [bodies](int body) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        return stacked(velocity(own), angular_velocity(own));
+    };
+    return row.jacobian.a.dot(velocity_of(row.body_a)) + row.jacobian.b.dot(velocity_of(row.body_b));
+}
+
+// Work of running belts on the bodies in contact with them, and of running motors [J]. A belt has its speed, a
+// motor may be stalled or carried along.
+double work_of_drives(const World& world, std::span<const Body> before) {
     const Columns& lambda = world.lambda();
     double work = 0.0;
     for (const Island& island : world.islands().all()) {
@@ -35,8 +45,12 @@ double work_of_belts(const World& world) {
         for (const RowRun& run : island.runs) {
             for (int j = run.begin; j < run.end; ++j) {
                 const ConstraintRow& row = world.rows()[static_cast<std::size_t>(j)];
-                if (row.label.kind != RowKind::friction) continue;
-                work += lambda(j, lambda.cols() - 1) * (row.push.lasting - row.carried);
+                const double force = lambda(j, lambda.cols() - 1);
+                if (row.label.kind == RowKind::friction) work += force * row.push.lasting;
+                if (row.label.kind == RowKind::motor && row.push.lasting != 0.0) {
+                    const double rate = 0.5 * (rate_of(row, before) + rate_of(row, world.bodies));
+                    work += force * (rate - world.system().carried_by(static_cast<std::size_t>(j)));
+                }
             }
         }
     }
@@ -50,9 +64,9 @@ double EnergyAccount::energy(std::span<const Body> bodies, double dt) const {
     return kinetic_energy(bodies) + potential_energy(bodies, gravity_) - std::max(0.0, rising);
 }
 
-void EnergyAccount::open(std::span<const Body> bodies, double dt) {
+void EnergyAccount::open(std::span<const Body> bodies, double dt, double stored) {
     *this = EnergyAccount(gravity_);
-    start_ = latest_ = energy(bodies, dt);
+    start_ = latest_ = energy(bodies, dt) + stored;
 }
 
 void EnergyAccount::begin(std::span<const Body> bodies) {
@@ -67,7 +81,7 @@ void EnergyAccount::end(const World& world, double dt) {
     noted_ = true;
     gain_ = latest_ - start_ - external_ - push_;
     external_ += external_work_of(world, dt);
-    latest_ = energy(world.bodies, dt);
+    latest_ = energy(world.bodies, dt) + world.stored_energy();
 }
 
 void EnergyAccount::note_overlaps(const World& world) {
@@ -121,7 +135,7 @@ double EnergyAccount::work_of_moved(const World& world) const {
 
 // With the mean velocity of the step, which matches the momenta.
 double EnergyAccount::external_work_of(const World& world, double dt) const {
-    double work = world.rows().empty() ? 0.0 : work_of_belts(world);
+    double work = world.rows().empty() ? 0.0 : work_of_drives(world, before_);
     if (world.moves_any()) work += work_of_moved(world);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body &before = before_[i], &after = world.bodies[i];

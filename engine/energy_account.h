@@ -1,9 +1,9 @@
 // Energy balance of a run. Energy that was neither there at the start nor added from outside is an error of the
 // simulation, and no solver error excuses it.
 //
-// Added from outside: work of external forces other than gravity, of running belts and moved bodies, and of the
-// push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and is
-// credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
+// Added from outside: work of external forces other than gravity, of running belts, motors and moved bodies, and of
+// the push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and
+// is credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
 // overlaps are positions from which bodies have fallen; lifting those back adds nothing.
 //
 // Semi-implicit Euler (3.2) has its momenta half a step before its positions: a rising body has the potential
@@ -24,8 +24,8 @@ class EnergyAccount {
   public:
     explicit EnergyAccount(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
 
-    // Sets the state that counts as the start.
-    void open(std::span<const Body> bodies, double dt);
+    // Sets the state that counts as the start; `stored` [J] is World::stored_energy().
+    void open(std::span<const Body> bodies, double dt, double stored = 0.0);
 
     // To be called before and after a step of `dt` [s].
     void begin(std::span<const Body> bodies);
@@ -34,9 +34,8 @@ class EnergyAccount {
     // J, in excess of the start and the external work; negative for losses. For the state before the last step,
     // because only the rows of a step tell how deep its bodies were at its beginning.
     double gain() const { return gain_; }
-    double external_work() const {
-        return external_;
-    }                                           // J, of all steps: forces other than gravity, belts, moved bodies
+    // J, of all steps: forces other than gravity, belts, motors, moved bodies.
+    double external_work() const { return external_; }
     double push_work() const { return push_; }  // J, of all steps, for removing overlaps of the start
 
   private:

@@ -18,8 +18,9 @@ constexpr int most_repetitions = 50;
 void require_bars(std::span<const ConstraintRow> rows) {
     for (std::size_t j = 0; j < rows.size(); ++j) {
         const Bounds& bounds = rows[j].bounds;
-        if (bounds.of_row < 0 && std::isinf(bounds.c_min) && std::isinf(bounds.c_max)) continue;
-        throw InvalidInput("bounds of row", std::to_string(j), "infinite: RATTLE is for bars alone");
+        const bool unlimited = bounds.of_row < 0 && std::isinf(bounds.c_min) && std::isinf(bounds.c_max);
+        if (unlimited && rows[j].softness == 0.0 && rows[j].label.kind != RowKind::motor) continue;
+        throw InvalidInput("bounds of row", std::to_string(j), "infinite and rigid: RATTLE is for bars alone");
     }
 }
 

@@ -152,24 +152,23 @@ void World::append_rows(double dt) {
         constraints[s]->append_rows(step, rows_);
         appended_.push_back({s, begin, rows_.size()});
     }
-    carry_rows(0, dt);
+    system_.carried.clear();
+    carry_rows(dt);
 }
 
 void World::append_unforeseen(double dt) {
     const StepStart step = start_of(dt);
-    const std::size_t first = rows_.size();
     for (std::size_t s = 0; s < constraints.size(); ++s) {
         const std::size_t begin = rows_.size();
         constraints[s]->append_unforeseen(step, forces_.moving, changed_, rows_);
         if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
     }
-    carry_rows(first, dt);
+    carry_rows(dt);
 }
 
-// Moved bodies take the others along: their part of J v1 is a push.
-void World::carry_rows(std::size_t first, double dt) {
-    if (moved_.empty()) return;
-    engine::carry_rows(bodies, dt, std::span(rows_.begin(), rows_.end()).subspan(first));
+// Moved bodies take the others along: their part of J v1.
+void World::carry_rows(double dt) {
+    if (!moved_.empty()) carried_speeds(bodies, dt, rows_, system_.carried);
 }
 
 SolveWork World::solve_and_look(double dt) {
@@ -332,6 +331,12 @@ void World::hand_out_answers() {
     }
 }
 
+double World::stored_energy() const {
+    double sum = 0.0;
+    for (const auto& source : constraints) sum += source->stored_energy(bodies);
+    return sum;
+}
+
 void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
     follow_paths();
@@ -419,6 +424,9 @@ void World::find_what_turns_unseen() {
     turns_unseen_.assign(bodies.size(), 1);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (const auto& source : constraints) {
+            turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
+        }
+        for (const auto& source : forces) {
             turns_unseen_[i] = turns_unseen_[i] && source->turns_unseen(static_cast<int>(i));
         }
     }

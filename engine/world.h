@@ -84,6 +84,7 @@ class World {
     bool moves_any() const { return !moved_.empty(); }  // whether any body has a path
 
     double time() const { return time_; }  // s, sum of all steps
+    double stored_energy() const;          // J, in springs
 
     // State carried from step to step besides the bodies and the memory of the sources: the time and this, one per
     // body. A new world with all of it continues bit-identically.
@@ -119,7 +120,7 @@ class World {
     StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
     void append_unforeseen(double dt);
-    void carry_rows(std::size_t first, double dt);
+    void carry_rows(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
     SolveWork solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
     // Selects the islands that satisfy `predicate`.

@@ -1,5 +1,5 @@
-// The one place that knows which Catch2 is installed: 2.13 (one header, `catch.hpp`) or 3 (`catch_all.hpp`).
-// The file that provides main() defines PUSHFACTOR_CATCH_MAIN first; version 3 brings its own main().
+// Includes the installed Catch2: 2.13 (one header, `catch.hpp`) or 3 (`catch_all.hpp`). The file with main()
+// defines PUSHFACTOR_CATCH_MAIN first; version 3 brings its own main().
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)

@@ -1,4 +1,4 @@
-// The project's own scenes for tests: a setting or two changed, then stepped.
+// The project's own scenes for tests, with a few settings changed, and stepped.
 #pragma once
 
 #include "demos/runs/measurements.h"

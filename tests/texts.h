@@ -1,4 +1,4 @@
-// Text files as tests read them: whole, line by line, and those of the repository.
+// Reading of text files in tests: whole, line by line, and those of the repository.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ inline std::string read_file(const std::filesystem::path& path) {
 // Path within the repository -> the file's text.
 using Sources = std::map<std::string, std::string>;
 
-// The files below the folders whose names end so.
+// The files below the folders whose names have this ending.
 inline Sources sources_of(std::initializer_list<const char*> folders,
                           std::initializer_list<std::string_view> endings) {
     Sources sources;
@@ -38,7 +38,7 @@ inline Sources sources_of(std::initializer_list<const char*> folders,
     return sources;
 }
 
-// Without their ends.
+// Without line ends.
 inline std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);

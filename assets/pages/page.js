@@ -1,10 +1,10 @@
-// Buttons that copy commands, commands whose lines break between words alone, and commands that are printed although
-// they are folded. Without this script a page lacks nothing but these.
+// Copy buttons for commands, line breaks of commands only between words, and printing of folded commands. Without
+// this script a page lacks only these.
 (() => {
     let printing = false;
     const said = document.getElementById("said");
 
-    // For browsers that keep the clipboard from pages on disk.
+    // For browsers that deny the clipboard to pages on disk.
     const copyBySelection = (text) => {
         const area = document.createElement("textarea");
         area.value = text;

@@ -1,7 +1,7 @@
-# Outcomes of runs over two parameters, a cell a run. The program sets, beside what style.gp names: heading; x_axis,
-# y_axis; x_ticks, y_ticks (as `set xtics` takes them); x_low, x_high, y_low, y_high; x_logarithmic, y_logarithmic;
-# outcomes, colours (words, one an outcome); number_words; theory (empty for none); command. The data are two blocks:
-# the cells and the line of theory.
+# Outcomes of runs over two parameters, one cell per run. Set by the program, besides the variables of style.gp:
+# heading; x_axis, y_axis; x_ticks, y_ticks (as `set xtics` takes them); x_low, x_high, y_low, y_high;
+# x_logarithmic, y_logarithmic; outcomes, colours (words, one per outcome); number_words; theory (empty for none);
+# command. Data: two blocks, the cells and the line of theory.
 load style
 if (x_logarithmic) set logscale x
 if (y_logarithmic) set logscale y

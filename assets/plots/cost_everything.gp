@@ -1,5 +1,5 @@
-# CPU time of a step as a scene is, and with everything constructed. The program sets, beside what style.gp names:
-# bars, made_on. The data: scene, us as it is, us with everything.
+# CPU time per step of a scene as it is, and with everything constructed. Set by the program, besides the variables
+# of style.gp: bars, made_on. Data: scene, us as it is, us with everything.
 load style
 small = sprintf(',%.1f', 0.62 * (format eq 'svg' ? 1.0 : 0.75) * letters)
 set lmargin at screen 0.24

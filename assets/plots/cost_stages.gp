@@ -1,5 +1,5 @@
-# The share of each stage in a step, a bar a scene. The program sets, beside what style.gp names: bars, made_on. The
-# data: scene with its us a step, and where each stage ends in per cent.
+# Share of each stage in a step, one bar per scene. Set by the program, besides the variables of style.gp: bars,
+# made_on. Data: scene with its us per step, and where each stage ends in per cent.
 load style
 stages = 'rules forces rows system solve remember integrate'
 array colour[7] = ['#888888', violet, blue, green, vermilion, orange, ivory]

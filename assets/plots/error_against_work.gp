@@ -1,7 +1,7 @@
-# Work against error of several methods, lower left is better. The program sets, beside what style.gp names: names,
-# colours, dashes, marks (words, one a line); theories, failures, front (how many); error_axis, work_axis, machine;
-# error_low, error_high, work_low, work_high. The data are blocks: one a method; the Pareto front; labels; failures;
-# one a theory.
+# Work-precision diagram of several methods, lower left is better. Set by the program, besides the variables of
+# style.gp: names, colours, dashes, marks (words, one per line); theories, failures, front (counts); error_axis,
+# work_axis, machine; error_low, error_high, work_low, work_high. Data blocks: one per method; the Pareto front;
+# labels; failures; one per theory.
 load style
 set logscale xy
 set format x '10^{%T}'

@@ -1,4 +1,4 @@
-# Energy of a pendulum's swing under both kinds of push on its bar.
+# Energy of a pendulum with either kind of push on its bar.
 load style
 set xrange [0:120]
 set yrange [0:1.05]

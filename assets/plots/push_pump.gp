@@ -1,4 +1,4 @@
-# Energy that a wall gains against the sweeps of a step, for four ways to push overlaps apart.
+# Energy that a wall gains over the sweeps per step, for four ways to push overlaps apart.
 load style
 set xrange [2:34]
 set yrange [-0.5:*]

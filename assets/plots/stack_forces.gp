@@ -1,4 +1,4 @@
-# Contact forces below each cube of the stack, and what each pair has to carry at rest.
+# Contact forces below each cube of the stack, and the load of each pair at rest.
 load style
 set xrange [0:2]
 set logscale y

@@ -1,5 +1,5 @@
-# What all plots have in common. The program sets before: data, made, format (png or svg), width, height [pixels],
-# and the palette of the frames by name (vermilion, orange, blue, green, violet, ivory).
+# The style of all plots. The program sets before it is loaded: data, made, format (png or svg), width, height
+# [pixels], and the palette of the frames by name (vermilion, orange, blue, green, violet, ivory).
 letters = width / 75.0
 lines = width / 700.0
 if (format eq 'svg') {

@@ -1,4 +1,4 @@
-// A round bar with round ends, and how much of a pixel it covers.
+// A round bar with round ends, and its coverage of a pixel.
 #version 330 core
 
 in vec3 position;

@@ -23,6 +23,6 @@ void main() {
     normal = rotated(body_orientation, corner_normal);
     colour = body_colour;
     gl_Position = world_to_clip * vec4(position, 1.0);
-    // Bodies inside each other may share a face; there one of them is in front everywhere, not by turns.
+    // Against z-fighting: of overlapping bodies that share a face one is in front everywhere.
     gl_Position.z -= 4e-6 * mod(number, 16.0) * gl_Position.w;
 }

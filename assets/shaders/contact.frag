@@ -1,5 +1,5 @@
-// What a body takes from the ground's ambient light: most where it touches, nothing beyond its reach. The
-// result is multiplied onto the ground.
+// Ambient occlusion of the ground by a body: strongest where it touches, zero beyond its reach. The result is
+// multiplied onto the ground.
 #version 330 core
 
 in vec3 position;

@@ -1,4 +1,4 @@
-// A square on the ground below a body, as large as the body can darken it.
+// A square on the ground below a body, as large as the area that the body can darken.
 #version 330 core
 
 layout(location = 0) in vec3 corner;

@@ -1,4 +1,4 @@
-// The ground: a plain colour with lines at each unit and stronger ones at every fifth.
+// The ground: a plain colour with a line at each unit and a stronger one at every fifth.
 #version 330 core
 
 in vec3 position;

@@ -4,7 +4,7 @@
 uniform vec3 eye;          // world frame, m
 uniform vec3 towards_sun;  // unit length
 
-// The part of the sun's disc that is seen from a point, 0..1.
+// The visible share of the sun's disc from a point, 0..1.
 float sun_seen(vec3 position, vec3 normal);  // shadow.frag or no_shadow.frag
 
 const vec3 sun_light = 1.25 * vec3(1.0, 0.94, 0.84);

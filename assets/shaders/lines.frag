@@ -1,4 +1,4 @@
-// Lines at the integers of both coordinates, antialiased. The ground and the panels have them.
+// Antialiased lines at the integers of both coordinates, for the ground and the panels.
 #version 330 core
 
 // The length of [0, x] that is covered by lines of this width at the integers, taking each from its left end.

@@ -1,4 +1,4 @@
-// The sun's light where nothing stands in its way.
+// The sun's light without a shadow map.
 #version 330 core
 
 float sun_seen(vec3 position, vec3 normal) { return 1.0; }

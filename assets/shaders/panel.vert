@@ -1,4 +1,4 @@
-// Passes one vertex of a translucent panel on.
+// Passes on one vertex of a translucent panel.
 #version 330 core
 
 layout(location = 0) in vec3 vertex_position;  // world frame, m

@@ -1,4 +1,4 @@
-// The sun's light where a body may stand in its way.
+// The sun's light with the shadows of bodies.
 #version 330 core
 
 uniform sampler2DShadow shadow_map;
@@ -8,7 +8,7 @@ uniform float shadow_texel;    // side of a texel, m
 // The part of the sun's disc that is seen from a point, 0..1: the mean of 3x3 interpolated comparisons. Along
 // each axis they weigh four texels with 1-f, 1, 1 and f; two interpolated lookups give the same sum.
 float sun_seen(vec3 position, vec3 normal) {
-    // A step off the surface, longer than the two texels that the filter reaches, avoids its own shadow. GL
+    // An offset from the surface, longer than the two texels that the filter reaches, avoids self-shadowing. GL
     // clamps the depth of what lies behind all bodies to that of the map's empty texels, which counts as lit.
     vec3 map = (world_to_shadow * vec4(position + 2.5 * shadow_texel * normal, 1.0)).xyz;
     vec2 size = vec2(textureSize(shadow_map, 0));

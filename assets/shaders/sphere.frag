@@ -1,4 +1,4 @@
-// A smooth body whose octants are light and dark in turn, so that its rotation is seen.
+// A smooth body with alternating light and dark octants, so that its rotation is visible.
 #version 330 core
 
 in vec3 position;
@@ -19,7 +19,7 @@ void main() {
     vec3 side = clamp(2.0 * direction / max(fwidth(direction), 1e-6), -1.0, 1.0);
     float dark = 0.5 - 0.5 * side.x * side.y * side.z;
     vec3 albedo = colour * (1.0 - darkening * dark);
-    // Triangles lie a little inside of the sphere; there they would be in its own shadow.
+    // Triangles lie a little inside the sphere; there they would be in its own shadow.
     vec3 outwards = normalize(normal);
     vec3 on_sphere = position + drawn_radius * (outwards - normal);
     pixel = vec4(through_haze(lit(albedo, 0.35, on_sphere, outwards), position), 1.0);

@@ -22,7 +22,7 @@ const char* const exit_statuses =
     "Exit status: 0 done; 1 the run failed; 2 wrong usage or bad input; 3 a check failed;\n"
     "4 an output could not be written; 5 the simulation became non-finite.";
 
-// An option whose text is understood later, together with those of the config file.
+// Adds an option whose text is parsed later, together with those of the config file.
 void add_given(CLI::App& app, GivenOptions& given, std::string_view name, std::string_view placeholder,
                std::string_view help, const char* group) {
     const std::string key(name);
@@ -34,12 +34,12 @@ void add_given(CLI::App& app, GivenOptions& given, std::string_view name, std::s
 }
 
 std::string preset_help() {
-    std::string help = "where the options start from";
+    std::string help = "preset that the options start from";
     for (const Preset& preset : presets()) help += fmt::format("; {}: {}", preset.name, preset.description);
     return help;
 }
 
-// What the command line says, before the file that --config names has been read.
+// Parsed command line, before the file of --config has been read.
 struct Words {
     Request request;
     std::optional<std::string> config;
@@ -47,8 +47,8 @@ struct Words {
 
 void add_simulation(CLI::App& app, Words& words) {
     Request& request = words.request;
-    add_given(app, request.given, "preset", "NAME", preset_help() + "; wins over what files say of these [default]",
-              "Simulation");
+    add_given(app, request.given, "preset", "NAME",
+              preset_help() + "; overrides what files say about them [default]", "Simulation");
     for (const SimulationOption& option : simulation_options()) {
         add_given(app, request.given, option.name, option.placeholder, option.help, "Simulation");
     }
@@ -60,7 +60,7 @@ void add_simulation(CLI::App& app, Words& words) {
                       "Scene parameters (see `pushfactor list` for which scene has which)");
         }
     }
-    app.add_option("--config", words.config, "read options from this JSON file; the command line comes first")
+    app.add_option("--config", words.config, "read options from this JSON file; the command line takes precedence")
         ->type_name("FILE")
         ->group("Simulation");
 }
@@ -73,9 +73,9 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--trajectory", request.files.trajectory, "one line per body and step (per body and frame with --fps)");
     add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
-    add("--save-state", request.files.save_state, "the state at the end, as a scene file that goes on from there");
+    add("--save-state", request.files.save_state, "the final state, as a scene file that resumes the run");
     app.add_flag("--timing", request.timing,
-                 "CPU time of the steps, taken by one thread, in the CSV and the summary")
+                 "CPU time of the steps in the CSV and the summary; the run uses one thread")
         ->group(output_group);
 }
 
@@ -91,13 +91,12 @@ void add_frames(CLI::App& app, Request& request) {
     app.add_option("--out", request.out, "folder for the frames [out/SCENE, or out/SCENE for each of several]")
         ->type_name("DIR")
         ->group("Frames");
-    app.add_option("--video", request.video,
-                   "also a video (.mp4, .webm or .gif), for which ffmpeg must be installed")
+    app.add_option("--video", request.video, "also write a video (.mp4, .webm or .gif); needs ffmpeg")
         ->type_name("FILE")
         ->group("Frames");
     app.add_option_function<std::string>(
            "--frames", [&request](const std::string& text) { request.png = understand_switch("--frames", text); },
-           "off: the video alone, no PNG files [on]")
+           "off: only the video, no PNG files [on]")
         ->type_name("on|off")
         ->group("Frames");
 }
@@ -114,7 +113,7 @@ void add_scene(CLI::App& app, Words& words) {
 void add_family(CLI::App& app, Words& words) {
     Request& request = words.request;
     app.add_option("NAME", request.families, "name of a family [all are listed]");
-    add_given(app, request.given, "seed", "N", "of what is drawn at random [1]", "Options");
+    add_given(app, request.given, "seed", "N", "random seed [1]", "Options");
     std::set<std::string_view> seen;
     for (const families::Family& family : families::families()) {
         for (const families::FamilyParameter& parameter : family.parameters) {
@@ -130,7 +129,7 @@ void add_run(CLI::App& app, Words& words) {
     add_scene(app, words);
     add_outputs(app, words.request);
     for (const FrameOption& option : frame_options()) {
-        if (option.name != "fps") continue;  // thins the trajectory; a run has no other use for frames
+        if (option.name != "fps") continue;  // of the trajectory; a run has no other use for frame options
         add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
     }
 }
@@ -160,8 +159,8 @@ void add_report(CLI::App& app, Words& words) {
     app.add_option(
            "REPORT", request.reports,
            "error: error against work and run time, of every method and scene; stability: stiff and "
-           "extreme cases, each judged; cost: what a step of each scene does and takes; atlas: maps of how runs "
-           "end, over two parameters")
+           "extreme cases, each judged; cost: work and time per step of each scene; atlas: maps of outcomes "
+           "over two parameters")
         ->type_name("NAME");
     app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
         ->type_name("DIR");
@@ -198,7 +197,7 @@ constexpr std::array commands{
                  add_report},
 };
 
-// CLI11 would list everything that it did not expect; one line with the nearest known name helps more.
+// CLI11 would list all unexpected arguments; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
     for (const CLI::Option* option : app.get_options()) {

@@ -7,7 +7,7 @@
 
 namespace pushfactor::demos {
 
-// Nothing when only help or the version was asked for; it is printed then. Throws UsageError.
+// The parsed command line; none after printing help or the version. Throws UsageError.
 std::optional<Request> parse_command_line(int argc, char** argv);
 
 }  // namespace pushfactor::demos

@@ -15,7 +15,7 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-// All, or those that were named.
+// The named figures, or all.
 std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
     std::vector<std::string> known;
     for (const figures::Figure& figure : figures::all_figures()) known.emplace_back(figure.name);

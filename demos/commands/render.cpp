@@ -18,22 +18,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One scene to render: its panels, the moments of each, and where its files go.
+// One scene to render: its panels, the frames of each, and the output folder.
 struct Job {
     std::vector<ComparedRun> panels;
-    std::vector<std::vector<Frame>> frames;  // of each panel; as many in each
+    std::vector<std::vector<Frame>> frames;  // per panel, equally many in each
     fs::path folder;
 
     const std::string& scene() const { return panels.front().choices.description.name; }
 
-    // Stills need no step after the last of them.
+    // A run ends with its last still.
     long last_step(std::size_t panel) const {
         const Choices& choices = panels[panel].choices;
         return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
     }
 };
 
-// Frames of an earlier, longer run would be taken for this one's; they are not ours to delete.
+// Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
 void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames) {
     long strangers = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -78,8 +78,8 @@ std::string summary_of(const Job& job, std::vector<ObservedRun>& runs) {
     return summary.dump(2) + "\n";
 }
 
-// Steps the runs of a job to the moments of its frames and to the end, and passes on what they show. Ends early
-// when nobody wants more, or when the program is interrupted.
+// Steps the runs of a job to each frame and then to the end, and sends a snapshot per frame. Stops early when the
+// channel is closed or the program is interrupted.
 class Shooting {
   public:
     Shooting(const Job& job, std::vector<ObservedRun>& runs, const pictures::Film& film,
@@ -119,7 +119,7 @@ class Shooting {
     pictures::StageTimes* times_;
 };
 
-// Simulates on one thread, draws on this one, and encodes on others. Whatever goes wrong on one of them ends all.
+// Simulates on one thread, draws on this one and encodes on others. An error on any of them ends all.
 void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, const pictures::Film& film,
                  pictures::StageTimes* times) {
     const Rational rate = job.panels.front().choices.frames.film_rate();
@@ -178,7 +178,7 @@ void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times
                1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
 }
 
-// What makes one file cannot be shared by several scenes or panels.
+// An option that names one file cannot serve several scenes or panels.
 void refuse_shared_files(const Request& request) {
     const bool several = request.scenes.size() > 1;
     const bool compares = request.given.find("compare") != nullptr;
@@ -204,7 +204,7 @@ void refuse_shared_files(const Request& request) {
 void render(const Request& request) {
     refuse_shared_files(request);
     if (request.video) pictures::require_ffmpeg(*request.video);
-    // All input is understood and every folder made before the first frame is drawn.
+    // All input is checked and all folders are created before the first frame is drawn.
     std::vector<Job> jobs;
     for (const std::string& scene : request.scenes) {
         jobs.push_back(understand_job(scene, request));

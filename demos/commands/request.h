@@ -1,4 +1,4 @@
-// What the command line asks for, before it is understood.
+// Command and option texts as given on the command line, not yet interpreted.
 #pragma once
 
 #include "demos/options/choices.h"
@@ -21,7 +21,7 @@ struct Request {
     std::optional<std::string> summary;  // path; "-" is standard output
     std::optional<std::string> out;      // folder for frames, figures or reports
     std::optional<std::string> video;    // path
-    bool png = true;                     // frames as files
+    bool png = true;                     // write frames as PNG files
     bool timing = false;
     bool names_only = false;  // list
 
@@ -32,7 +32,7 @@ struct Request {
     std::vector<std::string> reports;  // names; one
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
-    bool problems = false;  // the frozen problems of the report as files
+    bool problems = false;  // also write the report's frozen problems
 };
 
 }  // namespace pushfactor::demos

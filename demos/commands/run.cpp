@@ -17,7 +17,7 @@ std::vector<std::optional<std::string>> data_files(const Request& request) {
     return {files.csv, files.trajectory, files.rows, files.save_state};
 }
 
-// Of the first file that was asked for; the working folder when none was.
+// Folder of the first output file; the working folder without one.
 std::filesystem::path folder_of_outputs(const Request& request) {
     std::vector<std::optional<std::string>> files = data_files(request);
     files.insert(files.begin(), request.summary);
@@ -27,7 +27,7 @@ std::filesystem::path folder_of_outputs(const Request& request) {
     return {};
 }
 
-// All steps. What stops them before the end leaves the CSV files with what they hold.
+// Takes all steps. If something stops them earlier, the CSV files keep the lines so far.
 void go_through(ObservedRun& observed, const std::string& name, long steps) {
     try {
         ProgressBar bar(name, steps);

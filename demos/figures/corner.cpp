@@ -17,12 +17,12 @@ using engine::Vector3;
 const Colour colours[2] = {*find_colour("vermilion"), *find_colour("blue")};
 
 std::string text_of(const Vector3& v) {
-    // A zero that rounding made negative would puzzle.
+    // Avoids "-0.000".
     const auto part = [](double x) { return fmt::format("{:.3f}", std::abs(x) < 5e-4 ? 0.0 : x); };
     return fmt::format("[ {},  {},  {} ]", part(v.x()), part(v.y()), part(v.z()));
 }
 
-// The linear part of a row for the ball, whichever end of the row that is.
+// The linear part of a row for the ball, which may be body a or b.
 Vector3 axis_of(const engine::ConstraintRow& row, int ball) {
     return row.body_a == ball ? row.jacobian.a.head<3>() : row.jacobian.b.head<3>();
 }
@@ -50,7 +50,7 @@ Corner look_at(const Simulation& run) {
 
 renderer::Image draw(FigureOutput& output, const Simulation& run, const Corner& corner,
                      const pictures::Size& size) {
-    constexpr double arrow = 0.42;  // m, of a unit vector
+    constexpr double arrow = 0.42;  // m, drawn length of a unit vector
     const View view = run.scene().view;
     renderer::Picture picture = pictures::draw_list(run.scene(), view);
     picture.mark_scale = 1.5f;

@@ -1,4 +1,4 @@
-// A figure: what it is called, and what makes it.
+// The table of figures.
 #pragma once
 
 #include "demos/pages/page.h"
@@ -13,12 +13,12 @@ namespace pushfactor::demos::figures {
 class FigureOutput;
 
 struct Figure {
-    std::string_view name;  // also of its files
+    std::string_view name;  // also the stem of its files
     std::string_view title;
     Plate (*make)(FigureOutput& output, const Figure& figure);
 };
 
-// In the order of the page: those of the paper by number, then ours.
+// In page order: the paper's by number, then ours.
 std::span<const Figure> all_figures();
 
 Plate push_error(FigureOutput& output, const Figure& figure);          // Figure 5
@@ -32,6 +32,7 @@ Plate push_against_beta(FigureOutput& output, const Figure& figure);
 Plate push_pump(FigureOutput& output, const Figure& figure);
 Plate intersecting_motion(FigureOutput& output, const Figure& figure);
 Plate pendulum_energy(FigureOutput& output, const Figure& figure);
+Plate arch_thickness(FigureOutput& output, const Figure& figure);
 Plate stack_forces(FigureOutput& output, const Figure& figure);
 
 }  // namespace pushfactor::demos::figures

@@ -14,7 +14,7 @@ namespace {
 
 using engine::Body;
 
-// Adds to `table`, one row a step, what `measure` says of the run after each; the first column is the time.
+// Adds the values of `measure` to `table`, one row per step; the first column is the time.
 void follow(const Choices& choices, std::size_t first_column,
             const std::function<std::vector<double>(const Simulation&)>& measure, Table& table) {
     Simulation run(choices);
@@ -42,7 +42,7 @@ double fastest_upwards(const Simulation& run) {
     return speed;
 }
 
-// The sum of the normal forces of each pair of neighbours, the lowest pair first [N].
+// Sum of the normal forces of each pair of neighbours, from the lowest pair up [N].
 std::vector<double> forces_between(const Simulation& run) {
     const engine::World& world = run.scene().world;
     std::vector<double> forces(world.bodies.size() - 1, 0.0);
@@ -103,10 +103,10 @@ Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
         follow(
             run_of("pendulum-wave", options), column,
             [&](const Simulation& run) {
-                // Momenta stand half a step before positions, so the kinetic energy of two steps is averaged around
-                // the potential energy between them; the first value is that of the start, at rest.
+                // Momenta are half a step before positions, so the kinetic energies of two steps are averaged
+                // around the potential energy between them; the first value is the start, at rest.
                 const Sample& now = run.sample();
-                const double hung = run.scene().gravity.norm() * 3.2;  // zero of potential energy at the hook
+                const double hung = run.scene().gravity.norm() * 3.2;  // the hook has zero potential energy
                 if (now.step == 0) {
                     const engine::Distance& bar = run.scene().distances->distances().front();
                     lowest = hung - run.scene().gravity.norm() * (bar.length + 0.1);

@@ -1,5 +1,4 @@
-// Figure 5, "Error caused by the push factor": the box of section 8.1 with k = 1, in four steps one after the
-// other.
+// Figure 5, "Error caused by the push factor": the box of section 8.1 with k = 1, in four consecutive steps.
 #include "demos/figures/figure.h"
 #include "demos/figures/strip.h"
 

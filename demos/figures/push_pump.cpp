@@ -1,4 +1,4 @@
-// Not in the paper: a push that is not solved well works against gravity.
+// Not in the paper: a push that is not solved well adds energy by lifting bodies.
 #include "demos/figures/figure.h"
 #include "demos/pages/figure_output.h"
 #include "demos/runs/simulation.h"
@@ -16,14 +16,14 @@ namespace {
 struct Way {
     const char* column;
     engine::PushKind push;
-    bool apart;  // in small steps, the push by itself at the end
+    bool apart;  // small steps, with a separate push at the end
 };
 constexpr std::array ways{Way{"none_j", engine::PushKind::none, false},
                           Way{"persistent_j", engine::PushKind::persistent, false},
                           Way{"single_frame_j", engine::PushKind::single_frame, false},
                           Way{"apart_j", engine::PushKind::single_frame, true}};
-constexpr std::array sweeps{4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // of a step
-constexpr std::size_t shown = 6;                                           // of them, in the caption
+constexpr std::array sweeps{4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // per step
+constexpr std::size_t shown = 6;                                           // index of the one in the caption
 constexpr double seconds = 2.0;
 
 SceneDescription wall() {

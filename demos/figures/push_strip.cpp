@@ -1,4 +1,4 @@
-// Not in the paper: what the push factor does at different shares beta, step by step.
+// Not in the paper: the effect of the push factor at different beta, step by step.
 #include "demos/figures/figure.h"
 #include "demos/figures/strip.h"
 

@@ -75,7 +75,8 @@ Plate pendulum_wave(FigureOutput& output, const Figure& figure) {
     plate.caption =
         "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two "
         "minutes. "
-        "After 30, 40 and 60 s they form four, three and two groups, after 120 s one. Default settings, 60 steps a "
+        "After 30, 40 and 60 s they form four, three and two groups, after 120 s one. Default settings, 60 steps "
+        "per "
         "second.";
     plate.commands = {command_text("render", "pendulum-wave", {{"seconds", "120"}, {"at", "0,12,30,40,60,120"}})};
     return plate;

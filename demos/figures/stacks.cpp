@@ -42,7 +42,7 @@ Plate stack_over_time(FigureOutput& output, const Figure& figure) {
     Plate plate = draw_plate(output, figure, strip);
     plate.caption = fmt::format(
         "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
-        "steps a "
+        "steps per "
         "second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings "
         "(single-frame "
         "push, contact caching); it is at {:.2f} m and stays there.",

@@ -22,7 +22,7 @@ long step_of(const Rational& time, const Settings& settings) {
     return static_cast<long>((time / settings.dt).numerator);
 }
 
-// Calls `show` with every cell's index and its run at the cell's moment.
+// Calls `show` with the index of each cell and its run at the cell's time.
 template <typename Show>
 void play(const Strip& strip, const Show& show) {
     for (std::size_t r = 0; r < strip.runs.size(); ++r) {
@@ -31,7 +31,7 @@ void play(const Strip& strip, const Show& show) {
         for (std::size_t i = 0; i < strip.cells.size(); ++i) {
             if (strip.cells[i].row != r) continue;
             while (run.sample().step < step_of(strip.cells[i].time, choices.settings)) {
-                stop_if_interrupted("the figure is not there");
+                stop_if_interrupted("the figure is not written");
                 run.advance();
             }
             show(i, run);
@@ -50,7 +50,7 @@ View camera_of(const Strip& strip, double aspect) {
     return pictures::fitted(view, balls, aspect);
 }
 
-// The titles of the rows, each in the middle of its row's height.
+// Row titles, each vertically centred on its row.
 void write_titles(const Strip& strip, const Layout& layout, int margin, float size,
                   const pictures::Lettering& lettering, renderer::Image& image) {
     for (std::size_t row = 0; row < strip.titles.size(); ++row) {

@@ -1,4 +1,4 @@
-// Runs as rows and moments as columns of one picture.
+// A picture with runs as rows and times as columns.
 #pragma once
 
 #include "demos/figures/figure.h"
@@ -21,14 +21,14 @@ struct Cell {
 
 struct Strip {
     std::vector<Choices> runs{};
-    std::vector<Cell> cells{};          // in the order in which they are shown; of one run in the order of time
-    std::vector<std::string> titles{};  // of the rows of the picture, in a margin on the left; lines end with \n
+    std::vector<Cell> cells{};          // in display order; those of one run by time
+    std::vector<std::string> titles{};  // of the rows, in a margin on the left; \n separates lines
     int columns = 1;
-    double cell_aspect = 1.0;    // width over height
-    bool fit = true;             // one camera that shows all that moves in all cells; else the scene's own
-    std::optional<View> view{};  // from where, instead of the scene's own
+    double cell_aspect = 1.0;              // width over height
+    bool fit = true;                       // one camera that frames all motion in all cells; else the scene's own
+    std::optional<View> view{};            // instead of the scene's own
     std::optional<OverlayItem> overlay{};  // with its scale
-    // Is shown every cell's run at its moment, for the numbers of the caption.
+    // Called with the run at the time of each cell, for the numbers in the caption.
     std::function<void(const Cell& cell, const Simulation& run)> look{};
 };
 

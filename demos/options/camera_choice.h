@@ -1,4 +1,4 @@
-// From where a run is looked at: the scene's own view, unless somebody chose.
+// The option --camera; without it the scene's own view is used.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
@@ -10,17 +10,17 @@
 namespace pushfactor::demos {
 
 struct CameraChoice {
-    std::string text{};             // as it was given; empty when it was not
+    std::string text{};             // as given; empty if not given
     std::optional<View> view{};     // of a camera file
-    bool fit = false;               // from the same direction, as near as shows all that moves, all the time
+    bool fit = false;               // same direction, as close as possible with all motion in view
     double degrees_a_second = 0.0;  // around the vertical through the target, counter-clockwise seen from above
 };
 
-// "FILE", "fit" or "orbit:DEGREES_PER_SECOND", or some of them separated by commas. Nothing when the text is none
-// of that; throws UsageError for a file that is no camera.
+// Parses "FILE", "fit", "orbit:DEGREES_PER_SECOND" or several of them separated by commas. None for other text;
+// throws UsageError for a file that is not a camera.
 std::optional<CameraChoice> parse_camera(std::string_view text);
 
-// `view` after `time` [s] of turning.
+// `view` after orbiting for `time` [s].
 View turned(const CameraChoice& choice, View view, double time);
 
 }  // namespace pushfactor::demos

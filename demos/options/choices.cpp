@@ -76,7 +76,7 @@ ParameterValues understand_parameters(const SceneEntry& scene, const GivenOption
     return values;
 }
 
-// A name that is neither a scene nor looks like a file was meant as a scene.
+// A name that is neither a known scene nor a file is reported as an unknown scene.
 void require_scene(const std::string& name) {
     if (find_scene(name) || name.ends_with(".json") || std::filesystem::exists(name)) return;
     std::vector<std::string> names;
@@ -169,7 +169,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown key" + suggestion(name, known));
         }
-        // A run that goes on has had its start, whatever a preset says of starts.
+        // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
         if (above.preset_decides(name) && !is_over) continue;
         given.add(name, text, field);

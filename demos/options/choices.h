@@ -1,6 +1,5 @@
-// Everything that somebody chose for one run, before and after it is understood. Precedence: command line, then
-// config file, then scene file, then preset. A preset counts where it is given: one of the command line wins over
-// what the files say of the method, because such a file may spell out every option.
+// Run options as texts and as parsed values. Precedence: command line, config file, scene file, preset. A preset on
+// the command line overrides the method options of the files, because such a file may spell out every option.
 #pragma once
 
 #include "demos/options/frame_options.h"
@@ -16,13 +15,13 @@
 
 namespace pushfactor::demos {
 
-// The texts as given, by option name without dashes.
+// Option texts as given, by option name without dashes.
 class GivenOptions {
   public:
-    // `field` is how messages call it: "--dt", or "dt in my.json". The first one given for a name holds.
+    // `field` is its name in messages: "--dt", or "dt in my.json". The first text added for a name counts.
     void add(const std::string& name, const std::string& text, const std::string& field);
 
-    // Whether a preset has been given that wins over what a file says of this option.
+    // Whether a preset was given that overrides what a file says about this option.
     bool preset_decides(std::string_view option) const;
 
     struct Given {
@@ -37,13 +36,14 @@ class GivenOptions {
     std::map<std::string, Given, std::less<>> given_;
 };
 
-// Adds what the JSON file says: an object of option names without dashes, and "scene". Throws UsageError for a file
-// that cannot be read, is no such object or has an unknown key; the message suggests the nearest known one.
+// Adds the options of a JSON file: an object of option names without dashes, and "scene". Throws UsageError for a
+// file that cannot be read, is not such an object or has an unknown key; the message suggests the nearest known
+// key.
 void add_config(const std::filesystem::path& file, GivenOptions& given);
 
-// One run, understood.
+// Parsed options of one run.
 struct Choices {
-    std::string scene;  // as it was named: a scene of the catalogue or a file
+    std::string scene;  // as given: a scene of the catalogue or a file
     SceneDescription description;
     Settings settings;
     std::vector<std::pair<std::string, std::string>> parameters;  // of the scene, all values in force
@@ -57,15 +57,14 @@ struct Choices {
     }
 };
 
-// `scene` names a scene of the catalogue or a scene file. Throws UsageError that names the field, the value and
-// what is allowed; also for a parameter that the scene lacks.
+// Parses the options of a run. `scene` names a scene of the catalogue or a scene file. Throws UsageError that names
+// the field, the value and what is allowed; also for a parameter that the scene lacks.
 Choices understand(const std::string& scene, GivenOptions given);
 
-// The description with every option in it, so that it means the same when a preset changes.
+// The description with every option spelled out, so that its meaning does not depend on presets.
 SceneDescription spelled_out(const Choices& choices);
 
-// The JSON file that makes the same run again: every option spelled out, or where runs are compared just those that
-// were given.
+// JSON text that reproduces the run: every option spelled out; for a comparison only the given ones.
 std::string config_text(const Choices& choices, const GivenOptions& given);
 
 }  // namespace pushfactor::demos

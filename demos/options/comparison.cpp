@@ -12,7 +12,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-// All that may differ between panels: they must show the same moments.
+// Options that may differ between panels; not "seconds", because they must show the same times.
 std::vector<std::string> comparable(const Choices& choices) {
     std::vector<std::string> names = simulation_option_names();
     std::erase(names, "seconds");

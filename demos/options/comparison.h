@@ -1,4 +1,4 @@
-// The same scene several times, with one option different: the panels of one picture.
+// Runs of one scene that differ in one option: the panels of a picture.
 #pragma once
 
 #include "demos/options/choices.h"
@@ -13,8 +13,8 @@ struct ComparedRun {
     Choices choices;
 };
 
-// One panel a value of --compare, or just one without it. Throws UsageError as understand() does, and for an option
-// that cannot be compared.
+// One panel per value of --compare, or a single one without it. Throws UsageError as understand() does, and for an
+// option that cannot be compared.
 std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOptions& given);
 
 }  // namespace pushfactor::demos

@@ -104,7 +104,7 @@ std::string get_compare(const FrameChoices& choices) {
     return fmt::format("{}={}", choices.compare->option, fmt::join(choices.compare->values, ","));
 }
 
-const std::array options{
+const std::array frame_table{
     FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
                 set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
     FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
@@ -117,32 +117,33 @@ const std::array options{
                 }},
     FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
                 "times in s from 0, separated by commas, like 0,0.5,10", set_at, get_at},
-    FrameOption{"samples", "N",
-                "drawings that a picture is the mean of, each a little shifted: smoother edges and shadows [1]",
+    FrameOption{"samples", "N", "renderings averaged per picture: smoother edges, soft shadows [1]",
                 fmt::format("a whole number from 1 to {}", most_samples), set_samples,
                 [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
     FrameOption{"camera", "WHAT",
-                "from where: a camera FILE (.json), fit (near, with all that moves in the picture) or "
-                "orbit:DEGREES_PER_SECOND; several with commas [the scene's own]",
-                "a camera file, fit or orbit:DEGREES_PER_SECOND, or several of them with commas", set_camera,
+                "a camera FILE (.json), fit (close, with all motion in the picture) or "
+                "orbit:DEGREES_PER_SECOND; several separated by commas [the scene's own]",
+                "a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
                 [](const FrameChoices& c) { return c.camera.text; }},
     FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
         "overlay", "WHAT",
         "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
-        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; several with commas",
-        "some of contacts, forces, push, velocities, islands, rest with commas, forces, push and velocities also "
+        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; thrust: where contact "
+        "forces act as a whole; several with commas",
+        "some of contacts, forces, push, velocities, islands, rest, thrust with commas, forces, push and "
+        "velocities also "
         "with a scale like forces:50",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
                 fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare},
-    FrameOption{"gl", "osmesa|egl", "the OpenGL that draws [osmesa, or egl where that is not installed]",
-                "osmesa or egl", set_gl, [](const FrameChoices& c) { return c.gl; }},
+    FrameOption{"gl", "osmesa|egl", "OpenGL back end [osmesa, or egl where that is not installed]", "osmesa or egl",
+                set_gl, [](const FrameChoices& c) { return c.gl; }},
 };
 
-// The rates nearest to `fps` that fall on steps when the film runs at `speed`; whole ones where there are any.
+// Frame rates nearest to `fps` whose frames fall on steps at play speed `speed`; integers if possible.
 std::string rates_that_fit(const Rational& fps, const Rational& dt, const Rational& speed) {
     const Rational steps_a_second = speed / dt;
     std::vector<Rational> rates;
@@ -163,7 +164,7 @@ std::string rates_that_fit(const Rational& fps, const Rational& dt, const Ration
 }  // namespace
 
 std::span<const FrameOption> frame_options() {
-    return options;
+    return frame_table;
 }
 
 long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play_speed) {

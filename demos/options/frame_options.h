@@ -1,4 +1,4 @@
-// Which moments of a run are drawn, and how.
+// Frame options: which times of a run are drawn, and how.
 #pragma once
 
 #include "demos/options/camera_choice.h"
@@ -21,17 +21,17 @@ struct Comparison {
 
 struct FrameChoices {
     int width = 1280, height = 720;  // pixels
-    int samples = 1;                 // drawings that a picture is the mean of
-    std::optional<Rational> fps{};   // frames a second of the film; 60 when not given
-    Rational play_speed{1, 1};       // simulated seconds in a second of the film
+    int samples = 1;                 // renderings averaged per picture
+    std::optional<Rational> fps{};   // frames per second of the film; 60 if not given
+    Rational play_speed{1, 1};       // simulated seconds per second of the film
     std::vector<Rational> at{};      // s; stills instead of a sequence when not empty
     CameraChoice camera{};
     bool caption = true;  // scene, options and time, below
     std::vector<OverlayItem> overlay{};
     std::optional<Comparison> compare{};
-    std::string gl{};  // what draws: osmesa or egl; empty is the first that there is
+    std::string gl{};  // OpenGL back end, osmesa or egl; empty: the first available
 
-    Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames a second of the film
+    Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames per second of the film
 };
 
 struct FrameOption {
@@ -45,17 +45,17 @@ struct FrameOption {
 
 std::span<const FrameOption> frame_options();
 
-// A frame: after which step it is taken, and its file name.
+// A frame: the step after which it is taken, and its file name.
 struct Frame {
     long step = 0;
     std::string name;
 };
 
-// The frames of a run of `steps` steps of `dt`, in the order of time. Throws UsageError when a time is no whole
-// number of steps (naming the rates or times that are) or lies beyond the end.
+// The frames of a run of `steps` steps of `dt`, by time. Throws UsageError for a time that is not a whole number of
+// steps (the message names rates or times that are) or is beyond the end.
 std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, long steps);
 
-// Steps between two frames of a film with `fps` frames a second. Throws UsageError as plan_frames does.
+// Steps per frame of a film with `fps` frames per second. Throws UsageError as plan_frames does.
 long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play_speed = {1, 1});
 
 }  // namespace pushfactor::demos

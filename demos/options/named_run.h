@@ -1,4 +1,4 @@
-// Runs by the names of scene and options, as figures and reports list them.
+// Runs given by scene name and option texts, for figures and reports.
 #pragma once
 
 #include "demos/options/choices.h"
@@ -9,7 +9,7 @@
 
 namespace pushfactor::demos {
 
-// Names without dashes, and texts, as on the command line.
+// Option names without dashes, and their texts as on the command line.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
 // A run of a scene of the catalogue, or of a file in assets/scenes.

@@ -1,4 +1,4 @@
-// What is drawn over the bodies to show what is behind their motion.
+// The option --overlay: quantities drawn over the bodies.
 #pragma once
 
 #include <optional>
@@ -13,28 +13,29 @@ enum class OverlayKind {
     forces,      // N, of contacts with their friction and of distances, as they enter the momenta
     push,        // m/s, the push factors of contacts and distances
     velocities,  // m/s, of the centres of mass, from the stored momenta
-    islands,     // the bodies themselves, one colour per island
-    rest,        // the bodies themselves: at rest, still, or what keeps its island from it
+    islands,     // colours of the bodies: one per island
+    rest,        // colours of the bodies: at rest, still, or moving (which keeps their island awake)
+    thrust,      // centres of pressure of touching pairs, joined within bodies that have two: the line of thrust
 };
 
 struct OverlayItem {
     OverlayKind kind = OverlayKind::contacts;
-    std::optional<double> units_a_metre{};  // how long an arrow is drawn; chosen to suit the run when not given
+    std::optional<double> units_a_metre{};  // N or m/s per metre of arrow; chosen for the run if not given
 };
 
-// "forces,velocities" or, with a scale, "forces:50" for 50 N per metre. Nothing when the text is none of that.
+// Parses "forces,velocities" or, with a scale, "forces:50" for 50 N per metre. None for other text.
 std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
 std::string to_text(const std::vector<OverlayItem>& overlay);
 std::string_view name_of(OverlayKind kind);
 
-// Whether it is a colour of the bodies themselves.
+// Whether the overlay colours the bodies.
 inline bool colours_bodies(OverlayKind kind) {
     return kind == OverlayKind::islands || kind == OverlayKind::rest;
 }
 
-// Whether it has arrows, which have a scale.
+// Whether the overlay has arrows, and so a scale.
 inline bool has_arrows(OverlayKind kind) {
-    return kind != OverlayKind::contacts && !colours_bodies(kind);
+    return kind != OverlayKind::contacts && kind != OverlayKind::thrust && !colours_bodies(kind);
 }
 
 }  // namespace pushfactor::demos

@@ -7,7 +7,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-// What the paper describes, and where it is silent what gives its results (sections 5.2, 6.2.3, 8, 10.1).
+// The paper's method; where it gives no detail, what reproduces its results (sections 5.2, 6.2.3, 8, 10.1).
 Settings paper() {
     Settings settings;
     settings.preset = "paper";
@@ -29,7 +29,7 @@ Settings paper() {
     return settings;
 }
 
-// What this project recommends: the single-frame push of section 8.1, contact caching, slop and margin.
+// Recommended: the single-frame push of section 8.1, contact caching, slop and margin.
 Settings recommended() {
     Settings settings;
     settings.preset = "default";

@@ -17,7 +17,7 @@ namespace {
 using engine::PushKind;
 using engine::RowOrder;
 
-// Takes `text` into `field` when it is a number in [low, high].
+// Assigns the parsed number to `field` if it is in [low, high].
 template <typename Number>
 bool take(Number& field, std::optional<Number> parsed, Number low, Number high) {
     if (!parsed || *parsed < low || *parsed > high) return false;
@@ -153,7 +153,7 @@ std::string solver_names() {
     return names;
 }
 
-const std::array options{
+const std::array simulation_table{
     SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]",
                      "a number of seconds from 0 to 1e6",
                      [](Settings& s, std::string_view t) { return take(s.seconds, parse_number(t), 0.0, 1e6); },
@@ -162,29 +162,29 @@ const std::array options{
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
                      [](const Settings& s) { return to_text(s.dt); }},
     SimulationOption{"substeps", "N|auto",
-                     "engine steps in one step; auto: as many as bars under tension, fast turning and small bodies "
-                     "ask for [1]",
+                     "engine steps per step; auto: as many as bars under tension, fast rotation and small bodies "
+                     "need [1]",
                      "a whole number from 1 to 10000, or auto", set_substeps,
                      [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
     SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
                      "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
     SimulationOption{
-        "iterations", "N", "iterations of a solve, at most", "a whole number from 1 to 1000000",
+        "iterations", "N", "maximum iterations per solve", "a whole number from 1 to 1000000",
         [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
         [](const Settings& s) { return std::to_string(s.iterations); }},
     SimulationOption{"tolerance", "HIGH[/LOW]",
-                     "residual in m/s: up to HIGH the cached answer is kept, a solve works down to LOW; 0: always "
+                     "residual in m/s: up to HIGH cached forces are kept, a solve goes down to LOW; 0: always "
                      "all iterations",
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
-    SimulationOption{
-        "scheme", "NAME",
-        "how a step is gone through: whole (3.2); small-steps, many for islands of contacts without an "
-        "exact answer; auto: those with solver auto; for scenes of bars without contacts rattle, "
-        "rattle4, rattle6, of order 2, 4, 6, which correct whole length errors whatever "
-        "--distance-push and --distance-beta",
-        "one of auto, whole, small-steps, rattle, rattle4, rattle6",
-        [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); }, scheme_name},
+    SimulationOption{"scheme", "NAME",
+                     "stepping scheme: whole (3.2); small-steps, many per step for islands of contacts without an "
+                     "exact solution; auto: those with solver auto; for scenes of bars without contacts rattle, "
+                     "rattle4, rattle6, of order 2, 4, 6, which correct the whole length error whatever "
+                     "--distance-push and --distance-beta",
+                     "one of auto, whole, small-steps, rattle, rattle4, rattle6",
+                     [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); },
+                     scheme_name},
     SimulationOption{"small-steps", "NxK", "N small steps of K sweeps each; auto: as many as suit an island",
                      "auto or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
@@ -196,7 +196,7 @@ const std::array options{
         [](Settings& s, std::string_view t) { return take(s.contacts.beta, parse_number(t), 0.0, 1.0); },
         [](const Settings& s) { return to_text(s.contacts.beta); }},
     SimulationOption{
-        "max-push-speed", "V", "the fastest that contacts correct penetration, in m/s [no limit]",
+        "max-push-speed", "V", "maximum speed at which contacts correct penetration, in m/s [no limit]",
         "a speed above 0 and up to 1e9 m/s", set_max_push_speed,
         [](const Settings& s) { return std::isfinite(s.contacts.max_speed) ? to_text(s.contacts.max_speed) : ""; }},
     SimulationOption{"distance-push", "KIND", "how distances correct their length: none, persistent, single-frame",
@@ -207,11 +207,11 @@ const std::array options{
         "distance-beta", "X", "share of the length error that one step corrects", "a number from 0 to 1",
         [](Settings& s, std::string_view t) { return take(s.distances.beta, parse_number(t), 0.0, 1.0); },
         [](const Settings& s) { return to_text(s.distances.beta); }},
-    SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the step before",
+    SimulationOption{"warm-start", "on|off", "contact caching: start from the forces of the previous step",
                      "on or off",
                      [](Settings& s, std::string_view t) { return take_name(s.warm_start, switch_names, t); },
                      [](const Settings& s) { return name_of(s.warm_start, switch_names); }},
-    SimulationOption{"slop", "F", "penetration that is left alone, fraction of the body's size",
+    SimulationOption{"slop", "F", "penetration that is not corrected, fraction of the body's size",
                      "a fraction of the body's size from 0 to 0.5",
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
@@ -225,7 +225,7 @@ const std::array options{
                      "one of bottom-up, reverse, creation, normals-first",
                      [](Settings& s, std::string_view t) { return take_name(s.row_order, order_names, t); },
                      [](const Settings& s) { return name_of(s.row_order, order_names); }},
-    SimulationOption{"manifold-points", "4|8", "contact points that a pair of faces keeps", "4 or 8",
+    SimulationOption{"manifold-points", "4|8", "contact points kept per pair of faces", "4 or 8",
                      [](Settings& s, std::string_view t) {
                          if (t != "4" && t != "8") return false;
                          s.four_points = t == "4";
@@ -248,23 +248,24 @@ const std::array options{
         "one of sum, larger",
         [](Settings& s, std::string_view t) { return take_name(s.restitution_model, restitution_names, t); },
         [](const Settings& s) { return name_of(s.restitution_model, restitution_names); }},
-    SimulationOption{"start-kick", "on|off|auto",
-                     "half a kick back before the first step (second order); auto: without contacts and from rest",
-                     "one of on, off, auto",
-                     [](Settings& s, std::string_view t) { return take_name(s.start_kick, kick_names, t); },
-                     [](const Settings& s) { return name_of(s.start_kick, kick_names); }},
+    SimulationOption{
+        "start-kick", "on|off|auto",
+        "initial momenta shifted back by half a step (second order); auto: without contacts and from rest",
+        "one of on, off, auto",
+        [](Settings& s, std::string_view t) { return take_name(s.start_kick, kick_names, t); },
+        [](const Settings& s) { return name_of(s.start_kick, kick_names); }},
     SimulationOption{"rotation", "NAME", "orientation step: paper (3.2.4), exponential (12.4.1), splitting",
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
-    SimulationOption{"threads", "N|all", "threads that share a step; the results are the same to the bit [all]",
+    SimulationOption{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
                      "all or an integer from 1 to 256", set_threads,
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
-    SimulationOption{"rest", "on|off",
-                     "leave out of the steps what has not moved for half a second, until something wakes it [off]",
-                     "on or off",
-                     [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
-                     [](const Settings& s) { return name_of(s.rest, switch_names); }},
+    SimulationOption{
+        "rest", "on|off",
+        "sleeping: skip islands that have not moved for half a second until something wakes them [off]",
+        "on or off", [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
+        [](const Settings& s) { return name_of(s.rest, switch_names); }},
 };
 
 }  // namespace
@@ -277,11 +278,12 @@ bool is_of_preset(std::string_view option) {
     static constexpr std::array<std::string_view, 7> of_run{"seconds",     "dt",      "substeps", "friction",
                                                             "restitution", "threads", "rest"};
     if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
-    return std::any_of(options.begin(), options.end(), [&](const auto& known) { return known.name == option; });
+    return std::any_of(simulation_table.begin(), simulation_table.end(),
+                       [&](const auto& known) { return known.name == option; });
 }
 
 std::span<const SimulationOption> simulation_options() {
-    return options;
+    return simulation_table;
 }
 
 std::vector<std::string> simulation_option_names() {

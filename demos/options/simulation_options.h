@@ -12,24 +12,23 @@ namespace pushfactor::demos {
 
 struct SimulationOption {
     std::string_view name;         // without the leading dashes
-    std::string_view placeholder;  // what stands for the value in help texts
+    std::string_view placeholder;  // of the value, in help texts
     std::string help;
     std::string allowed;                                     // completes "must be ..."
-    bool (*set)(Settings& settings, std::string_view text);  // false: the text is not allowed, nothing is set
-    std::string (*get)(const Settings& settings);            // text that `set` takes; empty when the scene decides
+    bool (*set)(Settings& settings, std::string_view text);  // false and no change if the text is not allowed
+    std::string (*get)(const Settings& settings);  // a text that `set` accepts; empty if the scene decides
 };
 
-// In the order in which they are shown. `preset` is not among them: it is where the others start from.
+// In display order, without `preset`, which the others start from.
 std::span<const SimulationOption> simulation_options();
 
-// Whether a preset chooses this option: those of the method, not how long and how finely a scene runs, what its
-// bodies are made of, and what it runs on.
+// Whether presets set this option: options of the method, not duration, step, material, threads or rest.
 bool is_of_preset(std::string_view option);
 
-// What the option `scheme` is set to.
+// Text of the option `scheme`.
 std::string scheme_name(const Settings& settings);
 
-// "preset" and the names of the table: what a config or a scene file may set.
+// "preset" and the names of the table: the options that config and scene files may set.
 std::vector<std::string> simulation_option_names();
 
 }  // namespace pushfactor::demos

@@ -1,4 +1,4 @@
-// What a report was made with and on: times mean nothing without.
+// Program, compiler and machine of a report, without which times mean nothing.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace pushfactor::demos::reports {
 
 struct About {
     std::string version, compiler, flags;
-    std::string cpu;  // empty where the system does not say
+    std::string cpu;  // model name; empty if unknown
     unsigned cores = 0;
 };
 

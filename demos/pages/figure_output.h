@@ -1,4 +1,4 @@
-// What figures are made with: a folder, a width, a studio, and gnuplot for plots.
+// Output of figures: a folder, a width, a studio, and gnuplot for plots.
 #pragma once
 
 #include "demos/options/named_run.h"
@@ -16,10 +16,10 @@ class FigureOutput {
     FigureOutput(std::filesystem::path folder, int width, int samples);
 
     int width() const { return width_; }      // pixels, of every figure
-    int samples() const { return samples_; }  // drawings that a picture is the mean of
+    int samples() const { return samples_; }  // renderings averaged per picture
     pictures::Studio& studio() { return studio_; }
 
-    // Writes the picture as NAME.png and gives that name. Throws OutputError.
+    // Writes the picture as NAME.png and returns that name. Throws OutputError.
     std::string save(const renderer::Image& image, const std::string& name) const;
 
     // Writes NAME.csv and, where gnuplot is installed, draws it with assets/plots/NAME.gp as NAME.png and NAME.svg.

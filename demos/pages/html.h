@@ -1,4 +1,4 @@
-// Texts as HTML.
+// HTML fragments.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace pushfactor::demos::html {
 
-std::string escaped(std::string_view text);  // also within double quotes
+std::string escaped(std::string_view text);  // also for double-quoted attributes
 
-// What may be an id: anything but letters, digits, '_', '-' and '.' becomes '-'.
+// An id: anything but letters, digits, '_', '-' and '.' becomes '-'.
 std::string anchor(std::string_view name);
 
-// Of a file in the folder of the page.
+// URL of a file in the folder of the page.
 std::string link_to(std::string_view file);
 
-// A command with the button that copies it. `what` says which command it is to those who hear the page.
+// A command with a copy button. `what` describes the command to screen readers.
 std::string command(std::string_view command, std::string_view what);
 
 }  // namespace pushfactor::demos::html

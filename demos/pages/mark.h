@@ -1,4 +1,4 @@
-// What a page says at a glance about something that was checked.
+// The verdict on a check, as shown on pages.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@ namespace pushfactor::demos {
 
 enum class Mark {
     holds,
-    known_miss,  // not as wanted, but no worse than it is known to be
+    known_miss,  // misses the bar, but no worse than known
     fails
 };
 
-// A word and a sign, so that colour alone says nothing.
+// A word and a sign, so that the verdict does not depend on colour.
 struct MarkLook {
     std::string_view word, sign, style;  // style: a class of page.css
 };

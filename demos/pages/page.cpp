@@ -29,7 +29,7 @@ std::string shown(const std::string& text) {
     return html::escaped(with_short_numbers(text));
 }
 
-// Ids of the sections, each once.
+// Unique ids of the sections.
 std::vector<std::string> anchors_of(std::span<const Section> sections) {
     std::vector<std::string> taken{"contents", "said"}, anchors;
     for (const Section& section : sections) {
@@ -43,7 +43,7 @@ std::vector<std::string> anchors_of(std::span<const Section> sections) {
     return anchors;
 }
 
-// "✓ holds: 12 ✗ fails: 1" of the section's table; empty where nothing is judged.
+// "✓ holds: 12 ✗ fails: 1" of the section's table; empty without verdicts.
 std::string marks_of(const Section& section) {
     std::string text;
     const auto counts = marks_in(section.plate.table);

@@ -12,7 +12,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-// A text that may go on in a second line [characters].
+// Longest text that is not wrapped [characters].
 constexpr std::size_t long_text = 36;
 
 // "1.5", and "<= 1.5" too.
@@ -21,7 +21,7 @@ bool is_number(std::string_view text) {
     return parse_number(text).has_value();
 }
 
-// The table without columns that say nothing of any line, and with lines of one length.
+// The table without empty columns, and with lines of equal length.
 TextTable without_empty_columns(const TextTable& table) {
     TextTable result(table.size());
     for (std::size_t column = 0; column < table.front().size(); ++column) {
@@ -87,7 +87,7 @@ class TableWriter {
         return numbers > texts;
     }
 
-    // Whether the cell only repeats the one above.
+    // Whether the cell is merged with the one above.
     bool repeats(std::size_t line, std::size_t column) const {
         const Column& own = columns_[column];
         if (line < 2 || own.verdict || own.numeric || at(line, column) != at(line - 1, column)) return false;
@@ -127,7 +127,7 @@ class TableWriter {
     const TextTable table_;
     const std::string& name_;
     std::vector<Column> columns_;
-    std::size_t naming_ = 0;  // the column that says what a line is of
+    std::size_t naming_ = 0;  // column with the names of the lines
 };
 
 }  // namespace

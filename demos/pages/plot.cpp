@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A string of gnuplot: in single quotes, where only the quote itself is special and doubled.
-std::string quoted(const std::string& text) {
+// A gnuplot string: in single quotes, where only the quote itself is special and is doubled.
+std::string gnuplot_string(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
     return result + "'";
@@ -26,11 +26,11 @@ std::string hexadecimal(const Colour& colour) {
     return fmt::format("#{:06x}", number_of(colour));
 }
 
-// The frames' colours under their names, so that plots have the same.
+// The palette of the frames as gnuplot variables.
 std::string colours() {
     std::string text;
     for (const Colour& colour : palette) {
-        text += fmt::format("{} = {}; ", colour.name, quoted(hexadecimal(colour)));
+        text += fmt::format("{} = {}; ", colour.name, gnuplot_string(hexadecimal(colour)));
     }
     return text;
 }
@@ -39,7 +39,8 @@ std::string variables_of(const Plot& plot) {
     std::string text;
     for (const auto& [name, value] : plot.variables) {
         const auto* number = std::get_if<double>(&value);
-        text += fmt::format("{} = {}; ", name, number ? to_text(*number) : quoted(std::get<std::string>(value)));
+        text += fmt::format("{} = {}; ", name,
+                            number ? to_text(*number) : gnuplot_string(std::get<std::string>(value)));
     }
     return text;
 }
@@ -62,8 +63,9 @@ void add_plot(const Plot& plot, const std::string& text, const fs::path& folder,
         const std::string made = plot.name + "." + format;
         const std::string settings =
             fmt::format("{}{}data = {}; made = {}; format = {}; width = {}; height = {}; style = {}", colours(),
-                        variables_of(plot), quoted((folder / plot.data).string()), quoted((folder / made).string()),
-                        quoted(format), plot.width, height, quoted((scripts / "style.gp").string()));
+                        variables_of(plot), gnuplot_string((folder / plot.data).string()),
+                        gnuplot_string((folder / made).string()), gnuplot_string(format), plot.width, height,
+                        gnuplot_string((scripts / "style.gp").string()));
         try {
             ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
                 .finish();

@@ -14,16 +14,16 @@ namespace pushfactor::demos {
 struct Plot {
     std::string script;   // assets/plots/SCRIPT.gp
     std::string data;     // name of the file that the script reads
-    std::string name;     // of the files that are made, without ending
+    std::string name;     // of the output files, without extension
     int width = 1600;     // pixels
     double aspect = 1.6;  // width over height
-    // What else the script wants to know, by the names of its variables.
+    // Other variables of the script, by name.
     std::vector<std::pair<std::string, std::variant<double, std::string>>> variables{};
 };
 
 // Writes `text` as the plot's data into `folder` and, where gnuplot is installed, draws NAME.png and NAME.svg. Adds
-// the files to the plate; without gnuplot its caption says what to install. Throws OutputError with gnuplot's own
-// words.
+// the files to the plate; without gnuplot its caption says what to install. Throws OutputError with the message of
+// gnuplot.
 void add_plot(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
 
 }  // namespace pushfactor::demos

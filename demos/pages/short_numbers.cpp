@@ -17,12 +17,12 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// Of a word that a number may be part of.
+// Whether a digit next to `c` is part of a word.
 bool is_wordy(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// "-12.50e+07" in its parts.
+// A number in its parts.
 struct Token {
     std::string_view sign, whole, fraction, exponent;  // "-", "12", ".50", "e+07"
 
@@ -36,7 +36,7 @@ std::size_t digits_at(std::string_view text, std::size_t at) {
     return end - at;
 }
 
-// The number that begins at `at`, with a digit or a minus; its whole part is empty where there is none.
+// The number that begins at `at` with a digit or a minus; its whole part is empty if there is none.
 Token token_at(std::string_view text, std::size_t at) {
     Token token;
     std::size_t end = at;
@@ -56,7 +56,7 @@ Token token_at(std::string_view text, std::size_t at) {
     return token;
 }
 
-// Whether the number is no part of a name, a version, a date or a range.
+// Whether the number is not part of a name, a version, a date or a range.
 bool stands_alone(std::string_view text, std::size_t at, const Token& token) {
     const std::size_t end = at + token.size();
     const auto goes_on = [&text](std::size_t i) { return i < text.size() && is_wordy(text[i]); };
@@ -98,7 +98,7 @@ std::string short_text(const Token& token, bool in_cell) {
     const int digits = significant(mantissa);
     if (digits == 0) return mantissa;
     const bool whole = token.fraction.empty();
-    if (whole && !token.exponent.empty() && digits > 1) return text;  // rather a commit
+    if (whole && !token.exponent.empty() && digits > 1) return text;  // probably a commit
     const bool long_number = whole ? in_cell && digits > most_digits + 1 : digits > most_digits;
     if (!long_number) return with_short_exponent(text);
     const auto value = parse_number(text);

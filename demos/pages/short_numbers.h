@@ -1,4 +1,4 @@
-// Numbers as people read them: files keep all digits, pages show four.
+// Rounded numbers: files keep all digits, pages show four.
 #pragma once
 
 #include <string>

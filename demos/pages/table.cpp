@@ -11,7 +11,7 @@ namespace pushfactor::demos {
 
 namespace {
 
-std::string quoted(const std::string& field) {
+std::string csv_field(const std::string& field) {
     if (field.find_first_of(",\"\n") == std::string::npos) return field;
     std::string text = "\"";
     for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
@@ -34,7 +34,7 @@ std::string Cell::rounded() const {
 std::string csv_text(const Table& table) {
     std::string text;
     const auto add = [&text](const std::string& field, std::size_t i) {
-        text += (i > 0 ? "," : "") + quoted(field);
+        text += (i > 0 ? "," : "") + csv_field(field);
     };
     for (std::size_t i = 0; i < table.columns.size(); ++i) add(table.columns[i], i);
     for (const auto& row : table.rows) {

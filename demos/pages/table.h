@@ -1,4 +1,4 @@
-// A table of numbers and texts: a CSV file, a data file for gnuplot, lines of a page.
+// A table of numbers and texts, for CSV files, gnuplot data and pages.
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 
 namespace pushfactor::demos {
 
-// A number, a text, or nothing where there is nothing to say.
+// A number, a text, or empty.
 class Cell {
   public:
     Cell() = default;
@@ -34,9 +34,9 @@ struct Table {
     std::vector<std::vector<Cell>> rows{};
 };
 
-std::string csv_text(const Table& table);  // fields in quotes where they need them
+std::string csv_text(const Table& table);  // fields are quoted where necessary
 
-// Rounded, under these headings; of `columns`, by default all.
+// Headings and rounded cells of the named `columns`, by default all.
 std::vector<std::vector<std::string>> page_lines(const Table& table, const std::vector<std::string>& columns = {});
 
 }  // namespace pushfactor::demos

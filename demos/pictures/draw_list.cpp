@@ -4,6 +4,8 @@
 #include "demos/pictures/to_glm.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 
 namespace pushfactor::demos::pictures {
 
@@ -11,7 +13,7 @@ namespace {
 
 using engine::Vector3;
 
-// The colour that was chosen, or else one after the other. `movable` counts the bodies that had none.
+// The body's own colour, or the next one of the palette. `movable` counts movable bodies without a colour.
 glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
     return to_glm(body.colour ? *find_colour(*body.colour)
                   : body.mass ? palette[movable++ % palette.size()]
@@ -29,7 +31,7 @@ void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Pict
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
-// Slender against its own length and against what hangs on it; a ball joint is a ball.
+// Slender compared with its length and with the bodies that hang on it; a ball joint is drawn as a ball.
 double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     for (const int end : {distance.body_a, distance.body_b}) {
@@ -41,18 +43,82 @@ double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     return radius;
 }
 
+// Visible from the scene's usual view.
+double least_radius(const BuiltScene& scene) {
+    return 0.0015 * (scene.view.eye - scene.view.target).norm();
+}
+
+void add_bar(const Vector3& from, const Vector3& to, double radius, renderer::Picture& picture) {
+    renderer::Bar bar;
+    bar.from = to_glm(from);
+    bar.to = to_glm(to);
+    bar.radius = static_cast<float>(radius);
+    picture.bars.push_back(bar);
+}
+
+// A hinge is a pin that sticks out of the smaller of its bodies, a ball joint a ball.
+void add_joints(const BuiltScene& scene, renderer::Picture& picture) {
+    if (!scene.joints) return;
+    for (const engine::Joint& joint : scene.joints->joints()) {
+        double size = std::numeric_limits<double>::infinity();
+        for (const int end : {joint.body_a, joint.body_b}) {
+            const auto i = static_cast<std::size_t>(end);
+            if (i < scene.bodies.size() && scene.bodies[i].mass) {
+                size = std::min(size, bounding_radius(scene.bodies[i]));
+            }
+        }
+        const engine::Span span = span_of(joint, scene.world.bodies);
+        const engine::Quaternion& frame = scene.world.bodies[static_cast<std::size_t>(joint.body_a)].orientation;
+        const Vector3 half = joint.hinge ? Vector3(0.5 * size * (frame * joint.hinge->axis)) : Vector3::Zero();
+        const double radius = std::max(least_radius(scene), std::min(0.1 * size, 0.04));
+        add_bar(span.from - half, span.to + half, radius, picture);
+    }
+}
+
+// A zigzag that closes as the spring is compressed.
+void add_spring(const Vector3& from, const Vector3& to, double length, double radius, renderer::Picture& picture) {
+    constexpr int bends = 10;
+    const Vector3 along = to - from;
+    if (!(along.norm() > 0.0)) return;
+    const Vector3 aside = 0.06 * length * along.unitOrthogonal();
+    Vector3 last = from;
+    for (int bend = 1; bend <= bends; ++bend) {
+        const double share = (bend - 0.5) / bends;
+        const Vector3 next = from + share * along + (bend % 2 == 0 ? aside : Vector3(-aside));
+        add_bar(last, next, radius, picture);
+        last = next;
+    }
+    add_bar(last, to, radius, picture);
+}
+
 void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
     if (!scene.distances) return;
-    // Thick enough to be seen from where the scene is usually looked at.
-    const double least = 0.0015 * (scene.view.eye - scene.view.target).norm();
+    const double least = least_radius(scene);
     for (const engine::Distance& distance : scene.distances->distances()) {
         const auto [from, to] = span_of(distance, scene.world.bodies);
-        renderer::Bar bar;
-        bar.from = to_glm(from);
-        bar.to = to_glm(to);
-        bar.radius = static_cast<float>(std::max(least, bar_radius(distance, scene)));
-        picture.bars.push_back(bar);
+        const double radius = std::max(least, bar_radius(distance, scene));
+        if (distance.spring) {
+            add_spring(from, to, distance.length, radius, picture);
+        } else {
+            add_bar(from, to, radius, picture);
+        }
     }
+}
+
+using Shapes = std::map<const engine::collision::PolyhedronMesh*, std::shared_ptr<const renderer::ConvexShape>>;
+
+// The shape of a polyhedron; bodies that share a mesh share it.
+std::shared_ptr<const renderer::ConvexShape> shape_of(const PolyhedronShape& polyhedron, Shapes& shapes) {
+    std::shared_ptr<const renderer::ConvexShape>& known = shapes[polyhedron.mesh.get()];
+    if (known) return known;
+    renderer::ConvexShape shape;
+    const engine::collision::Hull& hull = polyhedron.mesh->hull();
+    for (const Vector3& vertex : hull.vertices) shape.corners.push_back(to_glm(vertex));
+    for (const engine::collision::HullFace& face : hull.faces) {
+        std::vector<int>& loop = shape.faces.emplace_back();
+        for (const auto& corner : hull.corners_of(face)) loop.push_back(corner.vertex);
+    }
+    return known = std::make_shared<const renderer::ConvexShape>(std::move(shape));
 }
 
 }  // namespace
@@ -65,6 +131,7 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     if (view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*view.floor)};
     if (scene.view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*scene.view.floor)};
     std::size_t movable = 0;
+    Shapes shapes;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& described = scene.bodies[i];
         const engine::Body& body = scene.world.bodies[i];
@@ -80,10 +147,15 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
                     const auto radius = static_cast<float>(sphere.radius);
                     picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
                 },
-                [&](const PlaneShape&) { add_plane(scene, body, picture); }},
+                [&](const PlaneShape&) { add_plane(scene, body, picture); },
+                [&](const PolyhedronShape& polyhedron) {
+                    picture.polyhedra.push_back(
+                        {position, orientation, shape_of(polyhedron, shapes), colour_of(described, movable)});
+                }},
             described.shape);
     }
     add_bars(scene, picture);
+    add_joints(scene, picture);
     return picture;
 }
 

@@ -1,4 +1,4 @@
-// From a scene to a picture: bodies, bars, planes.
+// Converts a scene to a picture: bodies, bars, planes.
 #pragma once
 
 #include "demos/runs/scene.h"

@@ -15,14 +15,10 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 constexpr double typical_arrow = 0.11;  // its length as a share of the distance from eye to target
-constexpr double widest = 16.0 / 9.0;   // the shape of picture that the views of scenes are made for
+constexpr double widest = 16.0 / 9.0;   // aspect ratio for which the scenes' views are made
 
 double distance_of(const View& view) {
     return (view.target - view.eye).norm();
-}
-
-double half_tangent(const View& view) {
-    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
 }
 
 // 1, 2 or 5 times a power of ten, at most `value`.
@@ -114,8 +110,8 @@ void Film::write(renderer::Image& sheet, double time) const {
         lettering.caption(sheet, all, fmt::format("t = {:.2f} s   {}", time, caption_), size);
     }
     if (scales_.empty()) return;
-    // An arrow of the legend is as long as one at the camera's target; where the panels' cameras differ, each has
-    // one.
+    // Arrows in the legend have their length at the camera's target; if the cameras of the panels differ, each
+    // panel has a legend.
     const bool alike = std::all_of(views_.begin(), views_.end(), [&](const View& view) {
         return distance_of(view) == distance_of(views_.front()) &&
                view.field_of_view == views_.front().field_of_view;

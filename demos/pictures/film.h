@@ -1,4 +1,4 @@
-// A run, or several side by side, as one picture a moment.
+// The pictures of a run, or of several runs side by side.
 #pragma once
 
 #include "demos/pictures/layout.h"
@@ -9,7 +9,7 @@
 
 namespace pushfactor::demos::pictures {
 
-// What the panels of a film show at one moment.
+// The panels of a film at one time.
 struct Snapshot {
     std::string name;   // of the frame's file
     double time = 0.0;  // s
@@ -19,15 +19,15 @@ struct Snapshot {
 class Film {
   public:
     // `runs` are those of the panels, in the same order, at their start; they must outlive the film. `frames` are
-    // the moments of each. Throws UsageError for an overlay that the scene has no part for.
+    // the frames of each. Throws UsageError for an overlay of parts that the scene lacks.
     Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
          const std::vector<std::vector<Frame>>& frames);
 
-    // What the runs show now. It is all that is taken from them, so that they may go on while it is drawn.
+    // The current state of the runs. Drawing uses only this snapshot, so that the runs may go on meanwhile.
     Snapshot look(const std::string& name) const;
 
-    // Puts a moment on a sheet, with all that is written on it; what the sheet held before is used for its memory
-    // only. Throws renderer::RendererError for what cannot be drawn.
+    // Draws a snapshot and its captions into `sheet`, whose memory is reused. Throws renderer::RendererError for
+    // what cannot be drawn.
     void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:

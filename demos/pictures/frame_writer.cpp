@@ -83,7 +83,7 @@ void FrameWriter::handle(Frame& frame) {
     end_turn(frame);
 }
 
-// False when there will be none, because something went wrong.
+// False after an error, when the turn never comes.
 bool FrameWriter::wait_for_turn(std::size_t number) {
     std::unique_lock lock(mutex_);
     turned_.wait(lock, [&] { return turn_ == number || error_; });
@@ -104,7 +104,7 @@ void FrameWriter::end_turn(Frame& frame) {
     turned_.notify_all();
 }
 
-// The first one is what happened; others only follow from it.
+// Only the first error is kept; later ones are its consequences.
 void FrameWriter::note_error() {
     waiting_.close();
     const std::lock_guard lock(mutex_);

@@ -1,4 +1,4 @@
-// Where the pictures of a film go: PNG files, a video, or both.
+// Writes the pictures of a film as PNG files, a video, or both.
 #pragma once
 
 #include "demos/pictures/stage_times.h"
@@ -19,9 +19,9 @@
 
 namespace pushfactor::demos::pictures {
 
-// Encodes and writes frames on threads of its own while the next ones are simulated and drawn. Frames are written
-// in their order, so that those that are there are always the first ones; a few wait at most, and their memory is
-// used again. What goes wrong is thrown by the next call: OutputError that says which file and why.
+// Encodes and writes frames on background threads while the next ones are simulated and drawn. Frames are written
+// in order, so that the files are always the first frames; the queue is short, and its memory is reused. An error
+// is thrown by the next call: OutputError that says which file and why.
 //
 // A video needs ffmpeg (require_ffmpeg()).
 class FrameWriter {
@@ -30,23 +30,23 @@ class FrameWriter {
     // not null, is told how long encoding and writing take.
     FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
                 const Rational& fps, StageTimes* times = nullptr);
-    // Writes what waits; what goes wrong then is not heard of.
+    // Writes the queued frames; errors are ignored.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    // An image to draw the next frame into: what it shows and its size have no meaning.
+    // A recycled image for the next frame, of unspecified content and size.
     renderer::Image blank();
 
-    // Waits while too many frames wait.
+    // Queues a frame. Blocks while the queue is full.
     void write(const std::string& name, renderer::Image image);
 
-    // Waits until all frames are written; there can be no more.
+    // Waits until all frames are written; no more can follow.
     void flush();
-    // Also completes the video.
+    // flush(), and completes the video.
     void finish();
 
-    // How many frames are written.
+    // Number of frames written.
     std::size_t written() const;
 
   private:
@@ -69,13 +69,14 @@ class FrameWriter {
     std::optional<std::string> video_name_;
     Rational fps_;
     StageTimes* times_;
-    std::unique_ptr<Video> video_;  // from the first frame on, whose size it has; used by whose turn it is
+    std::unique_ptr<Video>
+        video_;  // made with the first frame, which has its size; used by the thread whose turn it is
     std::size_t sent_ = 0;
     Channel<Frame> waiting_;
 
-    mutable std::mutex mutex_;  // of what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::condition_variable turned_;
-    std::size_t turn_ = 0;  // the number of the frame to be written next
+    std::size_t turn_ = 0;  // number of the next frame to be written
     std::exception_ptr error_;
     std::vector<renderer::Image> blanks_;
 

@@ -11,11 +11,7 @@ namespace {
 
 using engine::Vector3;
 
-constexpr double used = 0.90;  // share of the picture that what is framed may fill
-
-double half_tangent(const View& view) {
-    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
-}
+constexpr double used = 0.90;  // share of the picture that the framed bodies may fill
 
 // Right, up and forward of a camera.
 struct Axes {
@@ -28,8 +24,8 @@ Axes axes_of(const View& view) {
     return {right, right.cross(forward), forward};
 }
 
-// The eye along one axis of the picture, seen from above: x - slope z >= low and x + slope z <= high for all that
-// the edges touch, so that the farthest z forward is where both edges are touched.
+// Bounds of the eye (x, z) along one axis of the picture: x - slope z >= low and x + slope z <= high keep all balls
+// between the edges. The largest z forward is where both bounds are met.
 struct Edges {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
@@ -45,6 +41,10 @@ struct Edges {
 };
 
 }  // namespace
+
+double half_tangent(const View& view) {
+    return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
+}
 
 Reach reach_of(std::span<const Ball> balls, const View& view) {
     const Axes axes = axes_of(view);

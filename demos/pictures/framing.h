@@ -1,4 +1,4 @@
-// Cameras that show what they should.
+// Cameras that frame given balls.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
@@ -12,22 +12,26 @@ struct Ball {
     double radius = 0.0;                               // m
 };
 
-// How far the balls reach from the middle of the picture, as tangents of angles: half its width and its height.
+// Extent of the balls from the middle of the picture, as tangents of angles, horizontally and vertically.
 struct Reach {
     double across = 0.0, up = 0.0;
 };
 Reach reach_of(std::span<const Ball> balls, const View& view);
 
-// Where a point in front of the camera is seen: 0 to 1 from the left and from the top of the picture.
+// Position in the picture of a point in front of the camera, 0 to 1 from the left and from the top.
 struct Place {
     double x = 0.0, y = 0.0;
 };
 Place place_in_picture(const engine::Vector3& point, const View& view, double aspect);
 
-// The same direction, as near as shows all balls with some space around them. `aspect` is width over height.
+// Half the height of what is seen at a distance of 1.
+double half_tangent(const View& view);
+
+// The view from the same direction, as close as possible with all balls in the picture and some space around them.
+// `aspect` is width over height.
 View fitted(const View& view, std::span<const Ball> balls, double aspect);
 
-// The same place with a field of view that shows `across` to both sides, if it does not yet.
+// The view from the same place with the field of view widened, if necessary, to show `across` to both sides.
 View widened(const View& view, double across, double aspect);
 
 }  // namespace pushfactor::demos::pictures

@@ -24,7 +24,7 @@ Layout best_layout(const Size& sheet, int count, double across, double least_up)
     double largest = -1.0;
     for (int columns = 1; columns <= count; ++columns) {
         const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
-        // Pixels of a unit of tangent, where the cell is as high as it must be or higher for its width.
+        // Pixels per unit of tangent: limited by the height or by the width of the cell.
         const double scale = std::min(0.5 * layout.cell.height / least_up, 0.5 * layout.cell.width / across);
         if (scale <= largest) continue;
         largest = scale;

@@ -1,4 +1,4 @@
-// Several pictures on one sheet.
+// Layout of several pictures on one sheet.
 #pragma once
 
 #include "demos/pictures/studio.h"
@@ -13,16 +13,16 @@ struct Layout {
     Size sheet{}, cell{};  // pixels
     int gap = 0;           // pixels between cells
 
-    renderer::Rectangle place(std::size_t index) const;  // of a cell, row by row; pixels
+    renderer::Rectangle place(std::size_t index) const;  // of a cell, numbered row by row; pixels
 };
 
 Layout grid(const Size& sheet, int columns, int rows);
 
-// The grid of `count` cells in which something `across` wide and `up` high (half, as tangents) is seen largest when
-// a cell of any shape shows at least `least_up` of height.
+// The grid of `count` cells that shows content of half width `across` (as a tangent) largest, while each cell shows
+// at least half height `least_up`.
 Layout best_layout(const Size& sheet, int count, double across, double least_up);
 
-// The pictures in their cells; a sheet without a gap when there is only one.
+// The pictures pasted into their cells; a single picture is the sheet.
 renderer::Image assemble(const Layout& layout, const std::vector<renderer::Image>& pictures);
 
 }  // namespace pushfactor::demos::pictures

@@ -41,7 +41,7 @@ std::string Lettering::cut(const std::string& text, float size, float width) con
 }
 
 void Lettering::plate(Image& image, const Rectangle& in, const std::string& text, float size, bool below) const {
-    const float space = 0.5f * size;  // around the plate, and beside its text
+    const float space = 0.5f * size;  // around the plate, and left and right of its text
     const std::string line = cut(text, size, in.width - 4.0f * space);
     const float height = 1.6f * size;
     const float top = below ? in.y + in.height - space - height : in.y + space;

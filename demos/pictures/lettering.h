@@ -1,4 +1,4 @@
-// What is written on pictures: captions, the names of panels, legends.
+// Text on pictures: captions, panel names, legends.
 #pragma once
 
 #include "demos/text/palette.h"
@@ -23,8 +23,8 @@ class Lettering {
     Lettering();
 
     // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the
-    // bottom left, a legend at the bottom right. `size` is that of the letters in pixels. What is too long ends in
-    // "…".
+    // bottom left, a legend at the bottom right. `size` is the font size in pixels. Text that is too long is cut
+    // and ends in "…".
     void name(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void caption(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
@@ -43,7 +43,7 @@ class Lettering {
     renderer::Font font_;
 };
 
-// Letters that are read well in a picture of this height [pixels].
+// Readable font size for a picture of this height [pixels].
 float letter_size(int height);
 
 }  // namespace pushfactor::demos::pictures

@@ -1,5 +1,6 @@
 #include "demos/pictures/overlay.h"
 
+#include "demos/pictures/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 
@@ -11,10 +12,10 @@ namespace {
 
 using engine::Vector3;
 
-// What the step made of one row.
+// The solution of one row.
 struct RowAnswer {
     const engine::ConstraintRow& row;
-    double lasting_force;  // N, what enters the momenta
+    double lasting_force;  // N, acts on the momenta
 };
 
 RowAnswer answer_of(const engine::World& world, std::size_t row) {
@@ -22,7 +23,7 @@ RowAnswer answer_of(const engine::World& world, std::size_t row) {
     return {world.rows()[row], lambda(static_cast<Eigen::Index>(row), lambda.cols() - 1)};
 }
 
-// On which body of a contact its force is drawn: 1 for b, -1 for a.
+// Body of a contact that its force is drawn on: 1 for b, -1 for a.
 double drawn_on(const engine::ContactSite& site, const engine::World& world) {
     if (world.bodies[static_cast<std::size_t>(site.body_a)].is_static()) return 1.0;
     if (world.bodies[static_cast<std::size_t>(site.body_b)].is_static()) return -1.0;
@@ -59,15 +60,18 @@ void add_contact_push(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Calls `add` with the place of each movable end of a distance and the vector on it of which `number_of` gives, row
-// for row, the part that pushes the ends apart.
+// Calls `add` with the place of each movable end of a distance and the vector on it; `number_of` gives per row the
+// component that pushes the ends apart.
 template <typename NumberOf, typename Add>
 void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
     const engine::World& world = scene.world;
     std::size_t row = 0;
     for (const std::size_t acting : scene.distances->acting()) {
         const engine::Distance& distance = scene.distances->distances()[acting];
-        while (world.rows()[row].label.kind != engine::RowKind::distance) ++row;
+        const auto is_of_distance = [](engine::RowKind kind) {
+            return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
+        };
+        while (!is_of_distance(world.rows()[row].label.kind)) ++row;
         const auto [from, to] = span_of(distance, world.bodies);
         Vector3 on_b;
         if (is_ball_joint(distance)) {
@@ -78,6 +82,45 @@ void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add
         if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(from, Vector3(-on_b));
         if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(to, on_b);
     }
+}
+
+// The same for joints: the part at the point.
+template <typename NumberOf, typename Add>
+void each_joint_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
+    const engine::World& world = scene.world;
+    std::size_t row = 0;
+    for (const std::size_t acting : scene.joints->acting()) {
+        const engine::Joint& joint = scene.joints->joints()[acting];
+        const auto is_of_joint = [&](const engine::RowLabel& label) {
+            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(acting);
+        };
+        while (!is_of_joint(world.rows()[row].label)) ++row;
+        Vector3 on_b;
+        for (double& part : on_b) part = number_of(row++);
+        const auto [from, to] = span_of(joint, world.bodies);
+        if (!world.bodies[static_cast<std::size_t>(joint.body_a)].is_static()) add(from, Vector3(-on_b));
+        if (!world.bodies[static_cast<std::size_t>(joint.body_b)].is_static()) add(to, on_b);
+    }
+}
+
+void add_joint_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
+    each_joint_end(
+        scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
+        [&](const Vector3& place, const Vector3& force) {
+            found.push_back({.place = place, .value = force, .kind = 2});
+        });
+}
+
+void add_joint_push(const BuiltScene& scene, std::vector<Quantity>& found) {
+    const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
+        each_joint_end(
+            scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
+            [&](const Vector3& place, const Vector3& push) {
+                found.push_back({.place = place, .value = push, .kind = kind});
+            });
+    };
+    add(&engine::PushFactor::correcting, 0);
+    add(&engine::PushFactor::lasting, 1);
 }
 
 void add_distance_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
@@ -106,8 +149,8 @@ void add_velocities(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// By the first body of the island, so that an island keeps its colour while others come and go: the palette in
-// three shades, neighbours in different colours.
+// Depends on the island's first body, so that an island keeps its colour while others come and go. Fifteen colours:
+// the palette in three shades.
 glm::vec3 colour_of_island(std::size_t first_body) {
     constexpr std::size_t colours = palette.size() - 1;  // ivory is for bodies in none
     const glm::vec3 colour = to_glm(palette[first_body % colours]);
@@ -134,7 +177,7 @@ void add_islands(const BuiltScene& scene, std::vector<Quantity>& found) {
     }
 }
 
-// Which entry of the overlay a movable body belongs to.
+// Legend entry of a movable body.
 std::size_t rest_of(const BuiltScene& scene, std::size_t body) {
     const auto index = static_cast<int>(body);
     if (scene.world.rest->is_at_rest(index)) return 0;
@@ -159,17 +202,19 @@ glm::vec3 rest_colour_of(const BuiltScene& scene, std::size_t body) {
     return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
 }
 
-// Each movable body in the colour that `colour_of` gives. They are in the picture in their order, shape by shape.
+// Colours movable bodies with `colour_of`. The picture has them in order, shape by shape.
 template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
+    auto polyhedron = picture.polyhedra.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         glm::vec3* const colour =
             std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
                                           [&](const SphereShape&) { return &(sphere++)->colour; },
-                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; },
+                                          [&](const PolyhedronShape&) { return &(polyhedron++)->colour; }},
                        body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);
@@ -184,7 +229,9 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::contacts:
             return {{"contact point", colour("vermilion"), ""}, {"within the margin", colour("ivory"), ""}};
         case OverlayKind::forces:
-            return {{"contact force", colour("violet"), "N"}, {"bar force", colour("green"), "N"}};
+            return {{"contact force", colour("violet"), "N"},
+                    {"bar force", colour("green"), "N"},
+                    {"joint force", colour("orange"), "N"}};
         case OverlayKind::push:
             return {{"push for this frame only", colour("orange"), "m/s"},
                     {"push that lasts", colour("vermilion"), "m/s"}};
@@ -195,6 +242,8 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
             return {{"at rest", colour("green"), ""},
                     {"still, but held by what is not", colour(colour_of_none), ""},
                     {"moves, or did a moment ago", colour("vermilion"), ""}};
+        case OverlayKind::thrust:
+            return {{"line of thrust, through the centres of pressure", colour("violet"), ""}};
         case OverlayKind::velocities:
             break;
     }
@@ -208,10 +257,15 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (kind == OverlayKind::rest) add_rest(scene, found);
     if (scene.world.rows().empty()) return found;
     if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
+    if (scene.contacts && kind == OverlayKind::thrust) {
+        for (const PressureCentre& centre : pressure_centres(scene)) found.push_back({.place = centre.place});
+    }
     if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
     if (scene.contacts && kind == OverlayKind::push) add_contact_push(scene, found);
     if (scene.distances && kind == OverlayKind::forces) add_distance_forces(scene, found);
     if (scene.distances && kind == OverlayKind::push) add_distance_push(scene, found);
+    if (scene.joints && kind == OverlayKind::forces) add_joint_forces(scene, found);
+    if (scene.joints && kind == OverlayKind::push) add_joint_push(scene, found);
     return found;
 }
 
@@ -220,12 +274,13 @@ void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& over
         if (item.kind == OverlayKind::rest && !scene.world.rest) {
             throw UsageError("--overlay rest: nothing rests without --rest on");
         }
+        const bool of_contacts_only = item.kind == OverlayKind::contacts || item.kind == OverlayKind::thrust;
         const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
-                         (scene.distances && item.kind != OverlayKind::contacts);
+                         ((scene.distances || scene.joints) && !of_contacts_only);
         if (any) continue;
-        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show",
-                                     name_of(item.kind), scene.name,
-                                     scene.distances ? "no contacts" : "neither contacts nor distances"));
+        throw UsageError(fmt::format(
+            "--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind), scene.name,
+            scene.distances || scene.joints ? "no contacts" : "neither contacts nor distances"));
     }
 }
 
@@ -236,12 +291,17 @@ void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre
     for (const Quantity& quantity : quantities(scene, kind)) {
         const glm::vec3 colour = to_glm(entries[quantity.kind].colour);
         const glm::vec3 place = to_glm(quantity.place);
-        if (kind == OverlayKind::contacts) {
+        if (kind == OverlayKind::contacts || kind == OverlayKind::thrust) {
             picture.dots.push_back({.position = place, .colour = colour});
         } else {
             const glm::vec3 end = to_glm(quantity.place + quantity.value / units_a_metre);
             picture.arrows.push_back({.from = place, .to = end, .colour = colour});
         }
+    }
+    if (kind != OverlayKind::thrust || scene.world.rows().empty()) return;
+    for (const auto& [from, to] : line_of_thrust(pressure_centres(scene), scene)) {
+        picture.arrows.push_back(
+            {.from = to_glm(from), .to = to_glm(to), .colour = to_glm(entries[0].colour), .head = false});
     }
 }
 

@@ -1,5 +1,5 @@
-// What is drawn over the bodies: contact points, forces, push factors and velocities, with a scale and a legend;
-// and the colours of islands, and of what is at rest.
+// Overlays: contact points, forces, push factors and velocities, with scale and legend, and colours of islands and
+// of bodies at rest.
 #pragma once
 
 #include "demos/options/overlay_choice.h"
@@ -12,14 +12,14 @@
 
 namespace pushfactor::demos::pictures {
 
-// A quantity somewhere in the world.
+// A quantity at a place in the world.
 struct Quantity {
     engine::Vector3 place = engine::Vector3::Zero();  // m
     engine::Vector3 value = engine::Vector3::Zero();  // N or m/s
     std::size_t kind = 0;                             // index into the entries of the overlay's kind
 };
 
-// What an overlay consists of: "contact force" and "bar force" of forces, and so on.
+// A line of an overlay's legend: "contact force" or "bar force" of forces, and so on.
 struct LegendEntry {
     std::string name;
     Colour colour;
@@ -27,16 +27,15 @@ struct LegendEntry {
 };
 std::vector<LegendEntry> entries_of(OverlayKind kind);
 
-// Of the last step of the world, at its contact points as they were at the step's start; nothing before the first
-// step, except velocities. A force acts on the body that it is drawn on: the movable one of a pair, the upper one
-// of two.
+// Quantities of the world's last step, at the contact points of the start of the step; only velocities before the
+// first step. A force is drawn on the body that it acts on: the movable one of a pair, else the upper one.
 std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind);
 
-// Throws UsageError for an overlay that can show nothing, because the scene has no such part.
+// Throws UsageError for an overlay of a part that the scene lacks.
 void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& overlay);
 
-// Adds one overlay to a picture that draw_list() made of the scene, `units_a_metre` to scale (no matter for points
-// and colours of bodies).
+// Adds an overlay to a picture that draw_list() made of the scene. `units_a_metre` scales arrows and is ignored
+// otherwise.
 void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture);
 
 }  // namespace pushfactor::demos::pictures

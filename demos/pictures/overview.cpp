@@ -10,10 +10,10 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// At this many times its radius in a picture 720 pixels high a body is a pixel or two.
+// From this many radii away a body is a pixel or two in a picture 720 pixels high.
 constexpr double visible = 300.0;
 
-// Where what moves in the scene at its start can be followed to.
+// Region within which moving bodies are kept in view.
 Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
     Eigen::AlignedBox3d box;
     double radius = 0.0;

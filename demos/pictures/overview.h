@@ -1,4 +1,4 @@
-// The camera of a scene that brings none.
+// A camera for scenes without one.
 #pragma once
 
 #include "demos/options/comparison.h"
@@ -8,9 +8,9 @@
 
 namespace pushfactor::demos::pictures {
 
-// Gives the descriptions of the panels a view that shows all that moves at all frames, found by a run of its own;
-// does nothing where they have a camera or one was chosen. Bodies that get so far away that they could not be seen
-// in a picture of all are followed only part of their way.
+// Gives the panels a view that shows all motion in all frames, found by a separate run; does nothing if the scene
+// has a camera or one was given. Bodies that fly so far that the picture would show nothing else are followed only
+// part of their way.
 void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
 
 }  // namespace pushfactor::demos::pictures

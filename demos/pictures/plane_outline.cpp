@@ -7,7 +7,7 @@ namespace {
 using engine::Vector3;
 using Polygon = std::vector<Vector3>;
 
-// Sutherland-Hodgman: keeps what is on the side of `normal` of the plane through `point`.
+// Sutherland-Hodgman clipping: keeps the part on the side of `normal` of the plane through `point`.
 Polygon clip(const Polygon& polygon, const Vector3& normal, const Vector3& point) {
     Polygon result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -46,7 +46,7 @@ std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& 
         if (&other == &plane || !std::holds_alternative<PlaneShape>(scene.bodies[i].shape)) continue;
         polygon = clip(polygon, other.orientation * Vector3::UnitY(), other.position);
     }
-    // Up to a rim that stays in the picture.
+    // Cut at a rim that is inside the picture.
     polygon = clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
     return area(polygon) > 1e-4 * reach * reach ? polygon : Polygon{};
 }

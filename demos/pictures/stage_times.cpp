@@ -75,8 +75,8 @@ std::string StageTimes::table(long frames) const {
         text += fmt::format("{:<24}{:>12.2f}{:>12.2f}\n", name, scale * time.cpu, scale * time.wall);
     };
     for (const std::string& name : names_) line(name, sums_.at(name));
-    line("all, start included", all);
-    text += fmt::format("{} frames: {:.1f} per second; {:.1f} for each core that they keep busy\n", frames,
+    line("total, with startup", all);
+    text += fmt::format("{} frames: {:.1f} per second; {:.1f} per second of CPU time\n", frames,
                         static_cast<double>(frames) / all.wall, static_cast<double>(frames) / all.cpu);
     return text;
 }

@@ -1,4 +1,4 @@
-// Where the time of a film goes.
+// Time measurements of the stages of a film.
 #pragma once
 
 #include "renderer/frames/stages.h"
@@ -13,31 +13,31 @@ namespace pushfactor::demos::pictures {
 
 struct StageTime {
     double wall = 0.0;  // s
-    double cpu = 0.0;   // s, of all threads that work for it
+    double cpu = 0.0;   // s, of all its threads
 };
 
-// Of the program since it began; wall time since some moment.
+// CPU time of the program since its start; wall time since an arbitrary moment.
 StageTime process_time();
 
-// Sums of the times of stages, which run on several threads at once. May be used from all of them.
+// Total times of stages that run on several threads at once. Thread-safe.
 //
-// A software rasteriser draws with threads of its own. So the CPU time of a stage of drawing is that of the whole
-// program without that of the threads that have a ThreadWatch.
+// A software rasteriser has threads of its own. So the CPU time of a drawing stage is that of the whole program
+// minus the threads that have a ThreadWatch.
 class StageTimes final : public renderer::Stages {
   public:
     StageTimes();
 
     void add(const std::string& stage, const StageTime& time);
 
-    // Drawing begins anew: what was before it belongs to none of its stages.
+    // Starts a drawing: earlier time belongs to none of its stages.
     void begin_drawing();
     void end(renderer::Stage stage) override;
     void end_drawing(const std::string& stage);
 
-    // Of all of its times; zero when it had none.
+    // Total of a stage; zero for an unknown one.
     StageTime sum(const std::string& stage) const;
 
-    // A line for each stage and each of `frames` frames, and the rates.
+    // Text: a line per stage with its time per frame, and the frame rates.
     std::string table(long frames) const;
 
   private:
@@ -46,16 +46,16 @@ class StageTimes final : public renderer::Stages {
     double drawing_cpu() const;
 
     mutable std::mutex mutex_;
-    std::vector<std::string> names_;  // in the order of their first time
+    std::vector<std::string> names_;  // in the order in which they first ended
     std::map<std::string, StageTime> sums_;
     std::vector<clockid_t> watched_;  // threads that do not draw
-    double ended_cpu_ = 0.0;          // s, of those that have ended
+    double ended_cpu_ = 0.0;          // s, of watched threads that have ended
     StageTime drawn_until_;
     StageTime start_;
 };
 
-// Takes a thread's CPU time out of that of drawing, from its construction to its destruction on that thread. Does
-// nothing when `times` is null.
+// Excludes the CPU time of the thread that constructs and destroys it from the drawing time. Does nothing if
+// `times` is null.
 class ThreadWatch {
   public:
     explicit ThreadWatch(StageTimes* times);
@@ -68,14 +68,14 @@ class ThreadWatch {
     clockid_t clock_{};
 };
 
-// Times stages of this thread. Does nothing when `times` is null.
+// Times stages of this thread. Does nothing if `times` is null.
 class StageWatch {
   public:
     explicit StageWatch(StageTimes* times);
 
-    // The time since the last call belongs to this stage.
+    // Adds the time since the last call to this stage.
     void end(const std::string& stage);
-    // It belongs to none.
+    // Drops the time since the last call.
     void skip();
 
   private:

@@ -50,7 +50,7 @@ StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
     StageTime start;
     for (int frame = 0; frame <= frames; ++frame) {
         if (frame == 1) start = process_time();  // the first one compiles shaders
-        // From elsewhere, so that nothing of the last one can be kept.
+        // A new camera per frame, so that nothing can be reused.
         renderer::Picture picture{.camera = {}, .spheres = {{.radius = 0.2f}}};
         picture.camera.eye.x = 0.1f * static_cast<float>(frame);
         studio.draw(picture, size, 1, image);

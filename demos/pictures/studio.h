@@ -1,4 +1,4 @@
-// Where pictures are taken: the offscreen context, renderers of the sizes that are wanted, and the letters.
+// The offscreen context with its renderers and the lettering.
 #pragma once
 
 #include "demos/pictures/lettering.h"
@@ -18,19 +18,19 @@ struct Size {
 
 class Studio {
   public:
-    // `gl` is "osmesa", "egl", or empty for the first of them that this machine has. `times`, if not null, is told
-    // of the stages of each picture. Throws renderer::RendererError when there is no such offscreen context.
+    // `gl` is "osmesa", "egl", or empty for the first available. `times`, if not null, receives the stages of each
+    // picture. Throws renderer::RendererError if there is no such offscreen context.
     explicit Studio(const std::string& gl = {}, StageTimes* times = nullptr);
 
-    // The mean of `samples` drawings. Throws renderer::RendererError for what cannot be drawn.
+    // Averages `samples` renderings. Throws renderer::RendererError for what cannot be drawn.
     renderer::Image draw(const renderer::Picture& picture, const Size& size, int samples);
 
-    // Puts it into `image`, whose memory is used again. What a picture has in common with the last one of the same
-    // `seat`, 0, 1, ..., is not drawn again; each seat costs the memory of some images.
+    // The same into `image`, whose memory is reused. Content equal to that of the last picture of the same `seat`,
+    // 0, 1, ..., is not drawn again; each seat takes the memory of some images.
     void draw(const renderer::Picture& picture, const Size& size, int samples, renderer::Image& image,
               std::size_t seat = 0);
 
-    // What has been done since the last picture is a stage of this name.
+    // Adds the time since the last picture to this stage.
     void end(const std::string& stage) const {
         if (times_) times_->end_drawing(stage);
     }
@@ -49,7 +49,7 @@ class Studio {
     Lettering lettering_;
 };
 
-// How long drawing takes, by the mean of some frames, when there is next to nothing to be seen.
+// Mean time per frame of a nearly empty picture.
 StageTime time_of_empty_frame(const Size& size, const std::string& gl);
 
 }  // namespace pushfactor::demos::pictures

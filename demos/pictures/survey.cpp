@@ -12,7 +12,7 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// Of every body the box around its places, so that a long run needs no more memory than a short one.
+// Corners of the box around all places of each body: memory does not grow with the run.
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].isEmpty()) continue;
@@ -23,7 +23,7 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
     }
 }
 
-// Advances to a step. False if the run becomes non-finite before it; whoever draws the run reports that.
+// Advances to a step. False if the run becomes non-finite before it; the run that is drawn reports that.
 bool reaches(Simulation& simulation, long step) {
     try {
         while (simulation.sample().step < step) {
@@ -44,12 +44,13 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
         if (!goes_about(scene.bodies[i])) continue;
         balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
     }
-    if (!scene.distances) return balls;
-    for (const engine::Distance& distance : scene.distances->distances()) {
-        const auto [from, to] = span_of(distance, scene.world.bodies);
+    const auto add_ends = [&](const auto& held) {
+        const auto [from, to] = span_of(held, scene.world.bodies);
         balls.push_back({.centre = from});
         balls.push_back({.centre = to});
-    }
+    };
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), add_ends);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), add_ends);
     return balls;
 }
 

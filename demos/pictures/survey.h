@@ -1,6 +1,5 @@
-// What a run is going to show, found by a run of its own before the first picture: physics costs little beside
-// pictures, and a scale or a camera that changed from frame to frame would say nothing. Only those who ask for
-// something that depends on it pay for it.
+// Extents and scales of a run, found by a separate run before the first picture: physics is cheap compared with
+// pictures, and scale and camera must not change from frame to frame. Made only for options that need it.
 #pragma once
 
 #include "demos/options/comparison.h"
@@ -15,16 +14,16 @@
 namespace pushfactor::demos::pictures {
 
 struct Survey {
-    std::vector<Ball> reached;  // around all that moves, at all frames of all panels
+    std::vector<Ball> reached;  // around all moving bodies, in all frames of all panels
     std::map<OverlayKind, double>
         typical;  // N or m/s: median over the frames of the largest value in any panel; absent for none
-    std::set<std::pair<OverlayKind, std::size_t>> shown;  // entries of which there is something to see
+    std::set<std::pair<OverlayKind, std::size_t>> shown;  // legend entries that occur
 };
 
 // `frames` are those of the panels, in the same order.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
 
-// Around the movable bodies of a scene as it is now, and the points that they hang on.
+// Balls around the movable bodies of a scene in its current state, and the points that they hang on.
 std::vector<Ball> movable_balls(const BuiltScene& scene);
 
 }  // namespace pushfactor::demos::pictures

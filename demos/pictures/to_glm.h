@@ -1,4 +1,4 @@
-// The only place where Eigen becomes GLM: double to float, the same frames and units.
+// Converts Eigen to GLM types, here alone: double to float, the same frames and units.
 #pragma once
 
 #include "demos/text/palette.h"

@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With the point; of ".mp4" all of it. (That is no extension to std::filesystem, but it is one to ffmpeg.)
+// With the point. A file named ".mp4" has an extension for ffmpeg, but not for std::filesystem.
 std::string extension(const fs::path& file) {
     const std::string name = file.filename();
     return name.substr(std::min(name.rfind('.'), name.size()));
 }
 
-// ffmpeg takes the format from the extension, so that stays last. It takes a name that begins with '-' for an
-// option, and what stands before a ':' for a protocol; neither happens to a name that begins with a folder.
+// ffmpeg takes the format from the extension, so that stays last. It reads a name that begins with '-' as an option
+// and text before a ':' as a protocol; a leading folder prevents both.
 fs::path temporary_name(const fs::path& file) {
     std::string name = file.filename();
     name.insert(name.size() - extension(file).size(), ".partial");
@@ -34,18 +34,18 @@ fs::path temporary_name(const fs::path& file) {
     return (folder.is_absolute() ? folder : "." / folder) / name;
 }
 
-// What follows is options in one line, parted by single spaces.
+// The functions below return ffmpeg options separated by single spaces.
 
-// One colour for 2 x 2 pixels, which every player can show, needs even sides. An odd side gets its last line of
-// pixels twice: scaling would blur every pixel, and a line of black would be seen.
+// yuv420p, which every player supports, needs even sides. An odd side repeats its last line of pixels: scaling
+// would blur the picture, and a black line would be visible.
 std::string even_sides(int width, int height) {
     if (width % 2 == 0 && height % 2 == 0) return "";
     return fmt::format("format=gbrp,pad={}:{},fillborders=right={}:bottom={}:mode=smear,", width + width % 2,
                        height + height % 2, width % 2, height % 2);
 }
 
-// Left to itself ffmpeg converts with the matrix of standard definition and says nothing of it, and players guess
-// by the size of the picture. So the conversion is chosen, and the video says which it was.
+// By default ffmpeg converts with the matrix of standard definition and does not record it, and players guess from
+// the size of the picture. So the matrix is set and recorded in the video.
 std::string film(int width, int height, std::string_view codec) {
     return fmt::format(
         "-vf {}scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_inp {} "
@@ -53,8 +53,8 @@ std::string film(int width, int height, std::string_view codec) {
         even_sides(width, height), codec);
 }
 
-// Time in a GIF goes by hundredths of a second, and players slow down what asks for less than two of them. The
-// palette is made for what moves.
+// GIF delays are hundredths of a second, and players slow down delays below two. The palette is chosen from moving
+// pixels (stats_mode=diff).
 std::string gif(int width, const Rational& fps) {
     return fmt::format("-filter_complex {}{}split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse",
                        fps.value() > 50.0 ? "fps=50," : "", width > 640 ? "scale=640:-1:flags=area," : "");
@@ -68,8 +68,8 @@ std::string format_options(const std::string& format, int width, int height, con
     return film(width, height, "-c:v libx264 -preset veryfast -crf 18 -movflags +faststart");
 }
 
-// Without "xerror" a disk that fills up is reported but the status is 0. "bitexact" leaves out what a file would
-// say of its making, so that equal frames give equal files.
+// Without "xerror" a full disk is reported but the status is 0. "bitexact" omits encoder metadata, so that equal
+// frames give equal files.
 std::vector<std::string> arguments(const fs::path& target, int width, int height, const Rational& fps) {
     std::istringstream line(fmt::format(
         "-loglevel error -xerror -nostdin -y "
@@ -117,7 +117,7 @@ void Video::fail(const std::string& why) const {
     throw OutputError(file_.string() + ": " + why);
 }
 
-// Made here and not by ffmpeg, so that a folder that is not there or not ours is heard of before the first frame.
+// Created here and not by ffmpeg, so that a missing or read-only folder is reported before the first frame.
 void Video::make_temporary() {
     std::error_code ignored;
     const fs::file_status status = fs::status(file_, ignored);

@@ -1,4 +1,4 @@
-// Where the program finds the files that it brings along: shaders, scenes, scripts for plots.
+// Location of the program's assets: shaders, scenes, plot scripts, page style.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace pushfactor::demos {
 
-// A folder of assets by its name, "shaders". That of the installation which the program is part of, wherever it has
-// been moved to; without one, that of the sources which it was built from.
+// Path of an asset folder, such as "shaders": in the installation of the program, which may have been moved, else
+// in the source tree that it was built from.
 std::filesystem::path asset_folder(const std::string& name);
 
 }  // namespace pushfactor::demos

@@ -1,4 +1,4 @@
-// A queue between threads that holds only so much.
+// A bounded queue between threads.
 #pragma once
 
 #include <condition_variable>
@@ -9,14 +9,14 @@
 
 namespace pushfactor::demos {
 
-// Things come out in the order in which they were sent. Any number of threads may use both ends.
+// First in, first out. Any number of threads may use both ends.
 template <typename T>
 class Channel {
   public:
-    // Holds at most `capacity` things, at least 1.
+    // Holds at most `capacity` items; `capacity` is at least 1.
     explicit Channel(std::size_t capacity) : capacity_(capacity) {}
 
-    // Waits while the channel is full. False, and the thing is dropped, when it is closed.
+    // Blocks while the channel is full. Returns false and drops the item if it is closed.
     bool send(T thing) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return closed_ || things_.size() < capacity_; });
@@ -26,7 +26,7 @@ class Channel {
         return true;
     }
 
-    // Waits for the next thing. None when the channel is closed and all has been received.
+    // Blocks until the next item. None when the channel is closed and empty.
     std::optional<T> receive() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return closed_ || !things_.empty(); });

@@ -27,7 +27,7 @@ void close_if_open(int& descriptor) {
     descriptor = -1;
 }
 
-// What waitpid() says of a child that has ended; -1 when the system kept no record of it.
+// Status of waitpid() for a child that has ended; -1 if the system has no record of it.
 int wait_for(pid_t child) {
     int status = -1;
     while (waitpid(child, &status, 0) < 0) {
@@ -42,7 +42,7 @@ std::string describe(int status) {
     return "ended in an unknown way";
 }
 
-// The last three lines of a file, as one.
+// The last three lines of a file, joined.
 std::string last_lines(std::FILE* file) {
     std::fseek(file, 0, SEEK_END);
     std::fseek(file, std::max(std::ftell(file) - 4096, 0L), SEEK_SET);
@@ -65,7 +65,7 @@ std::string last_lines(std::FILE* file) {
 
 }  // namespace
 
-// Searched as a shell does: an empty entry is the working folder.
+// Searches as a shell does: an empty entry of PATH is the working folder.
 std::optional<fs::path> find_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::string_view folders = path ? path : "/usr/bin:/bin";
@@ -89,7 +89,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     : name_(name) {
     const fs::path program = require_program(name, package);
 
-    // What it says goes to a file: a pipe that nobody reads would fill up, and both would wait for ever.
+    // Its standard error goes to a file: a pipe that nobody reads would fill up and block both processes.
     said_ = std::tmpfile();
     if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
     arguments.insert(arguments.begin(), name);
@@ -105,7 +105,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
 ChildProcess::~ChildProcess() {
     close_if_open(input_);
     if (process_ != 0) {
-        // All of its group: some systems wrap a tool in a script.
+        // The whole process group: some systems wrap a tool in a script.
         kill(-process_, SIGKILL);
         wait_for(process_);
     }
@@ -113,8 +113,8 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::start(const fs::path& program, std::vector<std::string> words) {
-    // A socket and not a pipe, because send() can be told not to raise SIGPIPE. Close-on-exec, or a tool that is
-    // started later would hold it open and this one would never see its end.
+    // A socket, not a pipe, because send() can suppress SIGPIPE. Close-on-exec, or a tool started later would hold
+    // it open and this one would never see end of file.
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw ChildProcessError(std::strerror(errno));

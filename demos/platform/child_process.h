@@ -1,4 +1,4 @@
-// Other programs, which are looked for only when they are wanted: ffmpeg for videos, gnuplot for plots.
+// Child processes: ffmpeg for videos, gnuplot for plots, looked for only when needed.
 #pragma once
 
 #include <sys/types.h>
@@ -14,42 +14,42 @@
 
 namespace pushfactor::demos {
 
-// A tool that is not there, does not start or fails. The message is one line and ends with the tool's own last
-// words.
+// A tool that is missing, does not start or fails. The message is one line and ends with the last lines of the
+// tool's standard error.
 class ChildProcessError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// Where PATH has it.
+// Path of a program in PATH.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 // The same; throws ChildProcessError that names the package to install.
 std::filesystem::path require_program(const std::string& name, const std::string& package);
 
-// How a tool ended: its exit status, 128 and more for a signal, and its last words.
+// End of a tool: its exit status, 128 + n for signal n, and the last lines of its standard error.
 struct Ending {
     int status = 0;
     std::string words;
 };
 
-// A tool at work. Ctrl-C in a terminal does not reach it: whether its work is finished or dropped is for the
-// program to decide. Any number may be at work at once, each used by one thread at a time. Members throw
-// ChildProcessError; after that only the destructor may be called.
+// A running tool. Ctrl-C in a terminal does not reach it: the program decides whether its work is finished or
+// dropped. Several may run at once, each used by one thread at a time. Members throw ChildProcessError; after that
+// only the destructor may be called.
 class ChildProcess {
   public:
-    // `package` is what to install where it is missing.
+    // `package` is the Debian package to install if it is missing.
     ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments);
     ~ChildProcess();  // without finish() the tool is stopped
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    // To its standard input. Waits while the tool is behind.
+    // Writes to its standard input. Blocks while the tool is behind.
     void feed(std::span<const std::uint8_t> bytes);
 
-    // Tells the tool that there is no more, and waits until it has ended well.
+    // Closes its input and waits for its end; throws unless the exit status is 0.
     void finish();
 
-    // For whom other endings than a good one are answers: whether it has ended, and how; the latter waits for it.
+    // For callers to whom a failure is a valid result: whether it has ended, and how; the latter waits for its end.
     bool has_ended() const;
     Ending ending();
 

@@ -1,4 +1,4 @@
-// How long the work of a thread takes.
+// CPU clock of a thread.
 #pragma once
 
 namespace pushfactor::demos {

@@ -89,8 +89,8 @@ fs::path write_new_file(const fs::path& folder, const std::string& stem, const s
         }
         if (holds(path, bytes)) return path;
     }
-    throw OutputError((folder / (stem + extension)).string() + ": there are " + std::to_string(most) +
-                      " of its kind");
+    throw OutputError((folder / (stem + extension)).string() + ": there are already " + std::to_string(most) +
+                      " files of this name");
 }
 
 void make_folder(const fs::path& folder) {
@@ -98,7 +98,7 @@ void make_folder(const fs::path& folder) {
     fs::create_directories(folder, error);
     if (error) throw OutputError(folder.string() + ": " + error.message());
     if (!fs::is_directory(folder)) throw OutputError(folder.string() + ": " + std::strerror(ENOTDIR));
-    // Asking for permissions would not see a read-only or a full disk; making a file does.
+    // Permissions do not tell of a read-only or full disk; creating a file does.
     OutputFile probe(folder / ".writable");
     probe.write("?");
 }

@@ -1,4 +1,4 @@
-// A file that is either written whole or not at all.
+// A file that is written whole or not at all.
 #pragma once
 
 #include <cstdio>
@@ -9,9 +9,9 @@
 
 namespace pushfactor::demos {
 
-// Writes go to a temporary file beside `path`; commit() gives it its name. Without commit() nothing is left and
-// what was there before stays. "-" is standard output, and a path that exists and is no regular file (a device,
-// a pipe) is written to directly. Every member throws OutputError that names the path and the reason.
+// Writes go to a temporary file next to `path`, which commit() renames. Without commit() it is removed, and an
+// existing file stays. "-" is standard output; an existing path that is not a regular file (a device, a pipe) is
+// written to directly. Every member throws OutputError that names the path and the reason.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
@@ -22,7 +22,7 @@ class OutputFile {
     void write(std::string_view text);
     void commit();
 
-    // What messages call it.
+    // Name in messages.
     std::string name() const { return path_ == "-" ? "standard output" : path_.string(); }
 
   private:
@@ -33,15 +33,15 @@ class OutputFile {
     std::FILE* file_ = nullptr;
 };
 
-// The whole of `bytes` as the file `path`.
+// Writes the file `path` with the content `bytes`.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// The same as a file of its own: `folder`/`stem``extension`, or with -2, -3, ... after the stem where another file
-// has that name. One that holds just these bytes is taken as it is. Returns its path.
+// The same without overwriting: `folder`/`stem``extension`, or with -2, -3, ... after the stem if the name is
+// taken. An existing file with exactly these bytes is kept. Returns the path.
 std::filesystem::path write_new_file(const std::filesystem::path& folder, const std::string& stem,
                                      const std::string& extension, std::string_view bytes);
 
-// Makes the folder and those above it, and finds out whether files can be made in it.
+// Creates the folder and its parents. Throws OutputError if files cannot be created in it.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace pushfactor::demos

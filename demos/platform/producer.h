@@ -1,4 +1,4 @@
-// Somebody who works ahead.
+// Background producer thread.
 #pragma once
 
 #include "demos/platform/channel.h"
@@ -9,14 +9,14 @@
 
 namespace pushfactor::demos {
 
-// Makes things on a thread of its own, at most a few more than have been taken.
+// Produces items on a background thread, at most `ahead` more than have been taken.
 template <typename T>
 class Producer {
   public:
     using Channel = demos::Channel<T>;
 
-    // `make` sends things into the channel until it has made all of them, or until the channel is closed because
-    // nobody wants more. It runs at once; what it uses must outlive this object.
+    // `make` sends items into the channel until it is done or the channel is closed. It starts at once; what it
+    // uses must outlive this object.
     Producer(std::size_t ahead, std::function<void(Channel&)> make) : channel_(ahead) {
         thread_ = std::thread([this, make = std::move(make)] {
             try {
@@ -35,7 +35,7 @@ class Producer {
     Producer(const Producer&) = delete;
     Producer& operator=(const Producer&) = delete;
 
-    // The next thing. After the last one the thread has ended: throws what `make` threw, or gives none.
+    // The next item. After the last one throws what `make` threw, or returns none.
     std::optional<T> next() {
         std::optional<T> thing = channel_.receive();
         if (thing) return thing;
@@ -46,7 +46,7 @@ class Producer {
 
   private:
     Channel channel_;
-    std::exception_ptr error_;  // of the thread; read after it has ended
+    std::exception_ptr error_;  // of the thread; read after joining
     std::thread thread_;
 };
 

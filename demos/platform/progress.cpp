@@ -14,7 +14,7 @@ namespace pushfactor::demos {
 namespace {
 
 std::atomic<bool> interrupt_came = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set nothing else");
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler needs a lock-free flag");
 
 }  // namespace
 

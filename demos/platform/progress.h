@@ -1,4 +1,4 @@
-// What a person at a terminal sees while a run goes on, and how they stop it.
+// Progress bars and interruption by signals.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace pushfactor::demos {
 
-// A bar on standard error, drawn only when that is a terminal. The destructor ends its line.
+// A progress bar on standard error, drawn only on a terminal. The destructor ends its line.
 class ProgressBar {
   public:
     ProgressBar(std::string label, long total);
@@ -26,13 +26,13 @@ class ProgressBar {
     Clock::time_point start_, next_;
 };
 
-// From now on SIGINT and SIGTERM are only noted.
+// Installs handlers that only record SIGINT and SIGTERM.
 void note_interrupts();
 
-// Whether one came. May be asked from any thread.
+// Whether such a signal was received. Thread-safe.
 bool interrupted();
 
-// Throws RunError when one came; `what_is_left` says what the run leaves behind.
+// Throws RunError if one was received; `what_is_left` describes the output that remains.
 void stop_if_interrupted(const std::string& what_is_left);
 
 }  // namespace pushfactor::demos

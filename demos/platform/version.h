@@ -1,4 +1,4 @@
-// Which program this is.
+// Version and build of the program.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@ namespace pushfactor::demos {
 
 std::string version_number();  // "0.1.0"
 
-// "0.1.0, commit 0123456789ab": the commit that was checked out when the program was built, with "-dirty" where
-// files had been changed since; "unknown" where the sources were no checkout.
+// "0.1.0, commit 0123456789ab": the commit of the build, with "-dirty" if tracked files were modified; "unknown"
+// outside a checkout.
 std::string version_text();
 
-// Build type and the compiler's options of the build.
+// Build type and compiler options.
 std::string compile_flags();
 
 }  // namespace pushfactor::demos

@@ -22,7 +22,7 @@ void run_missing(StudyRun& run, AtlasFile& file, const std::vector<AtlasMap>& ma
             if (!file.find(cell)) missing.push_back(cell);
         }
     }
-    run.begin(total, total - missing.size(), "; the same command goes on from there");
+    run.begin(total, total - missing.size(), "; the same command resumes from there");
     const auto finished = [&](const AtlasCell& cell, const CellResult& result) {
         file.add(cell, result);
         run.count_run();
@@ -30,7 +30,7 @@ void run_missing(StudyRun& run, AtlasFile& file, const std::vector<AtlasMap>& ma
     run_cells(missing, finished, run.check());
 }
 
-// Of one map; empty when some cell was not run yet.
+// Results of one map; empty if a cell is missing.
 std::vector<CellResult> results_of(const AtlasMap& map, const AtlasFile& file) {
     std::vector<CellResult> results;
     for (const AtlasCell& cell : cells_of(map)) {
@@ -55,9 +55,9 @@ void make_atlas(StudyRun& run) {
     }
     run.write_page(fmt::format(
         "Outcomes of runs over two of their parameters: a cell is a run, its colour the outcome that the run's "
-        "summary names, judged over the last second. White dashed lines are what theory says beforehand. "
-        "atlas.csv has the command that makes each cell again.{}",
-        run.quick() ? " This is the quick atlas: three values an axis." : ""));
+        "summary names, judged over the last second. White dashed lines are theoretical limits. "
+        "atlas.csv has the command that reproduces each cell.{}",
+        run.quick() ? " This is the quick atlas: three values per axis." : ""));
 }
 
 }  // namespace

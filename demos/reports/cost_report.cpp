@@ -1,5 +1,5 @@
-// What a step of each scene does and takes, and what absent parts save: cost.csv, side_by_side.csv, plots, and as
-// files the scenes with everything and the common worlds.
+// Work and time per step of each scene, and the savings from absent parts: cost.csv, side_by_side.csv, plots, and
+// files of the scenes with everything and of the common worlds.
 #include "demos/pages/plot.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/cost/ledger.h"
@@ -23,7 +23,7 @@ using namespace cost;
 
 constexpr const char* side_by_side = "side-by-side";
 
-// A scene as it is and with everything, and the commands that take the same steps.
+// A scene as it is and with everything, and the commands that reproduce the steps.
 struct Entry {
     std::string name;
     double start = 0.0;  // s, simulated
@@ -50,7 +50,7 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
                            joined(parts.contacts),
                            joined(parts.step_rules)};
     for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
-                               counts.distance_rows, counts.columns, counts.substeps})
+                               counts.distance_rows, counts.joint_rows, counts.columns, counts.substeps})
         line.emplace_back(value);
     for (const auto& [kept, swept, exact, small_steps] : counts.islands)
         line.insert(line.end(), {kept, swept, exact, small_steps});
@@ -61,11 +61,11 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
     return line;
 }
 
-// Of each entry the scene as it is, and where `both` also with everything.
+// A line per entry for the scene as it is, and if `both` another with everything.
 Table table_of(const std::vector<Entry>& entries, bool both) {
     Table table{{"scene", "start_s", "made", "bodies", "force_sources", "constraint_sources", "contact_rules",
-                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "columns",
-                 "substeps"}};
+                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "joint_rows",
+                 "columns", "substeps"}};
     for (const std::string_view kind : island_kinds) {
         for (const char* const way : {"kept", "swept", "exact", "small_steps"})
             table.columns.push_back(fmt::format("{}_{}", kind, way));
@@ -81,7 +81,7 @@ Table table_of(const std::vector<Entry>& entries, bool both) {
     return table;
 }
 
-// A line for each kind of islands that a scene has.
+// A line per scene and kind of island.
 Table islands_of(const std::vector<Entry>& entries) {
     Table table{{"scene", "kind", "islands", "kept", "swept", "exact", "small steps"}};
     for (const Entry& entry : entries) {
@@ -123,7 +123,7 @@ Table sums_of(const std::vector<SumOfParts>& sums) {
     return table;
 }
 
-// In per cent of a step, bars from the top down.
+// Cumulative, in percent of a step, for stacked bars from the top down.
 Table stages_of(const std::vector<Entry>& entries) {
     Table table{{"# scene"}};
     for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("end of {} in %", stage));
@@ -200,7 +200,7 @@ class CostReport {
                 .times = time_steps(moment, repeats(), run_.check())};
     }
 
-    // The page; its plots are drawn when all is there.
+    // Writes the page; plots are drawn only when all results are complete.
     void show() {
         run_.count_run();
         run_.sections.clear();
@@ -210,7 +210,7 @@ class CostReport {
                        {"scene", "bodies", "force_sources", "constraint_sources", "contact_rules", "command"}));
         add("counts", "Work of a step",
             "Means over 120 steps of 1/60 s, as each scene is. Sweeps are those of the island with the most of "
-            "them: where the last forces are good enough there is none.",
+            "them: none where the last forces are accurate enough.",
             page_lines(own, {"scene", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows",
                              "columns", "bodies_at_rest", "sweeps", "multiply_adds"}));
         add("islands", "How the islands are solved",

@@ -22,7 +22,7 @@ namespace {
 
 using namespace error;
 
-constexpr int repeats = 5;  // of each run for the clock
+constexpr int repeats = 5;  // timed runs per point
 constexpr const char* frozen_part = "frozen";
 constexpr const char* consistency_part = "consistency";
 
@@ -65,7 +65,7 @@ TheoryLine power_line(double order, const WorkPoint& through) {
     return theory;
 }
 
-// Error ~ contraction^sweeps, work ~ sweeps, through a point that is some sweeps along.
+// Error ~ contraction^sweeps, work ~ sweeps, through a point after some sweeps.
 TheoryLine contraction_line(double contraction, const WorkPoint& through) {
     const double sweeps = std::stod(through.label);
     TheoryLine theory{.label = "cos^2(pi/2n) a sweep", .points = {}};
@@ -88,7 +88,7 @@ std::vector<TheoryLine> theory_of(const Experiment& sweep, const std::vector<Wor
             orders.push_back(method.order);
         }
         if (sweep.contraction > 0.0 && method.name == "pgs") {
-            // Late enough for the slowest part of the error alone to be left, early enough for rounding.
+            // Late enough for only the slowest mode of the error to be left, early enough to be above rounding.
             const auto& points = lines[i].points;
             const auto through = std::find_if(points.rbegin(), points.rend(),
                                               [](const WorkPoint& point) { return point.error > 1e-8; });
@@ -111,8 +111,8 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
     }
     std::string text;
     if (best) {
-        text += fmt::format(" The least error, {:.2g}, is that of {} at {} {}.", plotted_error(*best), best->method,
-                            best->knob, best->value);
+        text += fmt::format(" The smallest error, {:.2g}, is that of {} at {} {}.", plotted_error(*best),
+                            best->method, best->knob, best->value);
     }
     if (!failures.empty()) text += fmt::format(" Hollow: {}.", fmt::join(failures, "; "));
     return text;
@@ -164,7 +164,7 @@ class ErrorReport {
                                                 return sweep.solves ? point.multiply_adds : point.moves;
                                             }),
                           .theory = {}};
-            // The CPU time has a part that no knob changes, so no theory applies to it.
+            // Part of the CPU time does not depend on the knob, so theory does not apply to it.
             if (!seconds) plot.theory = theory_of(sweep, plot.lines);
             add(plot, sweep.title + (seconds ? ", CPU time" : ""), sweep.caption + numbers_of(points));
         }
@@ -226,10 +226,10 @@ class ErrorReport {
         }
         run_.write("consistency.csv", table);
         add(plot, "Consistency: each scene against itself at smaller steps",
-            fmt::format(
-                "{} windows of {} s, begun anew from states of a run at {} s steps, which is also what they "
-                "are compared with. Order of the last halving: {}.",
-                plan_.starts.size(), to_text(plan_.window), to_text(plan_.smallest), fmt::join(orders, ", ")));
+            fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they "
+                        "are compared. Order of the last halving: {}.",
+                        plan_.starts.size(), to_text(plan_.window), to_text(plan_.smallest),
+                        fmt::join(orders, ", ")));
     }
 
     void add(const WorkPlot& plot, const std::string& heading, const std::string& caption, Plate plate = {}) {
@@ -237,8 +237,8 @@ class ErrorReport {
         draw_work_plot(plot, run_.folder(), plate);
         run_.sections.push_back({plot.name, heading, std::move(plate)});
         run_.write_page(fmt::format(
-            "Errors against something true (closed forms, the exact motion, converged forces) against the work "
-            "that they took; lower left is better. Work is counted in multiply-adds of the solver and is the same "
+            "True errors (against closed forms, exact motion, converged forces) against the work "
+            "of a method; lower left is better. Work is counted in multiply-adds of the solver and is the same "
             "on every machine; CPU times were measured on this one: {}. The numbers are in error.csv, frozen.csv "
             "and consistency.csv, the machine in about.json.{}",
             run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));

@@ -1,5 +1,5 @@
-// The stress list, run and judged: stability.csv (one line per case, preset and check), thumbnails, the scenes that
-// are not in the catalogue, and of each run its summary and last state.
+// The report on the stress list: stability.csv (one line per case, preset and check), thumbnails, the scenes that
+// are not in the catalogue, and the summary and last state of each run.
 #include "demos/pages/mark.h"
 #include "demos/pages/page.h"
 #include "demos/reports/stability/gallery.h"
@@ -54,7 +54,7 @@ Mark mark_for(const Verdict& verdict) {
     return verdict.met ? Mark::holds : Mark::known_miss;
 }
 
-// The lines of a table of trials, on a page: with the verdict in front.
+// Page lines of a table of trials, with the verdict in front.
 std::vector<std::vector<std::string>> lines_with_verdicts(const Table& table, std::span<const Trial> trials) {
     std::vector<std::vector<std::string>> lines = page_lines(table);
     lines.front().insert(lines.front().begin(), std::string(verdict_column));
@@ -68,7 +68,7 @@ std::vector<std::vector<std::string>> lines_with_verdicts(const Table& table, st
     return lines;
 }
 
-// Chapters are made in their order; their runs go on beside each other.
+// Chapters are completed in order; runs are concurrent.
 class StabilityReport {
   public:
     explicit StabilityReport(StudyRun& run)
@@ -83,7 +83,7 @@ class StabilityReport {
     }
 
     void make() {
-        run_.begin(trials_.size(), 0, "; the table has whole chapters");
+        run_.begin(trials_.size(), 0, "; the table has the complete chapters");
         while (ended_ < trials_.size()) {
             start_some();
             if (!end_some()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -145,9 +145,9 @@ class StabilityReport {
         run_.sections.push_back({chapter.name, chapter.heading, plate});
         run_.write("stability.csv", csv_text(table_));
         run_.write_page(fmt::format(
-            "Stiff and extreme cases, each run by the program and judged by it. An outcome is that of the last "
-            "second; the bar is what is asked, and where it is known not to be met the table says under "
-            "\"expected\" what is reached instead. {} runs, {} numbers beyond their bar, {} not as expected. The "
+            "Stiff and extreme cases, each run and judged by the program. The outcome is that of the last "
+            "second; the bar is what is required, and where it is known not to be met the table gives under "
+            "\"expected\" the value that is reached. {} runs, {} numbers beyond their bar, {} not as expected. The "
             "numbers are in stability.csv. Made with {}.{}{}",
             ends_[run_.sections.size() - 1], missed_bars_, unexpected_.size(), run_.machine(),
             run_.quick() ? " This is the quick report: the short cases." : "",

@@ -1,4 +1,4 @@
-// A study: many runs, compared or judged, as tables and plots on one page. What all of them share is here.
+// Studies: many runs, compared or judged, as tables and plots on one page. The common part of all reports.
 #pragma once
 
 #include "demos/pages/page.h"
@@ -18,7 +18,7 @@ namespace pushfactor::demos::reports {
 class StudyRun;
 
 struct Study {
-    std::string name;                // "error": of the command
+    std::string name;                // as in the command: "error"
     std::string title;               // of the page
     std::vector<std::string> parts;  // for --only
     void (*make)(StudyRun& run);
@@ -27,11 +27,11 @@ struct Study {
 struct StudyRequest {
     std::filesystem::path folder;
     bool quick = false;              // few and short runs
-    bool problems = false;           // frozen problems as files too; only the study of errors has them
+    bool problems = false;           // also write frozen problems; error report only
     std::vector<std::string> parts;  // all when empty
 };
 
-// A study in the making: its folder, what was asked for, progress and interruption, tables and the page.
+// A running study: its folder, request, progress and interruption, tables and page.
 class StudyRun {
   public:
     StudyRun(const Study& study, StudyRequest request);
@@ -42,20 +42,20 @@ class StudyRun {
     const std::string& machine() const { return machine_; }  // program, compiler and processor
     bool wants(const std::string& part) const;
 
-    // Of these things those whose part was asked for; `part_of` gives its name.
+    // The things whose part was requested; `part_of` gives the part's name.
     template <typename Things, typename PartOf>
     Things wanted(Things things, const PartOf& part_of) const {
         std::erase_if(things, [&](const auto& thing) { return !wants(std::invoke(part_of, thing)); });
         return things;
     }
 
-    // How many runs there are and how many of them are done; `hint` is said when interrupted.
+    // Sets the number of runs and of those already done; `hint` ends the message of an interruption.
     void begin(std::size_t runs, std::size_t done = 0, std::string hint = "");
     void count_run();
     void stop_if_interrupted() const;
-    std::function<void()> check() const;  // the same as a function
+    std::function<void()> check() const;  // stop_if_interrupted() as a function
 
-    // Whole or not at all, like all files.
+    // Writes a file, whole or not at all.
     void write(const std::string& name, const std::string& text) const;
     void write(const std::string& name, const Table& table) const;  // below a line with the machine
 
@@ -71,13 +71,13 @@ class StudyRun {
     std::string hint_;
 };
 
-// Writes the files of a study; whole after each part, so that an interrupted one keeps what it had. Throws what
-// errors.h names; CheckError when all was written but something is not as expected.
+// Runs a study and writes its files, complete after each part, so that an interrupted one keeps its results. Throws
+// the exceptions of errors.h; CheckError if everything was written but a result is not as expected.
 void make_study(const Study& study, const StudyRequest& request);
 
 Study error_study();      // errors of methods against their work
-Study stability_study();  // extreme cases, judged
-Study cost_study();       // what steps do and take
+Study stability_study();  // judged extreme cases
+Study cost_study();       // work and time per step
 Study atlas_study();      // outcomes over two parameters
 std::vector<Study> all_studies();
 
@@ -85,7 +85,7 @@ inline bool before_end(const Simulation& run) {
     return run.sample().step < whole_steps(run.settings());
 }
 
-// Steps a run while `goes_on` says so, and shows it to the observers after each step.
+// Steps a run while `goes_on` returns true, and calls the observers after each step.
 template <typename GoesOn, typename... Observers>
 void play(Simulation& run, const GoesOn& goes_on, Observers&... observers) {
     while (goes_on(run)) {
@@ -94,7 +94,7 @@ void play(Simulation& run, const GoesOn& goes_on, Observers&... observers) {
     }
 }
 
-// Up to the end; `check` is called before each step. False when the run left the finite numbers, where it stops.
+// Steps a run to its end; `check` is called before each step. Stops and returns false if it becomes non-finite.
 template <typename... Observers>
 bool play_to_end(Simulation& run, const std::function<void()>& check, Observers&... observers) {
     const auto goes_on = [&check](const Simulation& now) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace pushfactor::demos {
@@ -35,6 +36,9 @@ Body make_body(const BodyDescription& described) {
             [&](const PlaneShape&) -> Body {
                 throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
                                            "left out: a plane is static");
+            },
+            [&](const PolyhedronShape& polyhedron) {
+                return engine::solid_body(*described.mass, polyhedron.moments, described.position, orientation);
             }},
         described.shape);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
@@ -87,7 +91,10 @@ collision::Shape make_shape(const BodyDescription& described) {
         engine::Overloaded{
             [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
             [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
-            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; }},
+            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; },
+            [](const PolyhedronShape& polyhedron) -> collision::Shape {
+                return collision::Polyhedron{polyhedron.mesh};
+            }},
         described.shape);
 }
 
@@ -104,13 +111,18 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
         scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
     }
     for (const ForceDescription& force : description.forces) {
-        engine::Poke poke{.body = index_of(force.body, description), .force = force.force, .from = force.from};
+        engine::Poke poke{.body = index_of(force.body, description),
+                          .force = force.force,
+                          .torque = force.torque,
+                          .point = force.point,
+                          .frame = force.frame,
+                          .from = force.from};
         if (force.until) poke.until = *force.until;
         scene.world.forces.push_back(std::make_unique<engine::PokeForce>(poke));
     }
 }
 
-// The index of the static body that stands for the world; it is made when it is first wanted.
+// Index of the static body that represents the world; created on first use.
 int world_body(BuiltScene& scene, std::optional<int>& known) {
     if (!known) {
         known = static_cast<int>(scene.world.bodies.size());
@@ -134,32 +146,38 @@ double length_of(const DistanceDescription& described, const engine::Distance& d
     return length <= 1e-6 * levers + 1e-15 * (from.norm() + to.norm()) ? 0.0 : length;
 }
 
-// Such a length 0 has no direction to pull or push along, and no direction in which a force could have a limit.
+// Length 0 has no direction to pull, push or limit a force along.
 void require_joint_without_bounds(const DistanceDescription& described) {
-    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
-    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
-                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
+    if (described.acts == engine::Distance::Acts::both && !described.max_force && !described.spring) return;
+    throw engine::InvalidInput(
+        "length of the distance between " + described.a.body + " and " + described.b.body, "0",
+        "above 0, or it is a ball joint, which acts both ways and without max_force_n or spring");
 }
 
-void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
-    if (description.distances.empty()) return;
-    std::optional<int> world;
+// Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
+template <typename Described, typename Held>
+void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
+          std::optional<int>& world, Held& held) {
     const auto body_index = [&](const std::string& name) {
         return name == "world" ? world_body(scene, world) : index_of(name, description);
     };
+    held.body_a = body_index(described.a.body);
+    held.body_b = body_index(described.b.body);
+    held.point_a = described.a.point;
+    held.point_b = described.b.point;
+    const auto is_static = [&](int body) { return scene.world.bodies[static_cast<std::size_t>(body)].is_static(); };
+    if (!is_static(held.body_a) || !is_static(held.body_b)) return;
+    throw engine::InvalidInput(std::string(what) + " between " + described.a.body + " and", described.b.body,
+                               "a movable body, as the other one is static");
+}
+
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                   std::optional<int>& world) {
+    if (description.distances.empty()) return;
     std::vector<engine::Distance> distances;
     for (const DistanceDescription& described : description.distances) {
-        engine::Distance distance{.body_a = body_index(described.a.body),
-                                  .body_b = body_index(described.b.body),
-                                  .point_a = described.a.point,
-                                  .point_b = described.b.point};
-        const auto is_static = [&](int body) {
-            return scene.world.bodies[static_cast<std::size_t>(body)].is_static();
-        };
-        if (is_static(distance.body_a) && is_static(distance.body_b)) {
-            throw engine::InvalidInput("distance between " + described.a.body + " and", described.b.body,
-                                       "a movable body, as the other one is static");
-        }
+        engine::Distance distance;
+        join(scene, description, described, "distance", world, distance);
         distance.length = length_of(described, distance, scene.world.bodies);
         if (!std::isfinite(distance.length)) {
             throw engine::InvalidInput(
@@ -169,6 +187,7 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
         if (is_ball_joint(distance)) require_joint_without_bounds(described);
         distance.acts = described.acts;
         if (described.max_force) distance.max_force = *described.max_force;
+        distance.spring = described.spring;
         distances.push_back(distance);
     }
     const engine::Correction whole{engine::PushKind::persistent, 1.0};
@@ -176,6 +195,32 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
         std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
     if (description.state) source->set_forces(description.state->distance_forces);
     scene.distances = source.get();
+    scene.world.constraints.push_back(std::move(source));
+}
+
+engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const Body& b) {
+    return {.axis = described.axis.normalized(),
+            .zero = described.zero.value_or(a.orientation.conjugate() * b.orientation),
+            .motor = described.motor,
+            .limits = described.limits};
+}
+
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                std::optional<int>& world) {
+    if (description.joints.empty()) return;
+    std::vector<engine::Joint> joints;
+    for (const JointDescription& described : description.joints) {
+        engine::Joint& joint = joints.emplace_back();
+        join(scene, description, described, "joint", world, joint);
+        if (!described.hinge) continue;
+        const auto& bodies = scene.world.bodies;
+        joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],
+                                 bodies[static_cast<std::size_t>(joint.body_b)]);
+    }
+    auto source =
+        std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
+    if (description.state) source->set_forces(description.state->joint_forces);
+    scene.joints = source.get();
     scene.world.constraints.push_back(std::move(source));
 }
 
@@ -195,7 +240,55 @@ engine::RestitutionRule restitution_rule(RestitutionModel model) {
     return model == RestitutionModel::sum ? engine::restitution_sum : engine::restitution_larger;
 }
 
+// The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.
+struct Numbers {
+    Numbers(const SceneDescription& description, std::string BodyDescription::*what) {
+        for (const BodyDescription& body : description.bodies) {
+            const std::string& name = body.*what;
+            of_bodies.push_back(name.empty() ? -1 : by_name.emplace(name, by_name.size()).first->second);
+        }
+    }
+    std::vector<int> of_bodies;
+    std::map<std::string, int> by_name;
+};
+
+std::unique_ptr<collision::PairFilter> make_filter(const SceneDescription& description) {
+    const Numbers groups(description, &BodyDescription::group);
+    std::vector<collision::Pair> pairs;
+    for (const auto& [a, b] : description.no_contacts) {
+        pairs.push_back({index_of(a, description), index_of(b, description)});
+    }
+    for (const JointDescription& joint : description.joints) {
+        if (joint.collide || joint.a.body == "world" || joint.b.body == "world") continue;
+        pairs.push_back({index_of(joint.a.body, description), index_of(joint.b.body, description)});
+    }
+    if (groups.by_name.empty() && pairs.empty()) return nullptr;
+    return std::make_unique<collision::PairFilter>(groups.by_name.empty() ? std::vector<int>() : groups.of_bodies,
+                                                   std::move(pairs));
+}
+
+// The options --friction and --restitution are for all pairs.
+std::unique_ptr<collision::MaterialPairs> make_materials(const SceneDescription& description,
+                                                         const Settings& settings) {
+    if (description.materials.empty()) return nullptr;
+    const auto numbers = Numbers(description, &BodyDescription::material).by_name;
+    auto materials = std::make_unique<collision::MaterialPairs>(static_cast<int>(numbers.size()));
+    const auto number_of = [&](const std::string& name) {
+        const auto found = numbers.find(name);
+        if (found == numbers.end()) throw engine::InvalidInput("material", name, "the material of a body");
+        return found->second;
+    };
+    for (const MaterialPairDescription& pair : description.materials) {
+        collision::MaterialPairs::Surface surface;
+        if (!settings.friction) surface.friction = pair.friction;
+        if (!settings.restitution) surface.restitution = pair.restitution;
+        materials->set(number_of(pair.a), number_of(pair.b), surface);
+    }
+    return materials;
+}
+
 std::vector<collision::Collider> make_colliders(const SceneDescription& description, const Settings& settings) {
+    const Numbers materials(description, &BodyDescription::material);
     std::vector<collision::Collider> colliders;
     for (int i = 0; i < static_cast<int>(description.bodies.size()); ++i) {
         const BodyDescription& body = description.bodies[static_cast<std::size_t>(i)];
@@ -204,7 +297,8 @@ std::vector<collision::Collider> make_colliders(const SceneDescription& descript
                              .friction = settings.friction.value_or(body.friction),
                              .restitution = settings.restitution.value_or(body.restitution),
                              .surface_velocity = body.surface_velocity,
-                             .surface_from = body.surface_from});
+                             .surface_from = body.surface_from,
+                             .material = materials.of_bodies[static_cast<std::size_t>(i)]});
     }
     return colliders;
 }
@@ -222,10 +316,11 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         .order = settings.row_order,
     };
     auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
-    if (any(&collision::Collider::friction)) {
+    auto materials = make_materials(description, settings);
+    if (any(&collision::Collider::friction) || (materials && materials->any_friction())) {
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
-    if (any(&collision::Collider::restitution)) {
+    if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
         contacts->set_restitution(restitution_rule(settings.restitution_model));
     }
     if (settings.margin > 0.0)
@@ -234,11 +329,13 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         contacts->set_cache(std::make_unique<engine::ContactCache>(
             description.state ? description.state->contact_forces : engine::ContactCache{}));
     }
+    contacts->set_materials(std::move(materials));
+    contacts->set_filter(make_filter(description));
     scene.contacts = contacts.get();
     scene.world.constraints.push_back(std::move(contacts));
 }
 
-// Bodies that may bounce turn by small steps; where nothing is met, the splitting keeps its order.
+// Bodies with contacts rotate by small turns, without them by splitting, which then keeps its order.
 engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     switch (rotation) {
         case Rotation::paper:
@@ -251,7 +348,7 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
-// With a fixed number of iterations, or another solver than the one that decides, steps stay whole.
+// With a fixed number of iterations or another solver than auto, steps stay whole.
 bool takes_small_steps(const Settings& settings) {
     if (settings.scheme == Scheme::small_steps) return true;
     return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
@@ -266,19 +363,21 @@ void add_solver(BuiltScene& scene, const Settings& settings) {
     }
 }
 
-// RATTLE is for bars, and begins with momenta that belong to the positions.
+// RATTLE is for bars alone, and its initial momenta belong to the time of the positions.
 void require_bars_alone(const SceneDescription& description, const Settings& settings) {
     const std::string name = scheme_name(settings);
     const auto refuse = [&](const std::string& what) {
         throw engine::InvalidInput("--scheme", name, "auto or whole for a scene with " + what);
     };
     if (description.contacts) refuse("contacts");
+    if (!description.joints.empty()) refuse("joints");
     for (const BodyDescription& body : description.bodies) {
         if (body.motion) refuse("moved bodies");
     }
     for (const DistanceDescription& distance : description.distances) {
         if (distance.acts != engine::Distance::Acts::both) refuse("ropes or struts");
         if (distance.max_force) refuse("bars that yield");
+        if (distance.spring) refuse("springs");
     }
     if (settings.start_kick == StartKick::on) {
         throw engine::InvalidInput("--start-kick", "on", "off or auto with --scheme " + name);
@@ -340,7 +439,9 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     require_finite(scene);
     add_paths(scene, description);
     add_forces(scene, description);
-    add_distances(scene, description, settings);
+    std::optional<int> world;
+    add_distances(scene, description, settings, world);
+    add_joints(scene, description, settings, world);
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings.rotation, description.contacts);

@@ -8,6 +8,7 @@ void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into)
     scene.world.take_memory(into.state.warm_start);
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
+    if (scene.joints) into.state.joint_forces = scene.joints->forces();
     if (scene.contacts) scene.contacts->all_forces(into.state.contact_forces);
     if (scene.world.rest) {
         const auto rest = scene.world.rest->memory();
@@ -28,9 +29,12 @@ SceneDescription resumed(SceneDescription description, const BuiltScene& scene, 
         described.linear_momentum = body.linear_momentum;
         described.angular_momentum = body.angular_momentum;
     }
-    // A length that the start decided would be another one now.
+    // Lengths and angles that were taken from the start must not be taken from the current state.
     for (std::size_t i = 0; i < description.distances.size(); ++i) {
         description.distances[i].length = scene.distances->distances()[i].length;
+    }
+    for (std::size_t i = 0; i < description.joints.size(); ++i) {
+        if (description.joints[i].hinge) description.joints[i].hinge->zero = scene.joints->joints()[i].hinge->zero;
     }
     description.state = std::make_shared<RunState>(checkpoint.state);
     description.options["start-kick"] = "off";

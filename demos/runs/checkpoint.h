@@ -1,4 +1,4 @@
-// A run at a moment, caches included, so that it can be written down and gone on with.
+// Checkpoints: the state of a run including caches, from which it can be resumed.
 #pragma once
 
 #include "demos/runs/scene.h"
@@ -11,11 +11,11 @@ struct Checkpoint {
     RunState state;
 };
 
-// Overwrites `into`, whose memory is used again. `substeps` as of StepDivision::level().
+// Overwrites `into`, reusing its memory. `substeps` is StepDivision::level().
 void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into);
 
-// The description whose world takes the steps that the one of `scene` takes after the checkpoint, to the last bit.
-// `description` is what `scene` was built from, with every option in it.
+// The description that resumes `scene` from the checkpoint, bit-identical to an uninterrupted run. `description` is
+// what `scene` was built from, with every option spelled out.
 SceneDescription resumed(SceneDescription description, const BuiltScene& scene, const Checkpoint& checkpoint);
 
 }  // namespace pushfactor::demos

@@ -32,7 +32,7 @@ double sideways(const Vector3& from, const Vector3& to) {
     return std::hypot(to.x() - from.x(), to.z() - from.z());
 }
 
-// The length L by which a scene is judged: the smallest movable body that can touch something.
+// The length scale L of a scene [m]: size of the smallest movable body with contacts.
 double judged_size(const BuiltScene& scene) {
     double size = std::numeric_limits<double>::infinity();
     if (!scene.contacts) return 1.0;
@@ -43,21 +43,22 @@ double judged_size(const BuiltScene& scene) {
     return std::isfinite(size) ? size : 1.0;
 }
 
-// How fast a body is by which a scene is judged: gravity's speed over the length L, without gravity L a second.
+// The speed scale v_s of a scene [m/s]: sqrt(g L), without gravity L per second.
 double judged_speed(const BuiltScene& scene, double size) {
     const double gravity = scene.gravity.norm();
     return gravity > 0.0 ? std::sqrt(gravity * size) : size;
 }
 
-// How far its corners are from the centre [m]; 0 for what is round and does not change by turning.
+// Distance of its corners from the centre [m]; 0 for round shapes, which look the same when turned.
 double corner_distance(const BodyDescription& body) {
     return std::visit(
         engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
-                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; }},
+                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; },
+                           [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
         body.shape);
 }
 
-// Of the movable bodies.
+// corner_distance() of the movable bodies.
 std::vector<double> corners_of(const BuiltScene& scene) {
     std::vector<double> corners;
     for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
@@ -67,22 +68,22 @@ std::vector<double> corners_of(const BuiltScene& scene) {
     return corners;
 }
 
-// Which movable bodies a distance holds.
+// Per movable body whether a distance or a joint holds it.
 std::vector<bool> held_in(const BuiltScene& scene) {
     std::vector<bool> all(scene.world.bodies.size(), false), held;
-    if (scene.distances) {
-        for (const engine::Distance& distance : scene.distances->distances()) {
-            all[static_cast<std::size_t>(distance.body_a)] = true;
-            all[static_cast<std::size_t>(distance.body_b)] = true;
-        }
-    }
+    const auto hold = [&all](const auto& held_by) {
+        all[static_cast<std::size_t>(held_by.body_a)] = true;
+        all[static_cast<std::size_t>(held_by.body_b)] = true;
+    };
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), hold);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), hold);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!scene.world.bodies[i].is_static()) held.push_back(all[i]);
     }
     return held;
 }
 
-// Whether the last step had no row of this body.
+// Whether no row of the last step acts on this body.
 bool is_free(const engine::World& world, const Body& body) {
     const auto index = static_cast<int>(&body - world.bodies.data());
     return std::none_of(world.rows().begin(), world.rows().end(), [index](const engine::ConstraintRow& row) {
@@ -256,7 +257,7 @@ bool Measurements::flies(const engine::World& world, const Body& body, std::size
     return (rises || is_high) && is_free(world, body);
 }
 
-// From where a body of a standing scene may be.
+// Whether a body of a standing scene is far from where it may be.
 bool Measurements::strayed(std::size_t i, const Vector3& position) const {
     const double high = std::max(start_[i].y(), standing_->rest_heights[i]);
     const Vector3 nearest(start_[i].x(), std::clamp(position.y(), lowest_place(i), high), start_[i].z());

@@ -1,4 +1,4 @@
-// What a whole run was like: the numbers of the summary, gathered step by step.
+// Measurements of a whole run, collected step by step: the numbers of the summary.
 #pragma once
 
 #include "demos/runs/obstacles.h"
@@ -14,46 +14,46 @@
 
 namespace pushfactor::demos {
 
-// How a run ended (judged over its last second; L the size of the smallest body, g gravity, v_s = sqrt(g L), or L a
-// second without gravity). The worst that applies, in this order.
+// Outcome of a run, judged over its last second: the worst that applies, in this order. L is the size of the
+// smallest body, g gravity, v_s = sqrt(g L), or L per second without gravity.
 enum class Outcome {
-    // A body that touches nothing and hangs on nothing is above its start and rises faster than v_s, or moves
-    // higher above all starts than they spread and than 20 L. In a standing scene: any body that rises so, or is
-    // more than 20 L from the line from its start to its place of rest.
+    // A body without contacts and distances is above its start and rises faster than v_s, or moves and is higher
+    // above all starts than their extent and than 20 L. In a standing scene: any body that rises so, or is more
+    // than 20 L from the line from its start to its place of rest.
     fly,
     tunnel,  // a centre is behind a static plane, or has gone through the middle of a static box or sphere
     torn,    // a distance without a force limit is wrong by more than half of its length (stretch.h)
     fall,    // in a standing scene: a centre is more than L/2 below the lower of its start and its rest height
     moving,  // faster than 0.1 v_s: a centre, or the corners of a box about it
-    creep,   // displaced by more than 1e-5 L in the last second
+    creep,   // moved by more than 1e-5 L in the last second
     jitter,  // faster than 1e-4 v_s without that
     rest
 };
 std::string_view name_of(Outcome outcome);
 
-// Into how many engine steps the steps of a run were divided, and which rule asked for it.
+// Number of engine steps per step of a run, and the rules that required them.
 struct SubstepCount {
     long steps = 0;
     long sum = 0;
     int largest = 0;
     std::map<std::string_view, long> steps_by_rule;  // steps of more than one part
-    long short_steps = 0;                            // that should have had more parts than there may be
+    long short_steps = 0;                            // that needed more parts than are allowed
 
     double mean() const { return steps > 0 ? static_cast<double>(sum) / static_cast<double>(steps) : 0.0; }
     void add(const Sample& sample);
 };
 
-// What was not solved. A step of the run counts when it has left an island with more than the upper tolerance.
+// Unsolved steps: steps of the run that left an island with a residual above the upper tolerance.
 struct UnsolvedSteps {
     struct Place {
         long step = 0;
         double time = 0.0;                 // s
-        std::optional<BodyPair> bodies{};  // of the row that was most wrong, where it has been looked for
+        std::optional<BodyPair> bodies{};  // of the row with the largest residual, where it was searched
     };
 
     long of = 0;                        // steps of the run
     long count = 0;                     // that were not solved
-    long contradicting = 0;             // with rows that no forces can satisfy together
+    long contradicting = 0;             // with rows that contradict each other
     double worst_residual = 0.0;        // m/s, of all steps
     std::optional<Place> first, worst;  // the worst is that of all steps
     std::optional<Place> first_contradicting;
@@ -61,17 +61,17 @@ struct UnsolvedSteps {
     void add(const Sample& sample);
 };
 
-// What was done with the islands, over all steps of a run.
+// Islands by method, summed over all steps of a run.
 struct IslandCount {
     long kept = 0, swept = 0, exact = 0, in_small_steps = 0;
 
     void add(const Sample& sample);
 };
 
-// Bodies that rest leaves out of the steps.
+// Sleeping bodies.
 struct AtRest {
     int bodies = 0;               // after the last step
-    std::optional<double> since;  // s, the step from which on all movable ones have been, if they are
+    std::optional<double> since;  // s, since when all movable bodies have been sleeping, if they are
 
     void add(const Sample& sample, bool all);
 };
@@ -90,7 +90,7 @@ class Measurements {
     double median_residual() const;                                // m/s
     double initial_energy() const { return initial_energy_; }      // J
     double final_energy() const { return energy_; }                // J
-    double energy_gain() const { return energy_gain_; }            // J, the largest, beyond what came from outside
+    double energy_gain() const { return energy_gain_; }            // J, the largest, beyond work from outside
     // J, the largest kinetic energy of the run, at least that of all bodies at the speed v_s (see Outcome).
     double motion_energy() const { return std::max(max_kinetic_energy_, falling_energy_); }
     double max_speed() const { return max_speed_; }          // m/s, of the run
@@ -100,19 +100,19 @@ class Measurements {
     std::optional<double> drift_after_10_s() const;          // m, farthest from the place at 10 s
     std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes
     std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
-    const std::vector<double>& cpu_us() const { return cpu_us_; }   // one a step, when there was a clock
+    const std::vector<double>& cpu_us() const { return cpu_us_; }   // one per step, if there is a clock
     double max_kinetic_energy_last_second() const;                  // J
     const SubstepCount& substeps() const { return substeps_; }
     const UnsolvedSteps& unsolved() const { return unsolved_; }
     const IslandCount& islands() const { return islands_; }
     const AtRest& at_rest() const { return at_rest_; }
-    std::vector<std::pair<std::string, double>> of_scene() const;  // what the scene is about
+    std::vector<std::pair<std::string, double>> of_scene() const;  // the scene's own measures
     std::vector<double> heights() const;                           // m, movable bodies at the end
 
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
 
-    // Some steps together: their extremes, and where the bodies were after the last of them.
+    // Extremes of some consecutive steps, and the positions after the last of them.
     struct Moment {
         double max_speed = 0.0;
         double fastest = 0.0;  // m/s, of a centre or of corners about it
@@ -127,7 +127,7 @@ class Measurements {
     void watch_standing(double time, const Positions& positions);
     bool flies(const engine::World& world, const engine::Body& body, std::size_t i) const;
     bool strayed(std::size_t i, const engine::Vector3& position) const;
-    double lowest_place(std::size_t i) const;  // m: of start and rest height
+    double lowest_place(std::size_t i) const;  // m, the lower of start and rest height
 
     std::optional<Standing> standing_;
     std::unique_ptr<SceneMeasure> scene_measure_;
@@ -144,7 +144,7 @@ class Measurements {
     bool passed_ = false;  // an obstacle has been, by any body
     Stretch stretch_;
     std::optional<Positions> at_10_s_;
-    std::deque<Moment> window_;  // of the last second, and the state before it
+    std::deque<Moment> window_;  // moments of the last second, and the one before
 
     double max_penetration_ = 0.0, max_length_error_ = 0.0, max_upward_speed_ = 0.0, max_off_axis_ = 0.0;
     double initial_energy_ = 0.0, energy_ = 0.0, energy_gain_ = 0.0, drift_ = 0.0;

@@ -1,4 +1,4 @@
-// One run with everything that was asked to watch it: measurements, and the CSV files that were named.
+// A run with its measurements and CSV files.
 #pragma once
 
 #include "demos/options/choices.h"
@@ -16,25 +16,24 @@ namespace pushfactor::demos {
 
 class ObservedRun {
   public:
-    // With `timing` the run takes one thread, whose CPU time is a column of the CSV file. `folder` gets the last
-    // good state when the run leaves the finite numbers.
+    // With `timing` the run uses one thread, whose CPU time is a column of the CSV file. `folder` receives the last
+    // good state if the run becomes non-finite.
     ObservedRun(const Choices& choices, const RunFiles& files, bool timing, std::filesystem::path folder);
 
     const Simulation& simulation() const { return simulation_; }
 
-    // One step. When it leaves the finite numbers the state before it is written as a scene file that fails in its
-    // first step, and NonFiniteError also says where.
+    // Takes one step. If it becomes non-finite, the state before it is written as a scene file that fails in its
+    // first step, and the message of NonFiniteError names the file.
     void advance();
 
-    // Completes the files and gives the summary.
+    // Completes the files and returns the summary.
     std::string finish();
 
-    // For a run that is stopped before its end: the CSV files get their names with what they hold so far. Gives a
-    // line for each that says so; the names of those that cannot be written with the reason. Throws nothing.
+    // Completes the CSV files of a run that stopped early, with the lines so far. Returns a note per file, or the
+    // reason why it could not be written. Throws nothing.
     std::string keep_records();
 
-    // What has to be said about what was not solved, in lines of their own; nothing when all is well. `panel` tells
-    // runs of one scene apart.
+    // Warnings, one per line; empty if there are none. `panel` distinguishes runs of one scene.
     std::string warnings(const std::string& panel = "") const;
 
   private:
@@ -46,7 +45,7 @@ class ObservedRun {
     std::vector<std::unique_ptr<Record>> records_;
     std::filesystem::path folder_;
     std::optional<std::string> save_state_;
-    long last_recorded_ = 0;  // step; the one that leaves the finite numbers is not recorded
+    long last_recorded_ = 0;  // step; a non-finite one is not recorded
 };
 
 }  // namespace pushfactor::demos

@@ -1,4 +1,4 @@
-// The static bodies of a scene as what no other body may get through.
+// The static bodies of a scene as obstacles that no other body may pass through.
 #pragma once
 
 #include "demos/runs/scene.h"
@@ -18,8 +18,9 @@ class Obstacles {
     bool is_behind_plane(const engine::Vector3& centre) const;
 
     // Whether a centre that moves straight from one place to the other gets to the other side of a box between its
-    // faces, or as deep as half its radius into a sphere: bodies that touch and roll off come nowhere near that.
-    // `from` belongs to the step before; relative to an obstacle that has moved since.
+    // faces, or as deep as half its radius into a sphere, or into the inner half of a polyhedron: bodies that touch
+    // and roll off come nowhere near that. `from` belongs to the step before; relative to an obstacle that has
+    // moved since.
     bool is_passed(const engine::Vector3& from, const engine::Vector3& to) const;
 
   private:
@@ -40,12 +41,17 @@ class Obstacles {
         Pose before, now;
         double radius = 0.0;  // m
     };
+    struct Polyhedron {
+        Pose before, now;
+        std::shared_ptr<const engine::collision::PolyhedronMesh> mesh;
+    };
 
     void list(const BuiltScene& scene);
 
     std::vector<Plane> planes_;
     std::vector<Box> boxes_;
     std::vector<Sphere> spheres_;
+    std::vector<Polyhedron> polyhedra_;
 };
 
 }  // namespace pushfactor::demos

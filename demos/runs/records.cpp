@@ -11,7 +11,7 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-// Lines are gathered and written together.
+// Lines are buffered.
 class CsvRecord : public Record {
   public:
     CsvRecord(const std::filesystem::path& path, std::string_view header) : file_(path) {
@@ -96,6 +96,14 @@ std::string_view name_of(engine::RowKind kind) {
             return "friction";
         case engine::RowKind::distance:
             return "distance";
+        case engine::RowKind::joint:
+            return "joint";
+        case engine::RowKind::motor:
+            return "motor";
+        case engine::RowKind::limit:
+            return "limit";
+        case engine::RowKind::spring:
+            return "spring";
         case engine::RowKind::contact:
             break;
     }

@@ -1,4 +1,4 @@
-// The files that a run writes step by step, and the state at its end.
+// The output files of a run: those written step by step, and the final state.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// A scene: a world of the parts that it needs, and what one has to know to look at it. Engine types only, so that
-// tests and reports use the same scenes as the program.
+// A built scene: a world of the parts that it needs, and its view. Engine types only, so that tests and reports use
+// the same scenes as the program.
 #pragma once
 
 #include "demos/options/settings.h"
@@ -23,8 +23,9 @@ struct BuiltScene {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
     const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
+    const engine::JointConstraints* joints = nullptr;        // part of the world; null without joints
 
-    std::optional<double> substeps_before{};  // when it goes on: StepDivision::level()
+    std::optional<double> substeps_before{};  // of a resumed run: StepDivision::level()
 
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;
@@ -32,11 +33,11 @@ struct BuiltScene {
     std::function<std::unique_ptr<SceneMeasure>(const engine::World&)> measure;
 };
 
-// The world of a description under the settings. What either leaves out is not constructed. When distances hang on
-// "world", a static body for it comes last. Throws engine::InvalidInput for a name that no body has, for an
-// scheme that does not fit the scene, and for what the engine refuses.
+// Builds the world of a description under the settings; parts that either leaves out are absent. If distances or
+// joints hang on "world", the last body is a static one for it. Throws engine::InvalidInput for an unknown body
+// name, for a scheme that does not fit the scene, and for what the engine refuses.
 BuiltScene build_scene(const SceneDescription& description, const Settings& settings);
-// Of a run.
+// The same for the options of a run.
 BuiltScene build_scene(const Choices& choices);
 
 }  // namespace pushfactor::demos

@@ -17,7 +17,8 @@ namespace {
 double max_length_error(std::span<const engine::ConstraintRow> rows) {
     double largest = 0.0;
     for (const engine::ConstraintRow& row : rows) {
-        if (row.label.kind == engine::RowKind::distance) largest = std::max(largest, std::abs(row.label.gap));
+        const bool holds = row.label.kind == engine::RowKind::distance || row.label.kind == engine::RowKind::joint;
+        if (holds) largest = std::max(largest, std::abs(row.label.gap));
     }
     return largest;
 }
@@ -26,6 +27,9 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     const StartKick choice = settings.start_kick;
     if (is_rattle(settings.scheme)) return false;
     if (choice != StartKick::where_it_fits) return choice == StartKick::on;
+    // A motor may give its speed in the first step.
+    const auto is_driven = [](const engine::Joint& joint) { return joint.hinge && joint.hinge->motor; };
+    if (scene.joints && std::ranges::any_of(scene.joints->joints(), is_driven)) return false;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
         return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
     });
@@ -37,7 +41,7 @@ StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
     return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
 }
 
-// Of the body with the largest number in its state; the first of several.
+// Index of the body with the largest number in its state; the first of several.
 std::size_t most_extreme(std::span<const engine::Body> bodies) {
     const auto extreme = [](const engine::Body& body) {
         return std::max({body.position.cwiseAbs().maxCoeff(), body.linear_momentum.cwiseAbs().maxCoeff(),
@@ -51,7 +55,7 @@ std::size_t most_extreme(std::span<const engine::Body> bodies) {
 }  // namespace
 
 long whole_steps(const Settings& settings) {
-    // A hair more than the quotient, so that "10 seconds" of 1/60 s are 600 steps and not 599.
+    // Slightly more than the quotient, so that rounding cannot make 599 steps of 10 s at 1/60 s.
     return static_cast<long>(std::floor(settings.seconds / settings.dt.value() * (1.0 + 1e-12) + 1e-9));
 }
 
@@ -66,8 +70,9 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
       division_(division_of(scene_, settings)),
       clock_(clock),
       energy_(scene_.gravity) {
+    if (scene_.contacts) detector_.broad_phase().leave_out(scene_.contacts->filter());
     start();
-    energy_.open(scene_.world.bodies, settings_.dt.value());
+    energy_.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
     measure_state();
 }
 
@@ -76,7 +81,7 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
-    // What the rules ask about is not known before the first solve.
+    // The rules need the forces of a first solve.
     if (!settings_.substeps && !scene_.substeps_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
     StepDivision first = division_;
@@ -129,13 +134,13 @@ void Simulation::step_engine(double dt) {
     sample_.count.islands_contradicting =
         std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
     sample_.residual = std::max(sample_.residual, residual);
-    if (sample_.count.rows(engine::RowKind::distance) > 0) {
+    if (sample_.count.rows(engine::RowKind::distance) + sample_.count.rows(engine::RowKind::joint) > 0) {
         sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
     }
     ++sample_.substeps;
 }
 
-// While sample_.count is of the engine step that has just ended.
+// Call while sample_.count is that of the engine step that has just ended.
 void Simulation::find_worst(double residual) {
     if (sample_.count.islands_unsolved > 0 && residual > largest_unsolved_) {
         largest_unsolved_ = residual;
@@ -175,7 +180,7 @@ void Simulation::require_finite_state() const {
     if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
 }
 
-// A finite state may still be too large for the squares in what is measured of it.
+// A finite state may still overflow squares in the measured numbers.
 void Simulation::require_finite_sample() const {
     const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
                               std::pair{sample_.potential_energy, "potential energy"},

@@ -9,14 +9,14 @@ namespace pushfactor::demos {
 
 namespace {
 
-// How far the state may go beyond a rule before the rest of a step is divided anew. All rules keep a distance from
-// where things go wrong, and a step of unequal parts is less exact than one of equal parts.
+// Factor by which a rule may be exceeded before the rest of a step is divided again: all rules have a safety
+// margin, and a step of unequal parts is less accurate than one of equal parts.
 constexpr double refine_beyond = 1.6;
 
 constexpr double most_rise = 2.0;
 constexpr double most_fall = 15.0 / 16.0;
 
-// A rule that is met but for rounding asks for no part more.
+// Rounded up, but rounding errors do not add a part.
 int whole(double parts) {
     return static_cast<int>(std::ceil(parts * (1.0 - 1e-9)));
 }
@@ -31,6 +31,10 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
             {"tension", [distances](const World& w) { return tension_rate(*distances, w.bodies); }, false});
         rules.push_back(
             {"turning", [distances](const World& w) { return turning_rate(*distances, w.bodies); }, true});
+    }
+    if (const auto* joints = scene.joints) {
+        rules.push_back({"tension", [joints](const World& w) { return tension_rate(*joints, w.bodies); }, false});
+        rules.push_back({"turning", [joints](const World& w) { return turning_rate(*joints, w.bodies); }, true});
     }
     const auto& bodies = scene.world.bodies;
     if (std::any_of(bodies.begin(), bodies.end(), engine::is_slender)) {

@@ -1,4 +1,4 @@
-// Into how many engine steps a step of the run is divided: always the same number, or as many as the state asks for
+// Division of a step of the run into engine steps: a fixed number, or as many as the state needs
 // (engine/measures/step_length.h).
 #pragma once
 
@@ -14,39 +14,40 @@ struct StepRule {
     std::string_view name;
     std::function<double(const engine::World&)> rate;  // 1/s; a step of dt follows the state while rate dt <= 1
 
-    // Whether it may also divide what is left of a step. Not where it looks at forces: they hold the correction of
-    // the last part too, which is the greater the shorter the part, and dividing would call for dividing again.
+    // Whether it may also divide the rest of a step. Not for rules that depend on forces: these include the
+    // correction of the last part, which is larger for shorter parts, so that dividing would require dividing
+    // again.
     bool within_step = false;
 };
 
-// The rules for the parts that the scene has. They look at parts of its world, which must outlive them.
+// The rules for the parts of the scene. They refer to parts of its world, which must outlive them.
 std::vector<StepRule> step_rules(const BuiltScene& scene);
 
 class StepDivision {
   public:
-    // That rules can get: no scene that makes sense asks for more, and a run shall not come to a halt.
+    // Maximum for rules: no reasonable scene needs more, and it bounds the time per step.
     static constexpr int most_parts = 1000;
 
     // Always `parts`, 1 or more.
     explicit StepDivision(int parts) : level_(parts) {}
 
-    // What the rules ask for, 1 where they ask for nothing. From step to step it at most doubles, because a single
-    // large force may be the end of a motion, and falls by no more than a sixteenth: a length error that was small
-    // for a long step is corrected all the faster in a short one, so that every change of length costs energy.
-    // `level`: that of the step before, for a run that goes on; 0 for one that begins.
+    // As many parts as the rules require, at least 1. From step to step the number at most doubles, because a
+    // single large force may only stop a motion, and falls by no more than a sixteenth: a length error that is
+    // small for a long step is corrected faster in a short one, so that every change of step length costs energy.
+    // `level`: that of the previous step for a resumed run, 0 at the start.
     explicit StepDivision(std::vector<StepRule> rules, double level = 0.0)
         : rules_(std::move(rules)), level_(level) {}
 
-    // Parts of the step of dt [s] that comes now.
+    // Number of parts for the next step of dt [s].
     int divide(const engine::World& world, double dt);
 
-    // Into how many each of the `parts` of the step of dt that are left is to be divided further: 2 when the state
-    // has come to ask for much shorter ones meanwhile, 1 otherwise.
+    // Further division of each remaining part, when the step of dt has `parts`: 2 if the state now needs much
+    // shorter ones, 1 otherwise.
     int refine(const engine::World& world, double dt, int parts);
 
     double level() const { return level_; }          // parts of the last step at its finest, before rounding up
-    std::string_view rule() const { return rule_; }  // that asked for them; empty when none did
-    bool is_short() const { return short_; }         // whether it asked for more than most_parts
+    std::string_view rule() const { return rule_; }  // that required them; empty if none did
+    bool is_short() const { return short_; }         // whether it required more than most_parts
 
   private:
     std::vector<StepRule> rules_;

@@ -17,6 +17,11 @@ double error_of(const Distance& distance, std::span<const engine::Body> bodies) 
     return std::abs(error);
 }
 
+double error_of(const engine::Joint& joint, std::span<const engine::Body> bodies) {
+    const engine::Span span = span_of(joint, bodies);
+    return (span.to - span.from).norm();
+}
+
 // m; 0 for the world.
 double radius_of(const BuiltScene& scene, int body) {
     const auto index = static_cast<std::size_t>(body);
@@ -24,24 +29,34 @@ double radius_of(const BuiltScene& scene, int body) {
 }
 
 double scale_of(const Distance& distance, const BuiltScene& scene) {
-    if (std::isfinite(distance.max_force)) return 0.0;
+    if (std::isfinite(distance.max_force) || distance.spring) return 0.0;
     if (distance.length > 0.0) return distance.length;
     return std::max(radius_of(scene, distance.body_a), radius_of(scene, distance.body_b));
+}
+
+double scale_of(const engine::Joint& joint, const BuiltScene& scene) {
+    return std::max(radius_of(scene, joint.body_a), radius_of(scene, joint.body_b));
+}
+
+template <typename Visit>
+void each_held(const BuiltScene& scene, const Visit& visit) {
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), visit);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), visit);
 }
 
 }  // namespace
 
 Stretch::Stretch(const BuiltScene& scene) {
-    if (!scene.distances) return;
-    for (const Distance& distance : scene.distances->distances()) scale_.push_back(scale_of(distance, scene));
+    each_held(scene, [&](const auto& held) { scale_.push_back(scale_of(held, scene)); });
 }
 
 double Stretch::worst(const BuiltScene& scene) const {
     double worst = 0.0;
-    for (std::size_t i = 0; i < scale_.size(); ++i) {
-        if (scale_[i] == 0.0) continue;
-        worst = std::max(worst, error_of(scene.distances->distances()[i], scene.world.bodies) / scale_[i]);
-    }
+    auto scale = scale_.begin();
+    each_held(scene, [&](const auto& held) {
+        const double own = *scale++;
+        if (own > 0.0) worst = std::max(worst, error_of(held, scene.world.bodies) / own);
+    });
     return worst;
 }
 

@@ -1,4 +1,4 @@
-// How far the distances of a scene are from their lengths.
+// Relative length errors of the distances of a scene.
 #pragma once
 
 #include "demos/runs/scene.h"
@@ -11,8 +11,8 @@ class Stretch {
   public:
     explicit Stretch(const BuiltScene& scene);
 
-    // The largest error of a bar, rope or strut as a share of its length, of a joint as a share of the size of the
-    // bodies that it holds. A slack rope has none, and those with a limit of their force are left out: they yield.
+    // The largest error of a bar, rope or strut relative to its length, or of a joint relative to the size of its
+    // bodies. A slack rope has none; distances with a force limit are left out, because they yield.
     double worst(const BuiltScene& scene) const;
 
   private:

@@ -39,20 +39,21 @@ std::string shaken_too_fast(const std::string& name, const Simulation& simulatio
     return "";
 }
 
-// What is more than a good run has: of 2 % the swing of a chain that is too coarse for it can be seen to grow, and
-// of 10 % its bars to be wrong. A solver is far from its answer when the residual is such a share of the speeds.
+// Limits for warnings: the swing of a chain with too long steps visibly grows at 2 %, and its bars are visibly
+// wrong at 10 %. The residual is relative to the largest speed.
 constexpr double much_gain = 0.02;
 constexpr double much_stretch = 0.1;
 constexpr double much_residual = 1e-2;
 
-// What to change: a correction of wrong lengths at the start that stays as speed; an answer that is too far off, a
-// step that is too long, or both.
+// The option to try: another push if wrong initial lengths turn into lasting speed; else better solves, shorter
+// steps, or both.
 std::string remedy(const Simulation& simulation, const Measurements& measured) {
     const Settings& settings = simulation.settings();
     const bool persists = settings.distances.kind == engine::PushKind::persistent;
     if (persists && measured.start_stretch() > much_stretch) return "--distance-push single-frame";
     std::vector<std::string> options;
-    if (settings.substeps && simulation.scene().distances) options.emplace_back("--substeps auto");
+    if (settings.substeps && (simulation.scene().distances || simulation.scene().joints))
+        options.emplace_back("--substeps auto");
     if (measured.unsolved().worst_residual > much_residual * measured.max_speed()) {
         const bool exact = settings.solver == "auto" || settings.solver == "direct";
         options.push_back(exact ? fmt::format("--iterations above {}", settings.iterations) : "--solver auto");

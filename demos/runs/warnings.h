@@ -1,4 +1,4 @@
-// What a run says aloud about what was not solved, and about steps that were too long for it.
+// Warnings of a run about unsolved steps and about steps that were too long.
 #pragma once
 
 #include "demos/runs/measurements.h"
@@ -7,9 +7,8 @@
 
 namespace pushfactor::demos {
 
-// One line for steps that were not solved, one for steps whose rows contradict each other, one for energy out of
-// nothing and bars that gave way, with the option that helps; empty when all is well. `name` is what the run is
-// called.
+// One line for unsolved steps, one for steps whose rows contradict each other, one for energy without a source and
+// stretched bars, with the option to try; empty without warnings. `name` is the name of the run.
 std::string warning_text(const std::string& name, const Simulation& simulation, const Measurements& measured);
 
 }  // namespace pushfactor::demos

@@ -6,7 +6,7 @@ namespace {
 
 using engine::Vector6;
 
-using Outcome = engine::IslandSolver::Outcome;
+using IslandOutcome = engine::IslandSolver::Outcome;
 
 class Search {
   public:
@@ -34,7 +34,7 @@ class Search {
         const engine::ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
         const double w = row.jacobian.a.dot(accelerations_[static_cast<std::size_t>(row.body_a)]) +
                          row.jacobian.b.dot(accelerations_[static_cast<std::size_t>(row.body_b)]) -
-                         system_.b(j, column);
+                         system_.b(j, column) + soft_part(row, lambda_, j, column);
         const double miss = residuals.next(j, w);
         if (miss <= largest_) return;
         largest_ = miss;
@@ -60,11 +60,11 @@ std::optional<BodyPair> worst_among(const engine::World& world, Concerned concer
 }  // namespace
 
 std::optional<BodyPair> worst_unsolved(const engine::World& world) {
-    return worst_among(world, [](const Outcome& outcome) { return !outcome.solved; });
+    return worst_among(world, [](const IslandOutcome& outcome) { return !outcome.solved; });
 }
 
 std::optional<BodyPair> worst_contradicting(const engine::World& world) {
-    return worst_among(world, [](const Outcome& outcome) { return outcome.contradicts; });
+    return worst_among(world, [](const IslandOutcome& outcome) { return outcome.contradicts; });
 }
 
 }  // namespace pushfactor::demos

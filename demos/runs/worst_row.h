@@ -1,4 +1,4 @@
-// Whom a solve has failed: the row that it got most wrong.
+// The row with the largest residual.
 #pragma once
 
 #include "engine/world.h"
@@ -7,13 +7,13 @@
 
 namespace pushfactor::demos {
 
-// Two bodies of a world, by their places in it.
+// Two bodies of a world by index.
 struct BodyPair {
     int a = 0, b = 0;
 };
 
-// The bodies of the row with the largest residual (engine::RowResiduals) in the last step of the world, among the
-// islands that it left unsolved; none without those, or when no row of them misses anything.
+// The bodies of the row with the largest residual (engine::RowResiduals) in the last step of the world, among
+// unsolved islands; none without such islands, or if their residuals are zero.
 std::optional<BodyPair> worst_unsolved(const engine::World& world);
 
 // The same among the islands whose rows contradict each other.

@@ -1,18 +1,11 @@
 #include "demos/scenes/camera_file.h"
 
+#include "demos/scenes/vector_json.h"
 #include "demos/text/json_file.h"
 
 #include <array>
 
 namespace pushfactor::demos {
-
-namespace {
-
-Json to_json(const engine::Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
-
-}  // namespace
 
 std::span<const std::string> camera_keys() {
     static const std::array<std::string, 4> keys{"eye_m", "target_m", "field_of_view_deg", "floor_m"};

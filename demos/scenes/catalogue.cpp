@@ -1,11 +1,14 @@
 #include "demos/scenes/catalogue.h"
 
+#include "demos/scenes/named/arch.h"
 #include "demos/scenes/named/chain.h"
+#include "demos/scenes/named/dominoes.h"
 #include "demos/scenes/named/funnel.h"
 #include "demos/scenes/named/heavy_on_light.h"
 #include "demos/scenes/named/intersecting_stack.h"
 #include "demos/scenes/named/pendulum_grid.h"
 #include "demos/scenes/named/pendulum_wave.h"
+#include "demos/scenes/named/platonic.h"
 #include "demos/scenes/named/stack.h"
 
 #include <algorithm>
@@ -32,8 +35,14 @@ std::span<const SceneEntry> catalogue() {
         SceneEntry{"chain", "A chain of bars swings down from the horizontal with a weight at its end.",
                    chain_parameters(), chain},
         SceneEntry{"heavy-on-light",
-                   "A heavy cube stands on light ones: the mass ratio is what iterations cannot do.",
+                   "A heavy cube stands on light ones: a mass ratio that iterations alone do not solve.",
                    heavy_on_light_parameters(), heavy_on_light},
+        SceneEntry{"arch", "A semicircular arch of loose voussoirs stands by weight, contact and friction.",
+                   arch_parameters(), arch},
+        SceneEntry{"dominoes", "A row of dominoes falls, one knocking over the next.", dominoes_parameters(),
+                   dominoes},
+        SceneEntry{"platonic", "The five regular solids are poured into the funnel and come to rest.",
+                   platonic_parameters(), platonic},
     };
     return table;
 }
@@ -54,9 +63,11 @@ std::string made_of(const SceneDescription& description) {
     if (!description.gravity.isZero()) parts += ", gravity";
     if (!description.forces.empty()) parts += ", " + std::to_string(description.forces.size()) + " forces";
     if (!description.distances.empty()) parts += ", " + std::to_string(description.distances.size()) + " distances";
+    if (!description.joints.empty()) parts += ", " + std::to_string(description.joints.size()) + " joints";
     if (description.contacts) parts += ", contacts";
     if (description.contacts && has(&BodyDescription::friction)) parts += ", friction";
     if (description.contacts && has(&BodyDescription::restitution)) parts += ", restitution";
+    if (description.contacts && !description.materials.empty()) parts += ", material pairs";
     return parts;
 }
 

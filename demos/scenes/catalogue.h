@@ -1,4 +1,4 @@
-// Every scene that there is, in the order in which they are shown.
+// The catalogue of scenes, in display order.
 #pragma once
 
 #include "demos/scenes/parameters.h"
@@ -18,10 +18,10 @@ struct SceneEntry {
 
 std::span<const SceneEntry> catalogue();
 
-// Null when there is no scene of that name.
+// Null if there is no scene of that name.
 const SceneEntry* find_scene(std::string_view name);
 
-// What the world of a description is made of, in words: "gravity, 50 distances".
+// The parts of a description in words: "50 bodies, gravity, 50 distances".
 std::string made_of(const SceneDescription& description);
 
 }  // namespace pushfactor::demos

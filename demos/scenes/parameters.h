@@ -1,4 +1,4 @@
-// The parameters of a scene: a table a scene, and the values that somebody gave.
+// The parameters of scenes: one table per scene, and the given values.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ class ParameterValues {
   public:
     explicit ParameterValues(std::span<const Parameter> parameters) : parameters_(parameters) {}
 
-    // False when the text is no number in the range of `parameter`; then nothing is set.
+    // False and no change if the text is not a number in the range of `parameter`.
     bool set(const Parameter& parameter, std::string_view text);
 
     bool given(std::string_view name) const { return values_.contains(name); }

@@ -1,10 +1,13 @@
-// A scene as data: what a scene file says and what the scenes in C++ return. Nothing here acts; build_scene() makes
-// the world of it, and what the description does not mention is not constructed.
+// A scene as data, from a scene file or from a scene in C++. build_scene() makes the world of it; parts that the
+// description does not mention are absent.
 #pragma once
 
+#include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
+#include "engine/forces/poke.h"
 
 #include <functional>
 #include <map>
@@ -53,7 +56,7 @@ struct MotionDescription {
 
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape> shape{};
+    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
     std::optional<double> mass{};                        // kg; static without
     std::optional<MotionDescription> motion{};           // of a static body
     engine::Vector3 position = engine::Vector3::Zero();  // m
@@ -64,16 +67,19 @@ struct BodyDescription {
     std::optional<engine::Vector3> linear_momentum{}, angular_momentum{};
     double friction = 0.5;
     double restitution = 0.0;
+    std::string material{};  // none when empty
+    std::string group{};     // whose bodies do not touch each other; none when empty
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
     double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
 };
 
-// Of a sphere around the body's centre that holds it, m; 0 for a plane, which nothing holds.
+// Radius [m] of the bounding sphere around the body's centre; 0 for a plane.
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
-                                         [](const PlaneShape&) { return 0.0; }},
+                                         [](const PlaneShape&) { return 0.0; },
+                                         [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
                       body.shape);
 }
 
@@ -82,25 +88,52 @@ inline bool goes_about(const BodyDescription& body) {
     return body.mass || (body.motion && !std::holds_alternative<PlaneShape>(body.shape));
 }
 
+// Gives the body the hull of points [m] in its frame, and moves its frame to the centre of mass and the principal
+// axes; velocities stay those of the centre of mass.
+void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron);
+
 struct DistanceDescription {
     struct End {
         std::string body = "world";                       // a body's name, or "world"
         engine::Vector3 point = engine::Vector3::Zero();  // m, body frame (world frame for "world")
     };
     End a{}, b{};
-    std::optional<double> length{};  // m; what it is at the start without
+    std::optional<double> length{};  // m; none: the distance at the start
     engine::Distance::Acts acts = engine::Distance::Acts::both;
-    std::optional<double> max_force{};  // N
+    std::optional<double> max_force{};       // N
+    std::optional<engine::Spring> spring{};  // rigid without
+};
+
+struct HingeDescription {
+    engine::Vector3 axis = engine::Vector3::UnitZ();  // of any length, frame of a (world frame for "world")
+    std::optional<engine::Quaternion> zero{};  // of b in the frame of a at angle 0; that of the start without
+    std::optional<engine::Motor> motor{};
+    std::optional<engine::AngleLimits> limits{};
+};
+
+struct JointDescription {
+    DistanceDescription::End a{}, b{};
+    std::optional<HingeDescription> hinge{};  // a ball joint without
+    bool collide = false;                     // whether the two bodies touch each other
 };
 
 struct ForceDescription {
     std::string body{};
-    engine::Vector3 force = engine::Vector3::Zero();  // N, world frame
-    double from = 0.0;                                // s
-    std::optional<double> until{};                    // s
+    engine::Vector3 force = engine::Vector3::Zero();   // N
+    engine::Vector3 torque = engine::Vector3::Zero();  // N m, beside that of the force
+    engine::Vector3 point = engine::Vector3::Zero();   // m, body frame: where the force acts
+    engine::Poke::Frame frame = engine::Poke::Frame::world;
+    double from = 0.0;              // s
+    std::optional<double> until{};  // s
 };
 
-// Where one looks from, and at what [m]. `floor` is the height of a ground that is drawn and nothing else.
+// What two materials have on each other, instead of what their bodies would.
+struct MaterialPairDescription {
+    std::string a{}, b{};
+    std::optional<double> friction{}, restitution{};
+};
+
+// A camera [m]. `floor` is the height of a ground that is only drawn.
 struct View {
     engine::Vector3 eye = engine::Vector3(6, 5, 14);
     engine::Vector3 target = engine::Vector3(0, 1, 0);
@@ -111,14 +144,13 @@ struct View {
 // A scene whose bodies should come to stand one on the other.
 struct Standing {
     double side = 0.0;                 // m, edge of a body
-    std::vector<double> rest_heights;  // m, of the centres, one a movable body
+    std::vector<double> rest_heights;  // m, of the centres, one per movable body
 };
 
-// Where in time the momenta of a run belong: half a step before the positions, as semi-implicit Euler leaves them,
-// or with them.
+// Time of the momenta: half a step before the positions, as in semi-implicit Euler, or the same.
 enum class MomentaAt { half_steps, whole_steps };
 
-// What a scene is about, as numbers for the summary; only the scenes in C++ have one.
+// A scene's own measures for the summary; only scenes in C++ have them.
 class SceneMeasure {
   public:
     virtual ~SceneMeasure() = default;
@@ -126,7 +158,7 @@ class SceneMeasure {
     virtual std::vector<std::pair<std::string, double>> result() const = 0;
 };
 
-// What a run carries from step to step beside the bodies (run_state.h).
+// State of a run besides the bodies (run_state.h).
 struct RunState;
 
 struct SceneDescription {
@@ -134,13 +166,16 @@ struct SceneDescription {
     engine::Vector3 gravity = engine::Vector3(0, -10, 0);  // m/s^2; no force source when zero
     std::vector<BodyDescription> bodies;
     std::vector<DistanceDescription> distances;
+    std::vector<JointDescription> joints;
     std::vector<ForceDescription> forces;
     bool contacts = false;
-    std::shared_ptr<const RunState> state;  // of a run that goes on; none for one that begins
+    std::vector<std::pair<std::string, std::string>> no_contacts;  // bodies that do not touch each other
+    std::vector<MaterialPairDescription> materials;
+    std::shared_ptr<const RunState> state;  // of a resumed run, else null
     View view;
-    bool has_camera = true;  // false: none is known, and `view` says no more than a direction
+    bool has_camera = true;  // false: `view` gives only a direction
 
-    // Simulation options that the scene brings along, before command line and config ("preset" among them).
+    // Simulation options of the scene, overridden by command line and config ("preset" among them).
     std::map<std::string, std::string> options;
 
     std::optional<Standing> standing;

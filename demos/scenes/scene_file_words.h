@@ -1,4 +1,4 @@
-// What reading and writing a scene file share.
+// Constants shared by the reader and the writer of scene files.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
@@ -15,5 +15,8 @@ inline constexpr std::array<std::pair<std::string_view, engine::Distance::Acts>,
     {{"both", engine::Distance::Acts::both},
      {"pulls", engine::Distance::Acts::pulls},
      {"pushes", engine::Distance::Acts::pushes}}};
+
+inline constexpr std::array<std::pair<std::string_view, engine::Poke::Frame>, 2> frame_names{
+    {{"world", engine::Poke::Frame::world}, {"body", engine::Poke::Frame::body}}};
 
 }  // namespace pushfactor::demos

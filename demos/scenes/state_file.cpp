@@ -1,7 +1,10 @@
 #include "demos/scenes/state_file.h"
 
+#include "demos/scenes/vector_json.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -13,15 +16,16 @@ namespace {
 using engine::ContactCache;
 using engine::DistanceForce;
 using engine::IslandSolver;
+using engine::JointForce;
 using engine::Lambda;
 using engine::Rest;
 using engine::Vector3;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-// Of the state itself, solved_exactly and kept_steps are from the time before each body had its own.
-const Keys state_keys{"time_s", "warm_start", "substeps",       "distance_forces_n", "contact_forces",
-                      "places", "at_rest",    "solved_exactly", "kept_steps"};
+// solved_exactly and kept_steps of the state as a whole are read from older files without values per body.
+const Keys state_keys{"time_s",         "warm_start", "substeps", "distance_forces_n", "joint_forces_n",
+                      "contact_forces", "places",     "at_rest",  "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
 const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
@@ -38,8 +42,8 @@ Lambda read_lambda(const JsonReader& json) {
     return {columns[0], columns[1]};
 }
 
-// Two numbers of a bar; three times two of a ball joint, of which files from the time when it was one row with a
-// direction of rounding hold two.
+// Two numbers for a bar, three times two for a ball joint. Older files have two for a ball joint, which are
+// ignored.
 DistanceForce read_distance_force(const JsonReader& json, const DistanceDescription& distance) {
     const bool joint = distance.length == 0.0;
     if (!json.json().is_array() || json.json().empty() || !json.json().front().is_array()) {
@@ -58,7 +62,28 @@ std::vector<DistanceForce> read_distance_forces(const JsonReader& json, const Sc
         forces.push_back(read_distance_force(entries[i], scene.distances[i]));
     }
     if (entries.size() != scene.distances.size()) {
-        json.refuse(fmt::format("an array of {} forces, one a distance constraint", scene.distances.size()));
+        json.refuse(fmt::format("an array of {} forces, one per distance constraint", scene.distances.size()));
+    }
+    return forces;
+}
+
+std::size_t rows_of(const JointDescription& joint) {
+    engine::Joint rows;
+    if (joint.hinge) rows.hinge = {.motor = joint.hinge->motor, .limits = joint.hinge->limits};
+    return row_count(rows);
+}
+
+std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDescription& scene) {
+    const std::vector<JsonReader> entries = json.elements();
+    if (entries.size() != scene.joints.size()) {
+        json.refuse(fmt::format("an array of {} lists of forces, one a joint", scene.joints.size()));
+    }
+    std::vector<JointForce> forces(entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::vector<JsonReader> rows = entries[i].elements();
+        const std::size_t count = rows_of(scene.joints[i]);
+        if (rows.size() != count) entries[i].refuse(fmt::format("{} times two numbers, one a row", count));
+        std::transform(rows.begin(), rows.end(), forces[i].begin(), read_lambda);
     }
     return forces;
 }
@@ -93,7 +118,7 @@ class BodyIndex {
     std::map<std::string, int, std::less<>> indices_;
 };
 
-// What `json` says, of the bodies that it is about.
+// Warm start memory common to the bodies of `json`.
 IslandSolver::Memory read_memory(const JsonReader& json) {
     IslandSolver::Memory memory;
     if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();
@@ -120,7 +145,7 @@ std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const 
     return memory;
 }
 
-// A place without position and orientation is where the body is.
+// A missing position or orientation is that of the body.
 std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
     std::vector<Rest::Memory> memory(scene.bodies.size());
@@ -180,9 +205,7 @@ ContactCache read_contact_forces(const JsonReader& json, const SceneDescription&
     return cache;
 }
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
+using demos::to_json;  // of a vector
 
 Json to_json(const Lambda& lambda) {
     return Json::array({lambda.first, lambda.last});
@@ -210,7 +233,7 @@ Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const 
     return json;
 }
 
-// Bodies that have the same to remember stand together; those that have nothing are left out.
+// Bodies with equal memory are grouped; those without any are left out.
 Json warm_start_json(const RunState& state, const SceneDescription& scene) {
     std::map<std::tuple<bool, int, double, double>, Json> names;
     const std::tuple<bool, int, double, double> nothing{};
@@ -280,6 +303,10 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     if (json.has("distance_forces_n")) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
     }
+    state.joint_forces.resize(scene.joints.size());
+    if (json.has("joint_forces_n")) {
+        state.joint_forces = read_joint_forces(json.at("joint_forces_n"), scene);
+    }
     if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
     if (json.has("places")) state.rest = read_places(json.at("places"), scene);
     if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
@@ -292,6 +319,11 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
     for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
         const bool joint = scene.distances[i].length == 0.0;
         json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
+    }
+    for (std::size_t i = 0; i < state.joint_forces.size(); ++i) {
+        Json& rows = json["joint_forces_n"].emplace_back(Json::array());
+        for (std::size_t j = 0; j < rows_of(scene.joints[i]); ++j)
+            rows.push_back(to_json(state.joint_forces[i][j]));
     }
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));

@@ -1,4 +1,4 @@
-// The part of a scene file that lets a saved run go on.
+// The part of a scene file from which a saved run is resumed.
 #pragma once
 
 #include "demos/scenes/run_state.h"

@@ -1,4 +1,4 @@
-// Lists in one word of the command line: "0,0.5,10".
+// Comma-separated lists: "0,0.5,10".
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace pushfactor::demos {
 
-// What stands between the commas, empty parts included; one empty part for an empty text.
+// The parts between commas, including empty ones; one empty part for an empty text.
 inline std::vector<std::string_view> parts_of(std::string_view text) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0; begin <= text.size();) {

@@ -1,4 +1,4 @@
-// How the program fails: one exception type an exit status (see README).
+// Errors of the program: one exception type per exit status (see README).
 #pragma once
 
 #include <stdexcept>
@@ -13,13 +13,13 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The run could not go on; also an interruption.
+// The run failed or was interrupted.
 class RunError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// What was checked is not as expected. The message names the first that is not.
+// A checked result is not as expected. The message names the first one.
 class CheckError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -31,7 +31,7 @@ class OutputError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The simulation left the finite numbers. The message names the body, the quantity and the step.
+// The simulation became non-finite. The message names the body, the quantity and the step.
 class NonFiniteError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 100'000'000;
 
-// Follows a document up to its first error and knows where that is.
+// Locates the first error of a document.
 class ErrorPlace : public nlohmann::json_sax<Json> {
   public:
     // "bodies[0].mass_kg"; empty for the document as a whole.
@@ -83,7 +83,7 @@ std::string word_at(const std::string& text, std::size_t position) {
     return text.substr(begin, std::min(text.find_first_of(delimiters, begin) - begin, longest));
 }
 
-// As other programs write what JSON has no word for.
+// Spellings of non-finite numbers by other programs; JSON has none.
 bool is_not_finite(std::string word) {
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
     if (word.starts_with('-') || word.starts_with('+')) word.erase(0, 1);
@@ -101,7 +101,7 @@ bool is_not_finite(std::string word) {
     }
     const std::string what = problem.what();
     const std::string where = path.empty() ? "" : ", at " + path;
-    throw UsageError(fmt::format("{}: is no JSON{}: {}", label, where, what.substr(what.find("] ") + 2)));
+    throw UsageError(fmt::format("{}: is not JSON{}: {}", label, where, what.substr(what.find("] ") + 2)));
 }
 
 }  // namespace

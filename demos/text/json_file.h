@@ -1,4 +1,4 @@
-// JSON files that somebody wrote by hand.
+// Hand-written JSON files.
 #pragma once
 
 #include "demos/text/json.h"
@@ -8,9 +8,9 @@
 
 namespace pushfactor::demos {
 
-// The document in `file`. `label` is how messages call the file. Throws UsageError, one line, when the file cannot
-// be read, is longer than 100 MB or is no JSON: then with the path of the value at which it ends being JSON, so
-// that NaN, Infinity and numbers beyond double are refused by the name of their field.
+// The document in `file`. `label` is the name of the file in messages. Throws UsageError, one line, if the file
+// cannot be read, is longer than 100 MB or is not JSON: then with the path of the first wrong value, so that NaN,
+// Infinity and numbers beyond double are reported by the name of their field.
 Json read_json_file(const std::filesystem::path& file, const std::string& label);
 
 }  // namespace pushfactor::demos

@@ -1,5 +1,5 @@
-// Reads a JSON value that somebody wrote by hand: every complaint names the file, the path inside it, the value and
-// what is allowed.
+// Reader of hand-written JSON: every error message names the file, the path inside it, the value and what is
+// allowed.
 #pragma once
 
 #include "demos/text/json.h"
@@ -38,7 +38,7 @@ class JsonReader {
     engine::Vector3 vector() const;       // [x, y, z]
     engine::Quaternion rotation() const;  // [w, x, y, z], of length 1 to within 1e-6
 
-    // An array of `count` finite numbers; `allowed` says so in the complaint.
+    // An array of `count` finite numbers; `allowed` describes it in the message.
     std::vector<double> numbers(std::size_t count, const std::string& allowed) const;
 
   private:

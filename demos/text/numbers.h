@@ -1,4 +1,4 @@
-// Numbers from and to text. Equal numbers give equal text, and text that is no number gives nothing.
+// Numbers from and to text. Equal numbers give equal text; text that is not a number gives none.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The colours of the project, the same in frames and plots. sRGB; the colour-blind can tell any two apart.
+// The palette of frames and plots, sRGB; colour-blind readers can distinguish all colours.
 #pragma once
 
 #include <array>

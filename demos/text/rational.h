@@ -21,11 +21,11 @@ struct Rational {
 // In lowest terms; `denominator` must not be 0.
 Rational make_rational(std::int64_t numerator, std::int64_t denominator);
 
-// Exact unless a term leaves 64 bits: throws std::overflow_error then.
+// Exact; throws std::overflow_error if a term does not fit into 64 bits.
 Rational operator*(const Rational& a, const Rational& b);
 Rational operator/(const Rational& a, const Rational& b);
 
-// "1/60", "0.02", "3" or "1e-3". Nothing when the text is no such number or too long to be exact.
+// Parses "1/60", "0.02", "3" or "1e-3". None if the text is not such a number or has too many digits to be exact.
 std::optional<Rational> parse_rational(std::string_view text);
 
 // "1/60", or "0.5" and "3" where that is exact.

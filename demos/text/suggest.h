@@ -1,4 +1,4 @@
-// "Did you mean": the known word nearest to what somebody typed.
+// "Did you mean" suggestions for misspelt words.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace pushfactor::demos {
 
-// "; did you mean WORD?" for the nearest of `known`, or nothing when none is near.
+// "; did you mean WORD?" for the nearest of `known`, or empty if none is near.
 std::string suggestion(std::string_view typed, std::span<const std::string> known);
 
 }  // namespace pushfactor::demos

@@ -60,6 +60,11 @@ Body ball_body(double mass, double radius, const Vector3& position,
 Body box_body(double mass, const Vector3& size, const Vector3& position,
               const Quaternion& orientation = Quaternion::Identity());
 
+// A movable solid of `mass` [kg] with the principal moments `moments` [m^2, per unit of mass, body frame]. Throws
+// InvalidInput for a mass outside the limits above, and for moments that are not positive and finite.
+Body solid_body(double mass, const Vector3& moments, const Vector3& position,
+                const Quaternion& orientation = Quaternion::Identity());
+
 Vector3 velocity(const Body& body);               // m/s, world frame: p / m; of a static body the prescribed one
 Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l; the same
 Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T

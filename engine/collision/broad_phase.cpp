@@ -44,6 +44,20 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 
 }  // namespace
 
+PairFilter::PairFilter(std::vector<int> groups, std::vector<Pair> pairs)
+    : groups_(std::move(groups)), pairs_(std::move(pairs)) {
+    for (Pair& pair : pairs_) pair = {std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    std::sort(pairs_.begin(), pairs_.end());
+}
+
+bool PairFilter::leaves_out(const Pair& pair) const {
+    if (!groups_.empty()) {
+        const int group = groups_[static_cast<std::size_t>(pair.a)];
+        if (group >= 0 && group == groups_[static_cast<std::size_t>(pair.b)]) return true;
+    }
+    return std::binary_search(pairs_.begin(), pairs_.end(), pair);
+}
+
 // Collects the planes and the places in bounds_ of the finite shapes among `moved`.
 void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
                              const Foresight* foresight, std::span<const int> moved) {
@@ -215,6 +229,7 @@ void BroadPhase::add_with_planes(int index, std::vector<Candidate>& found) const
         const Plane& plane = wide_planes_[static_cast<std::size_t>(p)];
         if (box.idle || !reaches(box, plane)) continue;
         const auto [a, b] = std::minmax(plane.collider, box.collider);
+        if (filter_ && filter_->leaves_out({a, b})) continue;
         found.push_back({{a, b}, index, -1 - p});
     }
 }
@@ -224,6 +239,7 @@ void BroadPhase::add_if_near(int index, int other, std::vector<Candidate>& found
     const Bounds& near = wide_[static_cast<std::size_t>(other)];
     if (!overlap(box, near) || (box.idle && near.idle) || box.body == near.body) return;
     const auto [a, b] = std::minmax(box.collider, near.collider);
+    if (filter_ && filter_->leaves_out({a, b})) return;
     found.push_back({{a, b}, index, other});
 }
 

@@ -20,8 +20,24 @@ struct Pair {
     friend auto operator<=>(const Pair&, const Pair&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
+// Pairs of colliders that never touch: those of one group, and single ones.
+class PairFilter {
+  public:
+    // `groups`: number of its group by collider, negative for none; or empty. `pairs` in any order.
+    PairFilter(std::vector<int> groups, std::vector<Pair> pairs);
+
+    bool leaves_out(const Pair& pair) const;
+
+  private:
+    std::vector<int> groups_;
+    std::vector<Pair> pairs_;  // ascending
+};
+
 class BroadPhase {
   public:
+    // Pairs that are never found, from the next search on; null: none. Must outlive its use.
+    void leave_out(const PairFilter* filter) { filter_ = filter; }
+
     // All pairs, in ascending order, whose bounding boxes come closer than `margin` (a fraction of each shape's
     // size) and, with `foresight`, the paths of the colliders allow. Never two colliders of one body, never two
     // that are static or not `awake`: their rows could move nothing. `poses` are those of the bodies. Only the
@@ -79,6 +95,7 @@ class BroadPhase {
     bool is_near(const Candidate& candidate) const;
     bool can_move(const Candidate& candidate) const;  // at least one of the two can
 
+    const PairFilter* filter_ = nullptr;
     std::vector<Bounds> bounds_;  // of the finite shapes, current
     std::vector<int> place_;      // in bounds_, by collider; -1 for a plane
     std::vector<Plane> planes_;

@@ -3,6 +3,7 @@
 
 #include "engine/base/math.h"
 #include "engine/bodies/body.h"
+#include "engine/collision/polyhedron.h"
 
 #include <limits>
 #include <variant>
@@ -24,7 +25,7 @@ struct Sphere {
 struct Plane {};
 
 // The order of the alternatives is the order of the pair table.
-using Shape = std::variant<Box, Sphere, Plane>;
+using Shape = std::variant<Box, Sphere, Plane, Polyhedron>;
 
 struct Collider {
     int body = 0;  // index into the bodies of the world
@@ -34,6 +35,7 @@ struct Collider {
     // Surface velocity of a conveyor belt [m/s, body frame]; acts through friction.
     Vector3 surface_velocity = Vector3::Zero();
     double surface_from = 0.0;  // s since the start of the world, when the belt starts
+    int material = -1;          // number in MaterialPairs (detector.h); negative: none
 };
 
 // Whether the belt runs in a step that begins at `time` [s].
@@ -46,11 +48,11 @@ struct Pose {
 };
 Pose pose_of(const Body& body);
 
-// Reference length of slop, margin and tolerances [m]: shortest edge or diameter of the shape; infinite for a
-// plane.
+// Reference length of slop, margin and tolerances [m]: shortest edge or diameter of the shape, of a polyhedron the
+// least width across a face; infinite for a plane.
 double size_of(const Shape& shape);
 
-// Half the edge lengths of the shape's bounding box, world axes [m]; infinite for a plane.
+// Half the edge lengths of the shape's bounding box about its centre, world axes [m]; infinite for a plane.
 Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
 
 // Extent of the shape from its centre along `direction`, times the norm of `direction` [m]; infinite for a plane.

@@ -1,6 +1,6 @@
 #include "engine/collision/continuous_collision.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
 
@@ -70,8 +70,8 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     return path_of(collider, motion.velocity.norm(), motion.angular_velocity.norm(), step.dt) > limit;
 }
 
-bool bounces(const Collider& collider) {
-    return collider.restitution > 0.0;
+bool bounces(const Collider& collider, const MaterialPairs* materials) {
+    return collider.restitution > 0.0 || (materials && materials->bounces(collider.material));
 }
 
 // Distance at which two bodies have met, as a fraction of the size.
@@ -223,7 +223,9 @@ bool ContinuousCollision::any_thrown(std::span<const Vector6> forces, std::span<
 
 bool ContinuousCollision::is_swept(const Pair& pair, const Step& step) const {
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a]) || bounces(step.colliders[b]);
+    const MaterialPairs* const materials = step.detection.materials;
+    return dangerous_[a] || dangerous_[b] || bounces(step.colliders[a], materials) ||
+           bounces(step.colliders[b], materials);
 }
 
 // Adds a touch for a pair that meets with the current motions.
@@ -233,7 +235,7 @@ ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, 
     const Moving b = moving(pair.b, step);
     Touch touch;
     name_pair(pair, step.colliders, step.bodies, touch);
-    combine_surfaces(step.colliders, touch);
+    combine_surfaces(step.colliders, step.detection.materials, touch);
     const double permitted = step.detection.permitted * touch.size;
     Course course = follow(
         a, b, step.dt,

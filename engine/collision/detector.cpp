@@ -1,6 +1,6 @@
 #include "engine/collision/detector.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,11 +52,36 @@ void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<
         size_of_pair(a, bodies[static_cast<std::size_t>(a.body)], b, bodies[static_cast<std::size_t>(b.body)]);
 }
 
-void combine_surfaces(std::span<const Collider> colliders, Touch& touch) {
+void MaterialPairs::put(int a, int b, Touch& touch) const {
+    if (a < 0 || b < 0) return;
+    const Surface& surface = surfaces_[index(a, b)];
+    if (surface.friction) touch.friction = *surface.friction;
+    if (surface.restitution) touch.restitution = *surface.restitution;
+}
+
+bool MaterialPairs::any_friction() const {
+    return std::any_of(surfaces_.begin(), surfaces_.end(),
+                       [](const Surface& surface) { return surface.friction.value_or(0.0) > 0.0; });
+}
+
+bool MaterialPairs::bounces(int material) const {
+    if (material < 0) return false;
+    const auto row = std::span(surfaces_).subspan(index(material, 0), materials_);
+    return std::any_of(row.begin(), row.end(),
+                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
+}
+
+bool MaterialPairs::any_bounces() const {
+    return std::any_of(surfaces_.begin(), surfaces_.end(),
+                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
+}
+
+void combine_surfaces(std::span<const Collider> colliders, const MaterialPairs* materials, Touch& touch) {
     const Collider& a = colliders[static_cast<std::size_t>(touch.pair.a)];
     const Collider& b = colliders[static_cast<std::size_t>(touch.pair.b)];
     touch.friction = std::sqrt(a.friction * b.friction);
     touch.restitution = std::max(a.restitution, b.restitution);
+    if (materials) materials->put(a.material, b.material, touch);
 }
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
@@ -99,7 +124,7 @@ void Detector::find(const Scene& scene, std::span<const Pair> pairs, Found& foun
         name_pair(pair, colliders, scene.bodies, touch);
         const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
         const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
-        combine_surfaces(colliders, touch);
+        combine_surfaces(colliders, scene.detection.materials, touch);
         const double margin = scene.detection.margin * touch.size;
         const bool foreseen = foresight && touch.restitution <= 0.0;
         collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,

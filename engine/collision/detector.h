@@ -4,6 +4,7 @@
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,13 +38,45 @@ struct Touch {
 // Sets colliders, bodies and size of the touch.
 void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch);
 
-// Sets friction and restitution of the touch from its colliders.
-void combine_surfaces(std::span<const Collider> colliders, Touch& touch);
+// Friction and restitution of pairs of materials, in place of what their colliders would give. Symmetric.
+class MaterialPairs {
+  public:
+    struct Surface {
+        std::optional<double> friction{};     // mu >= 0; without: as combined from the colliders
+        std::optional<double> restitution{};  // epsilon 0..1
+    };
+
+    // For materials 0 .. `materials` - 1.
+    explicit MaterialPairs(int materials)
+        : materials_(static_cast<std::size_t>(materials)), surfaces_(materials_ * materials_) {}
+
+    void set(int a, int b, const Surface& surface) { at(a, b) = at(b, a) = surface; }
+
+    // Sets what is known of the pair; a negative number is no material.
+    [[gnu::noinline]] void put(int a, int b, Touch& touch) const;
+
+    bool any_friction() const;
+    bool bounces(int material) const;  // with some other
+    bool any_bounces() const;
+
+  private:
+    std::size_t index(int a, int b) const {
+        return static_cast<std::size_t>(a) * materials_ + static_cast<std::size_t>(b);
+    }
+    Surface& at(int a, int b) { return surfaces_[index(a, b)]; }
+
+    std::size_t materials_;
+    std::vector<Surface> surfaces_;
+};
+
+// Sets friction and restitution of the touch from its colliders, and `materials` unless null.
+void combine_surfaces(std::span<const Collider> colliders, const MaterialPairs* materials, Touch& touch);
 
 struct Detection {
     double margin = 0.0;     // fraction of the size; points with a smaller gap count
     double permitted = 0.0;  // the same; bodies that overlap by less along an axis count as separated along it
-    bool reduce_to_four_points = true;  // of up to eight of a face manifold
+    bool reduce_to_four_points = true;         // of up to eight of a face manifold
+    const MaterialPairs* materials = nullptr;  // null: none
 };
 
 // Colliders and bodies that take part in a step if some rest.

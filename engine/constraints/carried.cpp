@@ -23,11 +23,12 @@ double carried_speed(const Jacobian& jacobian, const Body& body_a, const Body& b
     return body_b.is_moved() ? along(jacobian.a, body_b, body_a) : 0.0;
 }
 
-void carry_rows(std::span<const Body> bodies, double dt, std::span<ConstraintRow> rows) {
-    for (ConstraintRow& row : rows) {
-        row.carried = carried_speed(row.jacobian, bodies[static_cast<std::size_t>(row.body_a)],
-                                    bodies[static_cast<std::size_t>(row.body_b)], dt);
-        row.push.lasting += row.carried;
+void carried_speeds(std::span<const Body> bodies, double dt, std::span<const ConstraintRow> rows,
+                    std::vector<double>& speeds) {
+    for (std::size_t j = speeds.size(); j < rows.size(); ++j) {
+        const ConstraintRow& row = rows[j];
+        speeds.push_back(carried_speed(row.jacobian, bodies[static_cast<std::size_t>(row.body_a)],
+                                       bodies[static_cast<std::size_t>(row.body_b)], dt));
     }
 }
 

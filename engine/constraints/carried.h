@@ -3,8 +3,8 @@
 //
 //   J_m v_m = v - J_s v_s                    (6.2.5)
 //
-// so it is a lasting part of the push, like the speed of a belt, and no source of rows, no solver and no bound has
-// to know of it. Forces act in pairs, so J_s need not be known: a row that m is fixed to s by would not see m go
+// so it is part of b, like the push for the speed of a belt, and no source of rows, no solver and no bound has to
+// know of it. Forces act in pairs, so J_s need not be known: a row that m is fixed to s by would not see m go
 // along with s, and - J_s v_s = J_m t, where t are the velocities of m going along.
 //
 // Symbols: m movable body, s moved body, x_i position of body i [m], V and w prescribed velocities of s [m/s,
@@ -21,6 +21,7 @@
 #include "engine/constraints/constraint_row.h"
 
 #include <span>
+#include <vector>
 
 namespace pushfactor::engine {
 
@@ -30,7 +31,8 @@ Motion carry(const Body& moved, const Body& other, double dt);
 // - J_s v_s [m/s] of a row between two bodies, one of which may be moved.
 double carried_speed(const Jacobian& jacobian, const Body& body_a, const Body& body_b, double dt);
 
-// Adds it to the push of `rows`.
-void carry_rows(std::span<const Body> bodies, double dt, std::span<ConstraintRow> rows);
+// Appends it for the rows that `speeds` does not have yet.
+void carried_speeds(std::span<const Body> bodies, double dt, std::span<const ConstraintRow> rows,
+                    std::vector<double>& speeds);
 
 }  // namespace pushfactor::engine

@@ -11,13 +11,15 @@
 #include "engine/constraints/push_factor.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace pushfactor::engine {
 
-enum class RowKind { contact, friction, distance };
-inline constexpr std::size_t row_kind_count = 3;
+// The first three are those of nearly all rows; the others have traits of their own (RowDigest).
+enum class RowKind { contact, friction, distance, joint, motor, limit, spring };
+inline constexpr std::size_t row_kind_count = 7;
 
 // j_c in two parts, one per body (6.1.2). World frame.
 struct Jacobian {
@@ -27,7 +29,7 @@ struct Jacobian {
 
 // Whether a row is bounded alone or together with the next row, which acts on the same two bodies with the same
 // bounds: the norm of both lambdas is then at most c_max (the round cone of Coulomb friction).
-enum class Disc { none, first, second };
+enum class Disc : std::uint8_t { none, first, second };
 
 // Bounds of lambda. With negative `of_row` the numbers are forces in newtons; otherwise they are factors [1] of
 // lambda of row `of_row` in the same column (Coulomb friction: -mu and mu of the normal row).
@@ -45,11 +47,12 @@ struct Lambda {
     double last = 0.0;
 };
 
-// Description of a row for outputs. Not used in computations.
+// Description of a row, for outputs and for its traits.
 struct RowLabel {
     RowKind kind = RowKind::contact;
-    int point = 0;     // contact point within its pair, or index of the distance
-    double gap = 0.0;  // m, negative is penetration; for distances the length error, 0 for a loose rope
+    int point = 0;     // contact point within its pair, or index of the distance or the joint
+    double gap = 0.0;  // m, negative is penetration; for distances the length error, 0 for a loose rope; for joints
+                       // how far they are open, for limits what is left
 };
 
 struct ConstraintRow {
@@ -58,12 +61,14 @@ struct ConstraintRow {
 
     int body_a = 0;  // indices into the bodies of the world
     int body_b = 0;
-    double carried = 0.0;  // m/s, part of push.lasting: -J_s v_s of a static body that is moved (carried.h)
     Jacobian jacobian;
     PushFactor push;
     // c of the constraint at the start of the step [m], for tracking a one-sided row through small steps:
     // positive for a gap, negative for a loose rope; the other sign means violation.
     double error = 0.0;
+    // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
+    // Soft rows have no bounds, and RowKind::spring.
+    double softness = 0.0;
     Bounds bounds;
     Lambda guess;  // warm start of iterative solvers (6.2.3); zero if nothing is cached
     RowLabel label;

@@ -43,6 +43,9 @@ class ConstraintSource {
     virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
                                    std::span<const NewForce> /*changed*/, RowList& /*rows*/) {}
 
+    // Energy that springs hold [J], which belongs to the scene like that of gravity.
+    virtual double stored_energy(std::span<const Body> /*bodies*/) const { return 0.0; }
+
     // Whether the rows of the source do not change when `body` turns about its centre, as for a ball. A body
     // that is at rest may go on turning if this holds for all sources (rest.h).
     virtual bool turns_unseen(int /*body*/) const { return false; }

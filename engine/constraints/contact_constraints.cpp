@@ -62,6 +62,17 @@ ContactConstraints::ContactConstraints(std::vector<collision::Collider> collider
                                [](const collision::Collider& collider) { return collider.restitution > 0.0; });
 }
 
+void ContactConstraints::set_filter(std::unique_ptr<const collision::PairFilter> filter) {
+    filter_ = std::move(filter);
+    detector_.broad_phase().leave_out(filter_.get());
+}
+
+void ContactConstraints::set_materials(std::unique_ptr<const collision::MaterialPairs> materials) {
+    materials_ = std::move(materials);
+    choices_.detection.materials = materials_.get();
+    any_bounces_ = any_bounces_ || (materials_ && materials_->any_bounces());
+}
+
 // Default until leave_out_others() is called.
 void ContactConstraints::wake_all(std::size_t bodies) {
     all_bodies_ = awake_bodies_ = Awake(bodies);

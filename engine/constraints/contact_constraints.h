@@ -51,6 +51,9 @@ class ContactConstraints : public ConstraintSource {
         continuous_collision_ = std::move(part);
     }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
+    // Pairs that do not touch, and what is known of pairs of materials; null: none. Before the first step.
+    void set_filter(std::unique_ptr<const collision::PairFilter> filter);
+    void set_materials(std::unique_ptr<const collision::MaterialPairs> materials);
 
     void append_rows(const StepStart& step, RowList& rows) override;
     void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
@@ -67,6 +70,8 @@ class ContactConstraints : public ConstraintSource {
     const FrictionRule* friction() const { return friction_.get(); }
     RestitutionRule restitution() const { return restitution_; }
     const collision::ContinuousCollision* continuous_collision() const { return continuous_collision_.get(); }
+    const collision::PairFilter* filter() const { return filter_.get(); }
+    const collision::MaterialPairs* materials() const { return materials_.get(); }
     const ContactCache* cache() const { return cache_.get(); }  // without the contacts of resting bodies
     // Overwrites `into` with the forces of all contacts, resting bodies included; empty without a cache.
     void all_forces(ContactCache& into) const;
@@ -110,6 +115,8 @@ class ContactConstraints : public ConstraintSource {
 
     std::vector<collision::Collider> colliders_;
     ContactChoices choices_;
+    std::unique_ptr<const collision::PairFilter> filter_;
+    std::unique_ptr<const collision::MaterialPairs> materials_;
     std::unique_ptr<const FrictionRule> friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;

@@ -52,7 +52,7 @@ DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const 
     std::iota(acting_.begin(), acting_.end(), 0);
     for ([[maybe_unused]] const Distance& distance : distances_) {
         assert(!is_ball_joint(distance) ||
-               (distance.acts == Distance::Acts::both && std::isinf(distance.max_force)));
+               (distance.acts == Distance::Acts::both && std::isinf(distance.max_force) && !distance.spring));
     }
 }
 
@@ -76,27 +76,43 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
 
     ConstraintRow& row = rows.emplace_back();
     PairPoint(pair_of(distance, bodies), p_a, p_b).place(row, n);
+    if (cached_) row.guess = forces_[index][0];
+    if (distance.spring) {
+        const double mobility = 1.0 / (distance.spring->stiffness * dt + distance.spring->damping);  // m/(N s)
+        row.push.lasting = -distance.spring->stiffness * error * mobility;
+        row.softness = mobility / dt;
+        row.label = {.kind = RowKind::spring, .point = static_cast<int>(index), .gap = error};
+        return;
+    }
     row.push = distance_push(distance, error, correction_, dt);
     row.bounds = distance_bounds(distance);
     row.error = error;
     row.label = {.kind = RowKind::distance,
                  .point = static_cast<int>(index),
                  .gap = is_loose(distance, error) ? 0.0 : error};
-    if (cached_) row.guess = forces_[index][0];
 }
 
 void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
     const Distance& distance = distances_[index];
     const auto [p_a, p_b] = span_of(distance, bodies);
-    const Vector3 p_ab = p_b - p_a, middle = 0.5 * (p_a + p_b);
-    const PairPoint points(pair_of(distance, bodies), middle);
-    for (int axis = 0; axis < 3; ++axis) {
-        ConstraintRow& row = rows.emplace_back();
-        points.place(row, Vector3::Unit(axis));
-        row.push = correct(correction_, -p_ab[axis], dt);
-        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = p_ab.norm()};
-        if (cached_) row.guess = forces_[index][static_cast<std::size_t>(axis)];
+    const std::size_t first = rows.size();
+    append_point_rows(pair_of(distance, bodies), p_a, p_b, correction_, dt, rows);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ConstraintRow& row = rows[first + axis];
+        row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};
+        if (cached_) row.guess = forces_[index][axis];
     }
+}
+
+double DistanceConstraints::stored_energy(std::span<const Body> bodies) const {
+    double sum = 0.0;
+    for (const Distance& distance : distances_) {
+        if (!distance.spring) continue;
+        const auto [from, to] = span_of(distance, bodies);
+        const double error = (to - from).norm() - distance.length;
+        sum += 0.5 * distance.spring->stiffness * error * error;
+    }
+    return sum;
 }
 
 bool DistanceConstraints::turns_unseen(int body) const {

@@ -10,6 +10,14 @@
 // with lever arms r_i = (p_a + p_b) / 2 - x_i: while a joint is open, force and reaction act at one point,
 // otherwise they would turn the pair; |p_ab| closes at the same rate, because turning moves p_ab only sideways.
 //
+// A spring of stiffness k and damping c pulls with k (|p_ab| - l) + c d|p_ab|/dt, both at the end of the step
+// (implicit Euler): a soft row with
+//
+//   v = -k (|p_ab| - l) / (k dt + c),   softness s = 1 / (dt (k dt + c))
+//
+// which holds for any step and stiffness, and damps a free oscillation of angular frequency w by itself, with the
+// damping ratio w dt / 2.
+//
 // Symbols: p_ab = p_b - p_a [m]; r_i = p_i - x_i offset from the centre of mass [m]; l length [m]; v push factor
 // [m/s]; lambda force along n [N], positive pushes the points apart. World frame.
 //
@@ -24,9 +32,15 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace pushfactor::engine {
+
+struct Spring {
+    double stiffness = 0.0;  // k, N/m, >= 0
+    double damping = 0.0;    // c, N s/m, >= 0; one of both above 0
+};
 
 struct Distance {
     enum class Acts {
@@ -42,6 +56,7 @@ struct Distance {
     double length = 1.0;  // m, >= 0; 0 is a ball joint, which acts both ways and without limit
     Acts acts = Acts::both;
     double max_force = std::numeric_limits<double>::infinity();  // N, > 0
+    std::optional<Spring> spring{};  // without: rigid. Not for a ball joint; acts both ways
 };
 
 inline bool is_ball_joint(const Distance& distance) {
@@ -65,6 +80,7 @@ class DistanceConstraints : public ConstraintSource {
     void append_rows(const StepStart& step, RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
+    double stored_energy(std::span<const Body> bodies) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
     SomeBodies met_by_moved(const StepStart& step) const override;

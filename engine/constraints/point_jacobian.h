@@ -3,6 +3,7 @@
 
 #include "engine/bodies/body.h"
 #include "engine/constraints/constraint_row.h"
+#include "engine/constraints/row_list.h"
 
 namespace pushfactor::engine {
 
@@ -60,5 +61,18 @@ class PairPoint {
     Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
     bool a_moves_, b_moves_;
 };
+
+// Appends three rows, along the world's x, y and z, that hold a point of each body together [m, world frame]: a
+// ball joint (5.2 with length 0).
+inline void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b,
+                              const Correction& correction, double dt, RowList& rows) {
+    const Vector3 p_ab = on_b - on_a, middle = 0.5 * (on_a + on_b);
+    const PairPoint points(bodies, middle);
+    for (int axis = 0; axis < 3; ++axis) {
+        ConstraintRow& row = rows.emplace_back();
+        points.place(row, Vector3::Unit(axis));
+        row.push = correct(correction, -p_ab[axis], dt);
+    }
+}
 
 }  // namespace pushfactor::engine

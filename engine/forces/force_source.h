@@ -52,6 +52,10 @@ class ForceSource {
     // Bodies that may get a different force at `until` than at `from` [s] without having moved; they cannot rest.
     // All of them by default.
     virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
+
+    // Whether the forces of the source do not change when `body` turns about its centre (ConstraintSource has the
+    // same for rows).
+    virtual bool turns_unseen(int /*body*/) const { return false; }
 };
 
 }  // namespace pushfactor::engine

@@ -10,6 +10,7 @@ class Gravity : public ForceSource {
     explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
     void add_forces(const ForcedBodies& bodies, double time) override;
     SomeBodies pushed_anew(double, double) const override { return {}; }
+    bool turns_unseen(int) const override { return true; }
 
   private:
     Vector3 acceleration_;

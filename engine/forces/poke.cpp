@@ -9,12 +9,22 @@ bool PokeForce::acts_at(double time) const {
 }
 
 void PokeForce::add_forces(const ForcedBodies& bodies, double time) {
-    if (acts_at(time)) bodies[static_cast<std::size_t>(poke_.body)].force += poke_.force;
+    if (!acts_at(time)) return;
+    Body& body = bodies[static_cast<std::size_t>(poke_.body)];
+    const bool turns = poke_.frame == Poke::Frame::body;
+    const Vector3 force = turns ? Vector3(body.orientation * poke_.force) : poke_.force;
+    body.force += force;
+    body.torque += turns ? Vector3(body.orientation * poke_.torque) : poke_.torque;
+    if (!poke_.point.isZero(0.0)) body.torque += (body.orientation * poke_.point).cross(force);
 }
 
 SomeBodies PokeForce::pushed_anew(double from, double until) const {
     if (acts_at(from) == acts_at(until)) return {};
     return {.some = {poke_.body}};
+}
+
+bool PokeForce::turns_unseen(int body) const {
+    return body != poke_.body || (poke_.frame == Poke::Frame::world && poke_.point.isZero(0.0));
 }
 
 }  // namespace pushfactor::engine

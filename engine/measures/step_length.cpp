@@ -31,13 +31,19 @@ double tension(const Distance& distance, const DistanceForce& force) {
     return Vector3(force[0].last, force[1].last, force[2].last).norm();
 }
 
+// Angular velocity of the bodies about an off-centre ball joint [rad/s].
+double turning_about(const Vector3& point_a, const Body& a, const Vector3& point_b, const Body& b) {
+    double largest = 0.0;
+    if (!point_a.isZero(0.0)) largest = angular_velocity(a).norm();
+    if (point_b.isZero(0.0)) return largest;
+    return std::max(largest, angular_velocity(b).norm());
+}
+
 // Angular velocity of a bar's direction, or of the bodies about an off-centre ball joint [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
     if (is_ball_joint(distance)) {
-        double largest = 0.0;
-        if (!distance.point_a.isZero(0.0)) largest = angular_velocity(at(bodies, distance.body_a)).norm();
-        if (distance.point_b.isZero(0.0)) return largest;
-        return std::max(largest, angular_velocity(at(bodies, distance.body_b)).norm());
+        return turning_about(distance.point_a, at(bodies, distance.body_a), distance.point_b,
+                             at(bodies, distance.body_b));
     }
     const auto [from, to] = span_of(distance, bodies);
     const Vector3 p_ab = to - from;
@@ -72,6 +78,27 @@ double turning_rate(const DistanceConstraints& distances, std::span<const Body> 
         if (holds(distance, distances.forces()[i])) {
             largest = std::max(largest, turning(distance, bodies));
         }
+    }
+    return largest / turn_a_step;
+}
+
+double tension_rate(const JointConstraints& joints, std::span<const Body> bodies) {
+    double largest = 0.0;  // omega^2
+    for (std::size_t i = 0; i < joints.joints().size(); ++i) {
+        const Joint& joint = joints.joints()[i];
+        const JointForce& force = joints.forces()[i];
+        const double softness = end_softness(at(bodies, joint.body_a), joint.point_a, 0.0) +
+                                end_softness(at(bodies, joint.body_b), joint.point_b, 0.0);
+        largest = std::max(largest, Vector3(force[0].last, force[1].last, force[2].last).norm() * softness);
+    }
+    return std::sqrt(largest) / swing_a_step;
+}
+
+double turning_rate(const JointConstraints& joints, std::span<const Body> bodies) {
+    double largest = 0.0;
+    for (const Joint& joint : joints.joints()) {
+        largest = std::max(largest, turning_about(joint.point_a, at(bodies, joint.body_a), joint.point_b,
+                                                  at(bodies, joint.body_b)));
     }
     return largest / turn_a_step;
 }

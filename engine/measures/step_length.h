@@ -16,6 +16,7 @@
 
 #include "engine/collision/collider.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
 
 #include <span>
 
@@ -24,6 +25,9 @@ namespace pushfactor::engine {
 // All in 1/s. Loose ropes and struts do not count.
 double tension_rate(const DistanceConstraints& distances, std::span<const Body> bodies);
 double turning_rate(const DistanceConstraints& distances, std::span<const Body> bodies);
+// The same for joints.
+double tension_rate(const JointConstraints& joints, std::span<const Body> bodies);
+double turning_rate(const JointConstraints& joints, std::span<const Body> bodies);
 double spin_rate(std::span<const Body> bodies);
 double size_rate(std::span<const collision::Collider> colliders, std::span<const Body> bodies,
                  const Vector3& gravity);

@@ -9,6 +9,9 @@
 // chain but is none: exact solves have to pay off, which the account of the island tracks (budget.h); one that is
 // cut short restores the warm start, and sweeps follow. The rules depend on structure, residual and account, never
 // on the clock.
+//
+// A mechanism (bodies on joints) gets exact steps in every step, whatever it touches and however the last one
+// ended: forces that are far from the solution pull its joints apart and give it energy.
 #include "engine/solvers/auto.h"
 
 #include "engine/solvers/by_columns.h"
@@ -48,6 +51,8 @@ constexpr double much_better = 0.1, near = 0.02;
 // Residual up to which an exact solve counts as successful although it missed the tolerance, as a share of
 // fastest().
 constexpr double good_share = 1e-6;
+// Multiply-adds per body that exact steps of a mechanism may take.
+constexpr double work_of_a_mechanism = 1.5e5;
 
 template <int columns>
 class Auto {
@@ -58,10 +63,15 @@ class Auto {
         SolveCount count;
         exact_.take(island);
         const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
-        const bool is_heap = !termination.lasts && !is_thread && !exact_.is_tree();
+        is_mechanism_ = island.has(RowDigest::joins);
+        const bool is_heap = !termination.lasts && !is_thread && !exact_.is_tree() && !is_mechanism_;
         if (is_heap && termination.iterations == 0) return count;
         rows_.load(system, island, lambda);
-        if (termination.lasts || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
+        if (is_mechanism_) {
+            Termination own = termination;
+            own.credit = std::max(own.credit, work_of_a_mechanism * island.movable());
+            solve_thread(own, count);
+        } else if (termination.lasts || is_thread || (exact_.is_tree() && !rows_.bounds_follow())) {
             solve_thread(termination, count);
         } else {
             solve_heap(island, termination, count);
@@ -73,9 +83,19 @@ class Auto {
   private:
     void solve_thread(const Termination& termination, SolveCount& count) {
         const double guessed = termination.credit > 0.0 ? rows_.residual() : 0.0;
-        if (!pays_off(termination, guessed) || !solve_exactly(termination, guessed, count)) {
+        if (pays_off(termination, guessed) && solve_exactly(termination, guessed, count)) return;
+        if (!is_mechanism_) {
             work_down(rows_, termination, count, sweep<columns>);
+            return;
         }
+        // The exact steps have reached something that sweeps may spoil.
+        const double reached = rows_.residual();
+        const std::vector<typename UnitRows<columns>::Row> before = rows_.rows;
+        work_down(rows_, termination, count, sweep<columns>);
+        count.multiply_adds += 2.0 * rows_.look_work();
+        if (rows_.residual() < reached) return;
+        rows_.rows = before;
+        rows_.follow();
     }
 
     bool pays_off(const Termination& termination, double guessed) {
@@ -100,6 +120,7 @@ class Auto {
         if (rows_.residual() <= good_share * rows_.fastest()) return true;
         // In a moving heap a truncated exact solve is a worse start than the warm start.
         const double reached = rows_.residual();
+        if (is_mechanism_ && reached < guessed) return false;
         if (termination.lasts && reached <= much_better * guessed && reached <= near * rows_.fastest()) return true;
         count.gave_up = true;
         rows_.rows = guess_;
@@ -124,6 +145,7 @@ class Auto {
         count.gave_up = rows_.residual() > 0.5 * swept;
     }
 
+    bool is_mechanism_ = false;  // the current island has joints
     UnitRows<columns> rows_;
     std::vector<typename UnitRows<columns>::Row> guess_;
     ExactAnswer exact_;

@@ -92,12 +92,16 @@ class Dense : public Solver {
         SolveCount count;
 
         const MatrixX J = stacked_jacobian(system, island);
-        const MatrixX A = J * stacked_inverse_mass(system, island) * J.transpose();
+        MatrixX A = J * stacked_inverse_mass(system, island) * J.transpose();
         // J M^-1 J^T as two dense products, then a full row of A for each update of lambda.
         const auto size = static_cast<double>(J.rows());
         const auto width = static_cast<double>(J.cols());
         count.multiply_adds = size * width * (width + size);
         const std::vector<int> rows = rows_of(island);
+        for (Eigen::Index i = 0; i < A.rows(); ++i) {
+            if (A(i, i) > 0.0)
+                A(i, i) += system.rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])].softness;
+        }
         while (count.iterations < termination.iterations) {
             ++count.iterations;
             count.multiply_adds += size * size * island.columns;

@@ -26,6 +26,9 @@ template <int columns, typename BodiesOf>
         unrolled<columns>([&](auto c) { x[c] = bodies_of(block, c); });
         Value wanted[count], changes[count];
         unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
+        if constexpr (disc == UnitRows<columns>::soft_row) {
+            wanted[0] -= row[0].soft * Lanes<columns>::of(row[0].y);
+        }
         const auto move = [&](auto i, Value moved) {
             changes[i] = moved - Lanes<columns>::of(row[i].y);
             Lanes<columns>::write(moved, row[i].y);

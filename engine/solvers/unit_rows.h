@@ -14,6 +14,9 @@
 // Up to three consecutive rows that act on the same two bodies form a block: the contact row of a point and its
 // friction rows are one. A block loads the velocities of its bodies once, for all its rows and columns.
 //
+// A soft row has u of length below 1, and its force also moves itself: its error is t_j - u_j . x - soft y_j with
+// soft = 1 - |u|^2. It is a block of its own, so that rigid rows do not pay for it.
+//
 // Two rows of a disc have one s, so that their y are bounded by a disc too, and u of length 1 or less. They move
 // together: y <- P_disc(y + t - U x), with both errors from the same x (system_equation.h).
 #pragma once
@@ -45,13 +48,15 @@ class UnitRows {
         int of_row = -1;
         Disc disc = Disc::none;
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
+        double soft = 0.0;   // share of its softness in A_jj; then |u| is below 1
     };
 
     static constexpr int rows_of_a_block = 3;  // maximum
+    static constexpr int soft_row = -2;        // a single one
     struct Block {
         int begin = 0, count = 0;  // rows
         int a = 0, b = 0;          // bodies
-        int disc = -1;             // index in the block of the first row of a disc, or -1; at most one disc
+        int disc = -1;  // index in the block of the first row of a disc, or -1; at most one disc; or soft_row
         // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1; valid after couple().
         std::array<double, 3> couplings{};
     };
@@ -71,6 +76,7 @@ class UnitRows {
         units_.resize(rows.size());
         velocity.resize(static_cast<std::size_t>(island.body_count));
         movable = island.movable();
+        has_soft_ = island.has(RowDigest::soft);
         blocks.clear();
         coupled_ = false;
     }
@@ -111,11 +117,12 @@ class UnitRows {
         }
     }
 
-    // t_j - u_j . x
+    // t_j - u_j . x - soft y_j
     double error(const Row& row, int c) const {
-        return row.t[at(c)] - row.unit->a.dot(x_of(row.a).col(c)) - row.unit->b.dot(x_of(row.b).col(c));
+        return row.t[at(c)] - row.unit->a.dot(x_of(row.a).col(c)) - row.unit->b.dot(x_of(row.b).col(c)) -
+               row.soft * row.y[at(c)];
     }
-    // In all columns, for a row whose bodies have the velocities `x`.
+    // In all columns, for a rigid row whose bodies have the velocities `x`.
     Value error(const Row& row, const Velocity (&x)[columns]) const {
         const Axis u = axis_of(*row.unit);
         Two sums[columns];
@@ -214,7 +221,11 @@ class UnitRows {
             };
             switch (block.count) {
                 case 1:
-                    with_disc(std::integral_constant<int, 1>());
+                    if (block.disc == soft_row) {
+                        visit(block, std::integral_constant<int, 1>(), std::integral_constant<int, soft_row>());
+                    } else {
+                        with_disc(std::integral_constant<int, 1>());
+                    }
                     break;
                 case 2:
                     with_disc(std::integral_constant<int, 2>());
@@ -281,6 +292,7 @@ class UnitRows {
             unrolled<count>([&](auto i) {
                 const Row& row = rows_of(block)[i];
                 moved[i] = Lanes<columns>::of(row.y) + error(row, x);
+                if constexpr (disc == soft_row) moved[i] -= row.soft * Lanes<columns>::of(row.y);
                 if constexpr (disc >= 0 && i == disc + 1) {
                     largest = larger(largest, missed_in_disc(row, moved[disc], moved[i]));
                 } else if constexpr (disc < 0 || i != disc) {
@@ -320,6 +332,7 @@ class UnitRows {
     bool bounds_follow() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });
     }
+    bool has_soft() const { return has_soft_; }
     bool has_discs() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.disc != Disc::none; });
     }
@@ -336,6 +349,8 @@ class UnitRows {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         row.of_row = source.bounds.of_row;
         row.disc = source.bounds.disc;
+        row.soft = 0.0;
+        if (has_soft_ && source.softness > 0.0) row.soft = source.softness / system.diagonal[j];
         if (row.of_row >= 0) {
             row.of_row =
                 row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
@@ -372,7 +387,11 @@ class UnitRows {
 
     void add_to_block(int j, std::vector<Block>& to) const {
         const Row& row = rows[static_cast<std::size_t>(j)];
-        if (!to.empty()) {
+        if (has_soft_ && row.soft > 0.0) {
+            to.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = soft_row});
+            return;
+        }
+        if (!to.empty() && !(has_soft_ && to.back().disc == soft_row)) {
             Block& last = to.back();
             const int wanted = row.disc == Disc::first ? 2 : 1;
             if (last.a == row.a && last.b == row.b && last.count + wanted <= rows_of_a_block) {
@@ -404,6 +423,7 @@ class UnitRows {
     }
 
     std::vector<Jacobian> units_;                    // by row
+    bool has_soft_ = false;                          // some row of the island is soft
     bool coupled_ = false;                           // the couplings of the blocks are up to date
     std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is next; see move()
 };

@@ -156,13 +156,15 @@ void SmallSteps::begin(const Step& step, Team& team) {
             sum_[number] = 0.0;
             before_[number] = row.y[0];
             if (!(row.scale > 0.0)) return;
+            const double carried = step.system.carried_by(static_cast<std::size_t>(j));
             const bool lifts = source.bounds.c_min >= 0.0, holds = source.bounds.c_max <= 0.0;
             if (source.bounds.of_row < 0 && (lifts || holds)) {
-                state.one_sided.push_back({number, source.error, source.carried, lifts ? 1.0 : -1.0});
-                state.drives = state.drives || source.carried != 0.0;
+                state.one_sided.push_back({number, source.error, carried, lifts ? 1.0 : -1.0});
+                state.drives = state.drives || carried != 0.0;
             } else {
-                row.t[0] = source.push.lasting / row.scale;
-                state.drives = state.drives || source.push.lasting != 0.0;
+                const double aim = source.push.lasting + carried;
+                row.t[0] = aim / row.scale;
+                state.drives = state.drives || aim != 0.0;
             }
         });
     });
@@ -342,7 +344,8 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
         const ConstraintRow& source = row_of(step.system, j);
         const solvers::UnitRows<1>::Row& row = rows_.rows[number];
         if (!(row.scale > 0.0) || !holds_place(source.bounds)) return;
-        const double moved = moved_along(row) - step.system.dt * source.carried;
+        const double moved =
+            moved_along(row) - step.system.dt * step.system.carried_by(static_cast<std::size_t>(j));
         const double correcting = step.system.dt * source.push.correcting;
         double want = correcting;
         if (source.bounds.c_min >= 0.0) {

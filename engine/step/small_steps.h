@@ -78,7 +78,7 @@ class SmallSteps {
     struct OneSided {
         std::size_t row;   // number in the island
         double error;      // m, at the start of the step
-        double carried;    // m/s, see ConstraintRow
+        double carried;    // m/s, see SystemEquation
         double open_side;  // 1 if it is open for errors above zero, -1 if below
     };
     // A row that takes part in the push.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -107,7 +108,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     const double b = row.squared();
     const auto index = static_cast<Eigen::Index>(j);
     if (disc == Disc::none) {
-        system.diagonal[index] = b;
+        system.diagonal[index] = b + system.rows[j].softness;
         return;
     }
     const WeightedRow first(system.rows[j - 1], system);
@@ -117,12 +118,36 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+// Of kinds that few scenes have, apart so that the others do not pay for them.
+[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
+    switch (row.label.kind) {
+        case RowKind::joint:
+            return RowDigest::joins;
+        case RowKind::motor:
+            return row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0;
+        case RowKind::spring:
+            return RowDigest::soft;
+        case RowKind::limit:
+        case RowKind::contact:
+        case RowKind::friction:
+        case RowKind::distance:
+            break;
+    }
+    return 0;
+}
+
+inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
+    const std::span<const ConstraintRow> rows = system.rows;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction && row.push.lasting != 0.0) traits |= RowDigest::drives;
+    if (row.label.kind == RowKind::friction) {
+        if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
+    } else if (row.label.kind > RowKind::distance) {
+        traits |= traits_of_kind(row, system.carried_by(j));
+    }
+    assert(row.softness == 0.0 || row.label.kind == RowKind::spring);
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.
@@ -135,8 +160,7 @@ inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
     } else {
         const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
         traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
-        const double own = row.push.lasting - row.carried;
-        if ((bounds.c_min >= 0.0 && own > 0.0) || (bounds.c_max <= 0.0 && own < 0.0)) {
+        if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
             traits |= RowDigest::rebounds;
         }
     }
@@ -161,7 +185,7 @@ void weigh_rows(SystemEquation& system) {
     size_rows(system);
     for (std::size_t j = 0; j < system.rows.size(); ++j) {
         weigh(j, system);
-        system.digests[j] = digest_of(system.rows, j);
+        system.digests[j] = digest_of(system, j);
     }
 }
 
@@ -189,9 +213,10 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
-            system.digests[j] = digest_of(rows, j);
-            const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                         row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            system.digests[j] = digest_of(system, j);
+            double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                   row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            if (!system.carried.empty()) unconstrained -= system.carried[j] / system.dt;
             const auto index = static_cast<Eigen::Index>(j);
             system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
@@ -284,7 +309,8 @@ double natural_residual(const SystemEquation& system, const Columns& lambda) {
         for (Eigen::Index j = 0; j < system.row_count(); ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
-                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
+                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) -
+                             system.b(j, column) + soft_part(row, lambda, j, column);
             largest = std::max(largest, residuals.next(j, w));
         }
     }

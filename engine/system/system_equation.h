@@ -6,6 +6,8 @@
 // v1 system velocity before the step (6.1.1, m/s and rad/s), f_ext external forces (6.1.3, N and N m),
 // v push factors (6.1.4, m/s), lambda [N], b [m/s^2], A [1/kg].
 //
+// A soft row (a spring) adds its softness s_j to the diagonal: A is J M^-1 J^T + diag(s).
+//
 // Deviations: with the bounds of 5.1 it is a box-constrained problem (complementarity) instead of an equation: A
 // lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max; for the two rows of a disc, bounded by
 // their norm, it is zero inside and points against lambda on the circle. b has two columns if any row has a
@@ -46,9 +48,11 @@ struct RowDigest {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
         rebounds = 4,         // one-sided row with a lasting push of its own in its direction
-        drives = 8,           // friction that aims at a speed (belt, moved body)
+        drives = 8,           // aims at a speed: friction on a belt or a moved body, or a motor
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
+        soft = 64,            // has a softness
+        joins = 128,          // of a joint
     };
 
     int body_a = 0, body_b = 0;
@@ -67,6 +71,11 @@ struct SystemEquation {
     VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; for discs see above
     Columns b;                       // m/s^2, rows x columns
     std::vector<RowDigest> digests;  // by row
+    // m/s, by row: velocity that a moved body gives to it, beside the push (carried.h). Empty if none is moved;
+    // the only part that build_system() does not write.
+    std::vector<double> carried;
+
+    double carried_by(std::size_t row) const { return carried.empty() ? 0.0 : carried[row]; }
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }
@@ -151,8 +160,14 @@ inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eig
     return true;
 }
 
+// s_j lambda_j, by which a soft row gives way to its force [m/s^2]; zero for rigid rows.
+inline double soft_part(const ConstraintRow& row, const Columns& lambda, Eigen::Index j, Eigen::Index column) {
+    return row.softness * lambda(j, column);
+}
+
 // Velocity error of rows in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))| with w = A lambda
-// - b [m/s^2]; infinite for NaN. Rows have to be visited in the order of the step.
+// - b [m/s^2]; infinite for NaN. Rows have to be visited in the order of the step. For a soft row w
+// includes soft_part().
 class RowResiduals {
   public:
     RowResiduals(const SystemEquation& system, const Columns& lambda, Eigen::Index column)

@@ -1,5 +1,5 @@
-// Calls go to whoever would have had them: the C library, or a profiler that was loaded before it. Memory comes
-// from there and goes back there, so free() is left alone.
+// Calls are forwarded to the next definition: the C library's, or that of a profiler that was loaded before it.
+// Memory comes from there and goes back there, so free() is not replaced.
 #include "tests/demos/allocations.h"
 
 #include <dlfcn.h>
@@ -15,13 +15,13 @@ constinit thread_local Allocations so_far;
 
 #ifdef PUSHFACTOR_COUNTS_ALLOCATIONS
 
-// The function of that name that comes after this program's own.
+// The next definition of that name after this program's own.
 template <typename Function>
 class Next {
   public:
     constexpr explicit Next(const char* name) : name_(name) {}
 
-    // Several threads may look for it at the same time: they find the same one.
+    // Several threads may look it up at the same time: they find the same one.
     Function* get() {
         Function* found = found_.load(std::memory_order_relaxed);
         if (!found) {
@@ -42,8 +42,7 @@ constinit Next<void*(void*, std::size_t)> next_realloc("realloc");
 constinit Next<void*(std::size_t, std::size_t)> next_aligned_alloc("aligned_alloc");
 constinit Next<int(void**, std::size_t, std::size_t)> next_posix_memalign("posix_memalign");
 
-// Before main(): dlsym() in the middle of another dl function, which asks for memory itself, destroys what that has
-// to say about errors.
+// Before main(): dlsym() within another dl function, which allocates too, would overwrite its error message.
 [[maybe_unused]] const bool all_found = [] {
     next_malloc.get();
     next_calloc.get();

@@ -1,6 +1,6 @@
-// How often a thread asks for memory. Eigen takes its memory from malloc and the standard library through operator
-// new, which calls malloc: so malloc and its kin are counted. They are replaced in the program of the tests alone;
-// the replacements add to two numbers of the thread and pass the call on.
+// Allocation counts per thread. Eigen allocates by malloc, the standard library by operator new, which calls
+// malloc: so malloc and its relatives are counted. They are replaced only in the test program; the replacements add
+// to two counters of the thread and forward the call.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct Allocations {
     }
 };
 
-// What this thread has asked for since it began; zero where nothing is counted.
+// Allocations of this thread since it began; zero where nothing is counted.
 Allocations allocations();
 
-// Not where sanitizers bring a malloc of their own.
+// False under sanitizers, which have their own malloc.
 bool allocations_are_counted();
 
 }  // namespace pushfactor::tests

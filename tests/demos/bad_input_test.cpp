@@ -1,5 +1,5 @@
-// What is no number, infinite, zero or negative, in every field of a scene file and every option: refused by the
-// field's name, before anything runs.
+// Bad values in every field of a scene file and every option (not a number, infinite, zero, negative): refused with
+// the field's name, before anything runs.
 #include "demos/options/choices.h"
 #include "demos/options/frame_options.h"
 #include "demos/options/simulation_options.h"
@@ -22,27 +22,36 @@ using tests::Folder;
 
 namespace {
 
-// One of everything that a scene file can hold.
+// A scene with one of everything that a scene file can hold.
 const char* const everything = R"({
     "version": 1, "name": "everything", "gravity_m_per_s2": [0, -10, 0],
     "bodies": [
         {"name": "ground", "shape": "plane", "friction": 0.5},
         {"name": "box", "shape": "box", "size_m": [1, 1, 1], "mass_kg": 1, "position_m": [0, 2, 0],
          "orientation_wxyz": [1, 0, 0, 0], "velocity_m_per_s": [0, 0, 0], "angular_velocity_rad_per_s": [0, 0, 0],
-         "friction": 0.5, "restitution": 0.5, "surface_velocity_m_per_s": [0, 0, 0],
+         "friction": 0.5, "restitution": 0.5, "material": "oak", "group": "pile", "surface_velocity_m_per_s": [0, 0, 0],
          "surface_from_s": 0},
         {"name": "ball", "shape": "sphere", "radius_m": 0.5, "mass_kg": 1, "position_m": [3, 2, 0],
          "linear_momentum_kg_m_per_s": [0, 0, 0], "angular_momentum_kg_m2_per_s": [0, 0, 0]},
         {"name": "block", "shape": "box", "size_m": [1, 1, 1], "static": true, "position_m": [0, 9, 0]}],
     "distance_constraints": [
         {"a": {"body": "box", "point_m": [0, 0, 0]}, "b": {"body": "ball", "point_m": [0, 0, 0]}, "length_m": 3,
-         "acts": "pulls", "max_force_n": 100}],
-    "forces": [{"body": "ball", "force_n": [1, 0, 0], "from_s": 0, "until_s": 1}],
+         "acts": "pulls", "max_force_n": 100},
+        {"a": {"body": "box"}, "b": {"body": "ball"}, "length_m": 3,
+         "spring": {"stiffness_n_per_m": 10, "damping_n_s_per_m": 1}}],
+    "joints": [
+        {"type": "hinge", "a": {"body": "box"}, "b": {"body": "ball"}, "axis": [0, 0, 1], "zero_wxyz": [1, 0, 0, 0],
+         "motor": {"speed_rad_per_s": 1, "max_torque_n_m": 2}, "limits_rad": [-1, 1], "collide": true}],
+    "forces": [{"body": "ball", "force_n": [1, 0, 0], "torque_n_m": [0, 0, 1], "point_m": [0, 0, 0], "frame": "body",
+                "from_s": 0, "until_s": 1}],
     "contacts": true,
+    "no_contacts": [["box", "block"]],
+    "material_pairs": [{"a": "oak", "b": "oak", "friction": 0.4, "restitution": 0.1}],
     "state": {"time_s": 0.5, "substeps": 1, "solved_exactly": false, "kept_steps": 0,
               "warm_start": [{"bodies": ["box"], "solved_exactly": true, "kept_steps": 0,
                               "exact_debt_multiply_adds": 100, "exact_failures": 1}],
-              "distance_forces_n": [[0, 0]], "contact_forces": [{"a": "ground", "b": "box", "points": [
+              "distance_forces_n": [[0, 0], [0, 0]],
+              "joint_forces_n": [[[0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0]]], "contact_forces": [{"a": "ground", "b": "box", "points": [
                   {"feature": 1, "position_m": [0, 0, 0], "normal_n": [1, 1], "friction_first_n": [0, 0, 0],
                    "friction_last_n": [0, 0, 0]}]}],
               "places": [{"body": "box", "wide": true, "still_s": 0.5, "position_m": [0, 2, 0],
@@ -53,7 +62,7 @@ const char* const everything = R"({
     "colours": {"box": "blue"}
 })";
 
-// A key of the file, and what it must not be beside what no key may be. Values as JSON.
+// A key of the file, and the values that it refuses in addition to those that every key refuses. Values as JSON.
 struct Field {
     std::string part, key;
     std::string pointer;  // where `everything` has it
@@ -80,8 +89,12 @@ const std::vector<Field> fields{
     {"scene", "gravity_m_per_s2", "/gravity_m_per_s2", no_vectors},
     {"scene", "bodies", "/bodies", no_lists},
     {"scene", "distance_constraints", "/distance_constraints", no_lists},
+    {"scene", "joints", "/joints", no_lists},
     {"scene", "forces", "/forces", no_lists},
     {"scene", "contacts", "/contacts", no_switches},
+    {"scene", "no_contacts", "/no_contacts",
+     both(no_lists, {"[1]", "[[\"box\"]]", "[[\"box\", \"wrong\"]]", "[[\"box\", \"box\"]]"})},
+    {"scene", "material_pairs", "/material_pairs", both(no_lists, {"[1]", "[{}]"})},
     {"scene", "state", "/state", no_objects},
     {"scene", "options", "/options", no_objects},
     {"scene", "camera", "/camera", no_objects},
@@ -103,6 +116,8 @@ const std::vector<Field> fields{
     {"body", "angular_momentum_kg_m2_per_s", "/bodies/2/angular_momentum_kg_m2_per_s", no_vectors},
     {"body", "friction", "/bodies/1/friction", both(no_numbers, {"-0.1", "101"})},
     {"body", "restitution", "/bodies/1/restitution", both(no_numbers, {"-0.1", "1.0001"})},
+    {"body", "material", "/bodies/1/material", {"1", "\"\"", "null"}},
+    {"body", "group", "/bodies/1/group", {"1", "\"\"", "null"}},
     {"body", "surface_velocity_m_per_s", "/bodies/1/surface_velocity_m_per_s", no_vectors},
     {"body", "surface_from_s", "/bodies/1/surface_from_s", both(no_numbers, {"-1"})},
     {"distance_constraint", "a", "/distance_constraints/0/a", no_objects},
@@ -110,10 +125,34 @@ const std::vector<Field> fields{
     {"distance_constraint", "length_m", "/distance_constraints/0/length_m", both(no_numbers, {"-1", "0"})},
     {"distance_constraint", "acts", "/distance_constraints/0/acts", no_words},
     {"distance_constraint", "max_force_n", "/distance_constraints/0/max_force_n", both(no_numbers, {"0", "-1"})},
+    {"distance_constraint", "spring", "/distance_constraints/1/spring",
+     both(no_objects, {"{}", "{\"stiffness_n_per_m\": 0}"})},
+    {"spring", "stiffness_n_per_m", "/distance_constraints/1/spring/stiffness_n_per_m", both(no_numbers, {"-1"})},
+    {"spring", "damping_n_s_per_m", "/distance_constraints/1/spring/damping_n_s_per_m", both(no_numbers, {"-1"})},
+    {"joint", "type", "/joints/0/type", both(no_words, {"\"slider\""})},
+    {"joint", "a", "/joints/0/a", no_objects},
+    {"joint", "b", "/joints/0/b", no_objects},
+    {"joint", "axis", "/joints/0/axis", both(no_vectors, {"[0, 0, 0]", "[1e200, 0, 0]"})},
+    {"joint", "zero_wxyz", "/joints/0/zero_wxyz", {"1", "[1, 0, 0]", "[2, 0, 0, 0]"}},
+    {"joint", "motor", "/joints/0/motor", both(no_objects, {"{}"})},
+    {"joint",
+     "limits_rad",
+     "/joints/0/limits_rad",
+     {"1", "[]", "[1]", "[1, -1]", "[-4, 4]", "[7, 8]", "[0, null]"}},
+    {"joint", "collide", "/joints/0/collide", no_switches},
+    {"motor", "speed_rad_per_s", "/joints/0/motor/speed_rad_per_s", both(no_numbers, {"1e10", "-1e10"})},
+    {"motor", "max_torque_n_m", "/joints/0/motor/max_torque_n_m", both(no_numbers, {"0", "-1"})},
+    {"material_pair", "a", "/material_pairs/0/a", no_words},
+    {"material_pair", "b", "/material_pairs/0/b", no_words},
+    {"material_pair", "friction", "/material_pairs/0/friction", both(no_numbers, {"-0.1", "101"})},
+    {"material_pair", "restitution", "/material_pairs/0/restitution", both(no_numbers, {"-0.1", "1.0001"})},
     {"end", "body", "/distance_constraints/0/b/body", both(no_words, {"\"box\""})},  // a bar to itself
     {"end", "point_m", "/distance_constraints/0/a/point_m", no_vectors},
     {"force", "body", "/forces/0/body", both(no_words, {"\"world\""})},
     {"force", "force_n", "/forces/0/force_n", no_vectors},
+    {"force", "torque_n_m", "/forces/0/torque_n_m", no_vectors},
+    {"force", "point_m", "/forces/0/point_m", no_vectors},
+    {"force", "frame", "/forces/0/frame", no_words},
     {"force", "from_s", "/forces/0/from_s", both(no_numbers, {"-1"})},
     {"force", "until_s", "/forces/0/until_s", both(no_numbers, {"-1"})},
     {"state", "time_s", "/state/time_s", both(no_numbers, {"-1"})},
@@ -130,7 +169,11 @@ const std::vector<Field> fields{
     {"state",
      "distance_forces_n",
      "/state/distance_forces_n",
-     {"1", "[]", "[1]", "[[0]]", "[[0, 0], [0, 0]]", "[[[0, 0], [0, 0]]]", "[[[0, 0], [0, 0], [0]]]"}},
+     {"1", "[]", "[1]", "[[0]]", "[[0, 0], [0, 0], [0, 0]]", "[[[0, 0], [0, 0]]]", "[[[0, 0], [0, 0], [0]]]"}},
+    {"state",
+     "joint_forces_n",
+     "/state/joint_forces_n",
+     {"1", "[]", "[1]", "[[[0, 0]]]", "[[0, 0, 0, 0, 0, 0, 0, 0]]"}},
     {"state", "contact_forces", "/state/contact_forces", no_lists},
     {"contact_force", "a", "/state/contact_forces/0/a", both(no_words, {"\"box\"", "\"ball\""})},
     {"contact_force", "b", "/state/contact_forces/0/b", both(no_words, {"\"ground\""})},
@@ -155,7 +198,7 @@ const std::vector<Field> fields{
     {"camera", "floor_m", "/camera/floor_m", no_numbers},
 };
 
-// What is said to `everything` with the text `value` at `pointer`; empty when it is taken.
+// The error message for `everything` with the text `value` at `pointer`; empty when it is accepted.
 std::string said_of(const std::string& pointer, const std::string& value) {
     Json json = Json::parse(everything);
     json[Json::json_pointer(pointer)] = "HERE";
@@ -171,7 +214,7 @@ std::string said_of(const std::string& pointer, const std::string& value) {
     return {};
 }
 
-// Of the field whose value is replaced, or of one that it is part of.
+// The name of the field whose value is replaced, or of one that it is part of.
 bool names(const std::string& message, const Field& field) {
     return message.find(field.key) != std::string::npos && message.find('\n') == std::string::npos &&
            message.find("my.json: ") != std::string::npos;
@@ -218,7 +261,7 @@ TEST_CASE("in every field of a scene file NaN, infinities and numbers beyond dou
 
 TEST_CASE(
     "every option with a number refuses NaN, infinities, and zero and negative ones where they make no sense") {
-    // Zero: no time, no friction, no rebound, no correction, every sweep, nothing left alone, no margin.
+    // Options that may be zero.
     const std::set<std::string_view> may_be_zero{"seconds", "tolerance", "beta",        "distance-beta",
                                                  "slop",    "friction",  "restitution", "margin"};
     for (const SimulationOption& option : simulation_options()) {
@@ -233,7 +276,8 @@ TEST_CASE(
     for (const FrameOption& option : frame_options()) {
         FrameChoices choices;
         for (const char* const text : {"NaN", "inf", "-inf", "1e999", "-1", "", "orbit:nan", "orbit:inf", "1x1"}) {
-            if (option.name == "overlay" || option.name == "camera") continue;  // words and files, tested with them
+            if (option.name == "overlay" || option.name == "camera")
+                continue;  // words and files have their own tests
             INFO(option.name << " " << text);
             CHECK(!option.set(choices, text));
         }

@@ -1,4 +1,4 @@
-// What threads pass to each other: order, bounds, and how it ends.
+// The channel between threads: order, bounds, and how it ends.
 #include "demos/platform/channel.h"
 
 #include "demos/platform/producer.h"

@@ -1,4 +1,4 @@
-// Runs that are saved and go on, and runs that leave the finite numbers.
+// Runs that are saved and resumed, and runs that become non-finite.
 #include "demos/runs/checkpoint.h"
 
 #include "demos/options/named_run.h"
@@ -82,13 +82,13 @@ const std::vector<Case> cases{
     {"funnel", {{"count", "20"}, {"rest", "on"}}, 400},
 };
 
-// Two masses that a force drives apart until its bar cannot say how long it is.
+// Two masses that a force drives apart until the length of their bar overflows.
 const std::string runaway = R"({"version": 1, "name": "runaway", "bodies": [
     {"name": "left", "shape": "sphere", "radius_m": 1, "mass_kg": 1, "velocity_m_per_s": [-1e200, 0, 0]},
     {"name": "right", "shape": "sphere", "radius_m": 1, "mass_kg": 2, "position_m": [3, 0, 0],
      "velocity_m_per_s": [1e200, 0, 0]}], "contacts": true})";
 
-// A force that begins at 0.2 s and leaves the numbers in a few steps, beside a stack that has its caches.
+// A force that begins at 0.2 s and makes the state non-finite in a few steps, next to a stack that has caches.
 std::string late() {
     SceneDescription stack = run_of("stack", {{"gap", "-0.001"}}).description;
     stack.name = "late";
@@ -179,7 +179,7 @@ TEST_CASE("a run that owes for exact solves, of which some failed, goes on with 
         advance(whole, 1);
         advance(read, 1);
     }
-    CHECK(!same(memory_of(whole, 1), state.warm_start[1]));  // what is owed is paid back
+    CHECK(!same(memory_of(whole, 1), state.warm_start[1]));  // the debt is paid back
 }
 
 TEST_CASE("a file from the time before each body had its own memory loads, and what it says holds for all") {
@@ -194,7 +194,7 @@ TEST_CASE("a file from the time before each body had its own memory loads, and w
     const engine::IslandSolver::Memory memory{.forces = {.exact = true, .kept = 4}, .debt = {}};
     for (const auto& own : old.state->warm_start) CHECK(same(own, memory));
     CHECK(shell(folder, "pushfactor run old.json --seconds 1").status == 0);
-    // Saved again, it says so per body.
+    // Saved again, it is per body.
     CHECK_THAT(scene_file_text(old), Catch::Contains("\"warm_start\""));
     const SceneDescription again = read_back(old);
     for (const auto& own : again.state->warm_start) CHECK(same(own, memory));
@@ -208,7 +208,7 @@ TEST_CASE("the program saves the state at the end, and going on from it is going
     const std::string on = shell(folder, "pushfactor run one.json --seconds 1").out;
     const std::string whole = shell(folder, "pushfactor run stack --seconds 2").out;
     CHECK(between(on, "\"state_hash\": \"", "\"") == between(whole, "\"state_hash\": \"", "\""));
-    // And a file of the file is the file.
+    // And reading and writing it again gives the same file.
     shell(folder, "pushfactor scene one.json > again.json");
     CHECK(folder.read("again.json") == folder.read("one.json"));
 }
@@ -231,7 +231,7 @@ TEST_CASE("a run that leaves the finite numbers writes its last good state, whic
         const tests::Ended second = shell(folder, "pushfactor run " + file);
         CHECK(second.status == 5);
         CHECK_THAT(second.err, Catch::Contains(name + ": " + what + " is not finite after step 1 "));
-        // What it would write is there already.
+        // Its output exists already.
         CHECK(folder.files() == sorted({file, "my.json"}));
         CHECK(folder.read(file) == saved);
     }
@@ -250,7 +250,7 @@ TEST_CASE("a run that leaves the finite numbers keeps the steps before that in i
         const long failed = std::stol(between(ended.err, "not finite after step ", " "));
         REQUIRE(failed > 1);
         const std::vector<std::string> lines = tests::lines_of(folder.read("steps.csv"));
-        CHECK(static_cast<long>(lines.size()) == failed);  // a heading and the steps before
+        CHECK(static_cast<long>(lines.size()) == failed);  // header and earlier steps
         CHECK(lines.back().starts_with(std::to_string(failed - 1) + ","));
         CHECK_THAT(ended.err,
                    Catch::Contains("note: steps.csv holds the run up to step " + std::to_string(failed - 1) + ","));

@@ -8,7 +8,7 @@
 
 namespace pushfactor::tests {
 
-// A line in its fields; commas inside quotes belong to their field.
+// The fields of a line; commas inside quotes belong to their field.
 inline std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> found(1);
     bool quoted = false;

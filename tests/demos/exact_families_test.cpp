@@ -1,5 +1,5 @@
-// Families of scenes with random parameters, under the exact preset: what mechanics says stands
-// does stand, every step is solved, and the work of a step is bounded.
+// Families of scenes with random parameters, under the exact preset: what stands by mechanics stands, every step is
+// solved, and the work per step is bounded.
 #include "demos/options/settings.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/simulation.h"
@@ -57,7 +57,7 @@ SceneDescription pyramid(int rows, double ratio) {
     return scene;
 }
 
-// Bricks in bond, each over the joint of two.
+// Bricks in running bond.
 SceneDescription wall(int rows, int length) {
     SceneDescription scene = on_the_ground("wall");
     const Vector3 brick(0.5, 0.25, 0.25);
@@ -70,7 +70,7 @@ SceneDescription wall(int rows, int length) {
     return scene;
 }
 
-// What was seen of three seconds.
+// Measures of three seconds.
 struct Seen {
     double worst_residual = 0.0, speed = 0.0, gain = 0.0, moved = 0.0;
     int unsolved = 0, most_factorisations = 0;
@@ -106,7 +106,7 @@ void check(const SceneDescription& scene, const Seen& seen, double may_sink) {
     CHECK(seen.speed <= 1e-6);
     CHECK(seen.moved <= may_sink + 1e-6);
     CHECK(seen.gain <= 1e-6);
-    // Factorisations of two columns, and what sweeps may follow: 2 (6 + 10 + 10 + 2 x 60) + 400.
+    // Factorisations of two columns, and the sweeps that may follow: 2 (6 + 10 + 10 + 2 x 60) + 400.
     CHECK(seen.most_factorisations <= 692);
 }
 

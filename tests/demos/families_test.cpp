@@ -1,4 +1,4 @@
-// Families of scenes: their members are ordinary scenes, and what is drawn depends on the seed alone.
+// Families of scenes: their members are ordinary scenes, and the random choices depend only on the seed.
 #include "demos/runs/simulation.h"
 #include "demos/scenes/families/family.h"
 #include "demos/scenes/scene_file.h"
@@ -38,7 +38,7 @@ TEST_CASE("every member is a scene file that is accepted and read back as it was
             const Settings settings = preset_settings("default");
             Simulation simulation(build_scene(read, settings), settings);
             CHECK(simulation.scene().world.bodies.size() == scene.bodies.size());
-            // Nothing starts in something else, but for rounding.
+            // No bodies overlap at the start, up to rounding.
             CHECK(simulation.sample().penetration.max < 1e-12);
         }
     }

@@ -1,4 +1,4 @@
-// Scenes in which something went wrong once, as files that the program runs too: tests/scenes.
+// Scenes of former faults, as files that the program runs too: tests/scenes.
 #include "demos/options/named_run.h"
 #include "demos/scenes/scene_file.h"
 #include "engine/bodies/diagnostics.h"
@@ -103,7 +103,7 @@ TEST_CASE("a slightly tilted box that spins at 1000 rad/s settles on its plate")
 
 TEST_CASE(
     "a force that begins on a heap at rest is answered in the step after: the kept guess is dropped at once") {
-    // Swept, because an exact solve answers in the same step.
+    // By sweeps, because an exact solve responds in the same step.
     Choices choices = understand(file_of("fault-7-heap-then-force.json"), {});
     choices.settings.solver = "pgs";
     Simulation heap(choices);
@@ -116,7 +116,7 @@ TEST_CASE(
     REQUIRE(heap.sample().residual <= choices.settings.tolerance_high);
     const double first = heap.advance().residual;
     REQUIRE(first > 1e4 * choices.settings.tolerance_high);
-    // Measured 0.81 of it, and 1.00 while the guess was still the kept one.
+    // Measured 0.81 of it, and 1.00 when the kept guess was still used.
     CHECK(heap.advance().residual < 0.9 * first);
 }
 

@@ -1,4 +1,4 @@
-// The figures as a whole: one command, all files, numbers in the captions, with and without gnuplot.
+// The figures command: all files, numbers in the captions, with and without gnuplot.
 #include "tests/catch.h"
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
@@ -46,7 +46,7 @@ TEST_CASE("one command makes all figures and a page that shows them from disk") 
         CHECK(page.find(std::string("<img src=\"") + figure + ".png\"") != std::string::npos);
     }
 
-    // The captions' numbers are measured: some that are known.
+    // The captions' numbers are measured; some are known in advance.
     CHECK(number_after(page, "it is at ") == Approx(10.8).margin(0.01));      // Figure 6, at rest
     CHECK(number_after(page, "fly upwards at ") == Approx(9.0).margin(0.1));  // Figure 7
 }

@@ -34,7 +34,7 @@ TEST_CASE("a step that is no part of a frame is refused, whatever the step") {
 
 namespace {
 
-// What the option makes of a text; nothing when it refuses it.
+// The parsed option; nothing when it is refused.
 std::optional<FrameChoices> set(std::string_view name, std::string_view text) {
     FrameChoices choices;
     for (const FrameOption& option : frame_options()) {

@@ -1,6 +1,6 @@
-// What a scene does not need is not constructed, makes no row and no column, and its code is not entered.
+// Features that a scene does not need are not constructed, make no rows or columns, and their code is not entered.
 #include "demos/runs/step_division.h"
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 
@@ -19,7 +19,7 @@ thread_local int box_box_calls = 0;  // random scenes are stepped on several thr
 
 }  // namespace
 
-// The linker sends every call of collide_box_box here (--wrap, tests/demos/CMakeLists.txt).
+// The linker redirects every call of collide_box_box here (--wrap, tests/demos/CMakeLists.txt).
 void real_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                   Manifold& manifold) __asm__("__real_" PUSHFACTOR_BOX_BOX);
 void counted_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
@@ -40,7 +40,7 @@ int box_box_calls_of(std::string_view scene) {
     return box_box_calls;
 }
 
-// The most that a step of the run had, over `seconds`.
+// The maxima over the steps of a run of `seconds`.
 struct Most {
     int columns = 0;
     int friction_rows = 0;
@@ -109,7 +109,7 @@ TEST_CASE("only a push for a single frame has a second column, and only while so
     auto corrected = simulate("intersecting-stack", settings);
     CHECK(most_of(corrected, 0.5).columns == 2);
     advance(corrected, 20.0);
-    // The slop is where it ends: a step now and then finds it a rounding deeper.
+    // It ends at the slop: an occasional step finds it deeper by a rounding error.
     int with_two = 0;
     for (int step = 0; step < 60; ++step) with_two += corrected.advance().count.columns == 2;
     CHECK(with_two <= 6);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Parts {
-    std::vector<std::string> code;  // lines of code blocks; those that a backslash continues are one
+    std::vector<std::string> code;  // lines of code blocks, with continuation lines joined
     std::string text;               // everything else
 };
 
@@ -34,7 +34,7 @@ Parts parts_of(const std::string& page) {
             after_blank = false;
             continue;
         }
-        // Indented lines within a list or a sentence are none of code.
+        // Indented lines within a list or a sentence are not code.
         const bool indented = line.starts_with("    ") && after_blank;
         if (fenced || indented) {
             if (continued) {
@@ -52,7 +52,7 @@ Parts parts_of(const std::string& page) {
     return parts;
 }
 
-// Text and the code between single backticks, which may go on in the next line.
+// Text and the code between single backticks, which may continue on the next line.
 struct Spans {
     std::vector<std::string> code;
     std::string text;
@@ -75,7 +75,7 @@ Spans spans_of(const std::string& text) {
     return spans;
 }
 
-// Words as a shell splits them, up to a comment or to what joins, pipes or redirects.
+// Words as a shell splits them, up to a comment or a control or redirection operator.
 std::vector<std::string> words_of(const std::string& command) {
     std::vector<std::string> words;
     std::string word;

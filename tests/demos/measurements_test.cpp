@@ -1,4 +1,4 @@
-// How runs are judged, on scenes whose end is known beforehand.
+// How runs are judged, on scenes whose outcome is known.
 #include "demos/runs/measurements.h"
 
 #include "demos/options/named_run.h"
@@ -19,7 +19,7 @@ Settings settings() {
     return preset_settings("default");
 }
 
-// One cube that rests on the ground, for whoever wants to disturb it.
+// One cube at rest on the ground, to be disturbed by a test.
 BuiltScene one_cube() {
     return build_scene(scenes::cube_tower({.count = 1, .gap = 0.0, .ground_gap = -0.001}), settings());
 }

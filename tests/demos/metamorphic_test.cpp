@@ -1,8 +1,9 @@
-// A scene that is shifted, turned about the vertical, mirrored or measured in other units does what the scene does.
+// A scene that is shifted, turned about the vertical, mirrored or measured in other units behaves like the
+// original.
 //
 // Where a transformation only moves exponents (powers of two whose roots are powers of two) or signs, the result
-// follows bit for bit: whatever breaks that is a constant with a unit somewhere in the engine. Elsewhere it follows
-// to roundings, and to what the scene makes of them in the time that it is watched.
+// agrees bit for bit; a deviation means a constant with a unit somewhere in the engine. Elsewhere it agrees up to
+// rounding errors and their growth during the run.
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/similar_scene.h"
@@ -36,8 +37,8 @@ SceneDescription describe(std::string_view scene,
     return entry.describe(values);
 }
 
-// Boxes tumble onto the ground and a ball, with friction and a rebound: nothing is aligned, so no tie is broken by
-// a rounding.
+// Boxes tumble onto the ground and a ball, with friction and a rebound: nothing is aligned, so rounding decides no
+// tie.
 SceneDescription tumbling_boxes() {
     SceneDescription scene;
     scene.name = "tumbling boxes";
@@ -88,7 +89,7 @@ Outcomes run_both(
     Settings (*change)(Settings) = [](Settings settings) { return settings; }) {
     Settings settings = change(preset_settings(preset));
     settings.seconds = test.seconds;
-    // Convex: with Coulomb's bound a moving heap has several answers, and roundings choose.
+    // Convex: with Coulomb's bound a moving heap has several solutions, and rounding decides between them.
     settings.friction_model = FrictionModel::paper;
     Outcomes outcomes{.expected = bodies_after(test.scene, settings),
                       .found = bodies_after(similarity.map(test.scene), similarity.map(settings))};
@@ -96,7 +97,7 @@ Outcomes run_both(
     return outcomes;
 }
 
-// Number for number; a zero may have another sign. The last body may stand for the world, which moves with nothing.
+// Number for number; a zero may have the other sign. The last body may be the world, which is not transformed.
 void check_equal(const Outcomes& outcomes) {
     for (std::size_t i = 0; i < outcomes.expected.size(); ++i) {
         const engine::Body& expected = outcomes.expected[i];
@@ -146,7 +147,7 @@ TEST_CASE("a scene of a quarter of the size in half the time does the same, bit 
 }
 
 TEST_CASE("each unit may be another power of two alone, and heaps do not notice: no constant has a unit") {
-    // Masses by powers of four, as the solvers take roots of them.
+    // Masses by powers of four, because the solvers take their roots.
     const std::array units{
         std::pair{"lengths", Similarity{.length = 4.0}},
         std::pair{"small", Similarity{.length = 1.0 / 1024}},
@@ -188,8 +189,8 @@ TEST_CASE("shifted, turned about the vertical, or in other units, a scene does t
         for (const char* preset : presets_of_interest) {
             for (const auto& [name, similarity] : similarities) {
                 INFO(test.name << ", " << preset << ", " << name);
-                // A point that lands within the margin comes to lie a little under the surface, or has been there
-                // by a rounding: a thousandth of the slop is what that may change.
+                // A point that lands within the margin ends slightly below the surface, or by a rounding error is
+                // there already: that may change a thousandth of the slop.
                 const bool lands = test.name == std::string("stack") && preset == std::string("default");
                 CHECK(difference(run_both(test, preset, similarity)) < (lands ? 1e-5 : 1e-8));
             }
@@ -198,8 +199,8 @@ TEST_CASE("shifted, turned about the vertical, or in other units, a scene does t
 }
 
 TEST_CASE("a scene of boxes in a mirror is the mirrored scene, to rounding, once each step is solved") {
-    // A mirror numbers the corners of a box another way round, so sweeps that end early end elsewhere: after a
-    // second the paper's 25 leave the tumbling boxes 0.67 m apart. Measured with all solved: at most 1.3e-11.
+    // A mirror reverses the order of a box's corners, so truncated sweeps end elsewhere: after a second the paper's
+    // 25 sweeps leave the tumbling boxes 0.67 m apart. Measured with all solved: at most 1.3e-11.
     const auto solved = [](Settings settings) {
         return settings.preset == "paper" ? tests::solved_exactly(settings) : settings;
     };

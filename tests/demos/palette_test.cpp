@@ -1,4 +1,4 @@
-// Can the colours be told apart by those who see fewer of them?
+// Whether colour-blind readers can tell the colours apart.
 #include "demos/text/palette.h"
 
 #include "tests/catch.h"
@@ -19,7 +19,7 @@ Vector3 linear(const Colour& colour) {
     return {part(colour.red), part(colour.green), part(colour.blue)};
 }
 
-// CIE L*a*b* of a linear sRGB colour, in which a distance of about 2.3 is just noticed.
+// CIE L*a*b* of a linear sRGB colour, in which a distance of about 2.3 is just noticeable.
 Vector3 lab(const Vector3& rgb) {
     Matrix3 to_xyz;
     to_xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;

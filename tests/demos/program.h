@@ -14,7 +14,7 @@
 
 namespace pushfactor::tests {
 
-// A folder that is gone with the object.
+// A temporary folder, removed with the object.
 class Folder {
   public:
     Folder() {
@@ -63,7 +63,7 @@ inline Ended run_program(const std::string& arguments) {
     return shell(Folder(), "pushfactor " + arguments);
 }
 
-// That the program refuses these arguments, in one line with these words.
+// Checks that the program refuses these arguments, in one line with these words.
 inline void check_refused(const std::string& arguments, const std::string& words) {
     const Ended ended = run_program(arguments);
     INFO(ended.err);
@@ -72,7 +72,7 @@ inline void check_refused(const std::string& arguments, const std::string& words
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-// That a report which is interrupted ends with status 1 and leaves whole files only.
+// Checks that an interrupted report ends with status 1 and leaves only complete files.
 inline void check_interrupted(const std::string& report) {
     const Folder folder;
     const Ended ended =

@@ -69,7 +69,7 @@ TEST_CASE("two runs give equal files, and a config file gives the run that wrote
     shell(folder, "pushfactor render stack" + options + "--at 0" + tiny + "--out frames");
     REQUIRE(shell(folder, "pushfactor run --config frames/config.json --summary c.json").status == 0);
     CHECK(folder.read("c.json") == folder.read("a.json"));
-    // The command line comes before the config.
+    // The command line takes precedence over the config.
     shell(folder, "pushfactor run stack --config frames/config.json --seed 6 --summary d.json");
     CHECK_THAT(folder.read("d.json"), Catch::Contains("\"seed\": 6") && Catch::Contains("\"beta\": 0.3"));
 }
@@ -119,7 +119,7 @@ TEST_CASE("a bad config file is refused by file, key and value") {
                Catch::Contains("betta in my.json") && Catch::Contains("did you mean beta?"));
     CHECK_THAT(said("{\"beta\": 7}"), Catch::Contains("beta in my.json 7") && Catch::Contains("from 0 to 1"));
     CHECK_THAT(said("{\"beta\": [1]}"), Catch::Contains("must be a string or a number"));
-    CHECK_THAT(said("{\"beta\": "), Catch::Contains("is no JSON"));
+    CHECK_THAT(said("{\"beta\": "), Catch::Contains("is not JSON"));
     CHECK_THAT(said("[1]"), Catch::Contains("must be an object"));
     CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
 }
@@ -152,7 +152,7 @@ TEST_CASE("frames show t = n / fps from zero, in one folder or in one a scene, a
 TEST_CASE("a disk that is full ends with status 4, leaves no half file and keeps what was there") {
     const Folder folder;
     folder.write("steps.csv", "precious");
-    // A file size limit of 4 blocks stands for the full disk: the write fails in the middle of the file.
+    // A file size limit of 4 blocks simulates a full disk: the write fails in the middle of the file.
     const Ended run = shell(folder, "ulimit -f 4; pushfactor run stack --seconds 60 --csv steps.csv");
     CHECK(run.status == 4);
     CHECK_THAT(run.err, Catch::Contains("steps.csv"));
@@ -206,7 +206,7 @@ TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to 
             CHECK(last_line.starts_with(std::to_string(last) + ","));
             CHECK(std::count(last_line.begin(), last_line.end(), ',') ==
                   std::count(steps.begin(), steps.begin() + static_cast<long>(steps.find('\n')), ','));
-            const long every = command.starts_with("render") ? 60 : 1;  // a line per body and frame
+            const long every = command.starts_with("render") ? 60 : 1;  // one line per body and frame
             CHECK(lines(folder.read("bodies.csv")) == 1 + 5 * (last / every + 1));
             CHECK_THAT(ended.err, Catch::Contains("pushfactor: note: steps.csv holds the run up to step " +
                                                   std::to_string(last) + ", where it stopped\n"));

@@ -1,4 +1,4 @@
-// The program as a user meets it: what it answers, and what it says to bad input.
+// The program as seen by a user: its answers, and its messages for bad input.
 #include "tests/demos/program.h"
 
 #include "tests/catch.h"
@@ -77,7 +77,7 @@ TEST_CASE("the build writes down the commit that is checked out, and only when i
     CHECK(commit_of("\"$PWD/tree\"") == "#define PUSHFACTOR_COMMIT \"" + named + "-dirty\"\n");
     REQUIRE(shell(folder, in_tree + "commit -q -a -m two").status == 0);
     CHECK(commit_of("\"$PWD/tree\"") != first);
-    // Within somebody else's checkout, and in none at all.
+    // Within another repository's checkout, and in none.
     CHECK(commit_of("\"$PWD/tree/below\"") == "#define PUSHFACTOR_COMMIT \"unknown\"\n");
     CHECK(commit_of("\"$PWD\"") == "#define PUSHFACTOR_COMMIT \"unknown\"\n");
 }

@@ -11,7 +11,7 @@ namespace {
 
 struct Energy {
     double rise = 0.0;  // J, the largest above the start
-    double gain = 0.0;  // J, the largest beyond what came from outside
+    double gain = 0.0;  // J, the largest beyond the work done from outside
 };
 
 Energy energy_of_wall(Settings settings) {

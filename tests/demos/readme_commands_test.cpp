@@ -1,5 +1,5 @@
-// The commands and links of all pages: each command is one that the program accepts, each link leads somewhere.
-// Nothing is run.
+// The commands and links of all pages: the program accepts each command, and each link has a target. Nothing is
+// run.
 #include "demos/commands/command_line.h"
 #include "demos/figures/figure.h"
 #include "demos/options/comparison.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 const fs::path root(PUSHFACTOR_SOURCE_DIR);
 
-// Path within the repository -> text of every page; not of what was built or written.
+// Path within the repository -> text of every page, without build trees and outputs.
 Sources pages() {
     Sources found;
     for (auto at = fs::recursive_directory_iterator(root); at != fs::end(at); ++at) {
@@ -43,9 +43,8 @@ bool is_scene(const std::string& name) {
     return std::ranges::any_of(scenes, [&](const demos::SceneEntry& entry) { return entry.name == name; });
 }
 
-// What the program says against the scenes, options and names of a command. Scenes that are neither in the
-// catalogue nor in the repository (SCENE, my.json) are left out, and with `values` off the values of options (N,
-// NAME).
+// The program's objections to the scenes, options and names of a command. Scenes that are neither in the catalogue
+// nor in the repository (SCENE, my.json) are left out, and with `values` off the values of options (N, NAME).
 void understand(const demos::Request& request, bool values) {
     for (const std::string& name : request.families) {
         if (!demos::families::find_family(name) && values) throw demos::UsageError("family " + name);
@@ -64,7 +63,7 @@ void understand(const demos::Request& request, bool values) {
     }
 }
 
-// Keeps what --help prints out of the tests' output.
+// Keeps the output of --help out of the tests' output.
 class Silence {
   public:
     Silence() : before_(std::cout.rdbuf(text_.rdbuf())) {}
@@ -81,7 +80,7 @@ class Silence {
 std::string refusal(const Words& words, bool values) {
     Words with_program = words;
     with_program.insert(with_program.begin(), "pushfactor");
-    // A configuration that a run has left is not there yet.
+    // A configuration file that a run writes does not exist yet.
     const auto config = std::ranges::find(with_program, "--config");
     if (config != with_program.end() && config + 1 != with_program.end()) {
         with_program.erase(config, config + 2);

@@ -1,4 +1,4 @@
-// Bars that say the same, bars that contradict each other, and bars without a direction.
+// Redundant bars, contradictory bars, and bars without a direction.
 #include "demos/scenes/scene_description.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
@@ -34,7 +34,7 @@ Extremes run(const SceneDescription& scene, const Settings& settings, double sec
     Simulation simulation(build_scene(scene, settings), settings);
     Extremes extremes;
     for (long i = 0; i < std::lround(60.0 * seconds); ++i) {
-        simulation.advance();  // throws when something is not finite
+        simulation.advance();  // throws when the state is not finite
         const engine::Columns& lambda = simulation.scene().world.lambda();
         extremes.force = std::max(extremes.force, lambda.cwiseAbs().maxCoeff());
         extremes.sum = lambda.col(lambda.cols() - 1).sum();
@@ -49,7 +49,7 @@ Settings with_solver(std::string_view preset, const std::string& solver) {
     return settings;
 }
 
-// Not jacobi: rows that repeat each other are what it diverges on.
+// Not jacobi: it diverges on redundant rows.
 const std::vector<std::string> solvers{"auto", "direct", "pgs", "nncg"};
 
 }  // namespace
@@ -88,7 +88,7 @@ TEST_CASE(
         return run(hanging({1.0, 1.1}, {0, -1.05, 0}), settings, seconds).force;
     };
     CHECK(largest_force(10.0) == largest_force(1.0));
-    CHECK(largest_force(1.0) < 1e11);  // measured 2.5e10: what one solve gives
+    CHECK(largest_force(1.0) < 1e11);  // measured 2.5e10, from one solve
 }
 
 TEST_CASE("bars whose ends coincide have a defined answer, with a length and without") {

@@ -1,4 +1,4 @@
-// What render adds to a picture, seen from outside: panels, overlays, captions, videos.
+// What render adds to a picture: panels, overlays, captions, videos.
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
@@ -12,7 +12,7 @@ Ended render(const Folder& folder, const std::string& arguments) {
     return shell(folder, "pushfactor render " + arguments + " --out frames --size 320x180");
 }
 
-// Stands in for ffmpeg: writes what it is fed to the file that it is asked for.
+// A fake ffmpeg: copies its input to the output file.
 void fake_ffmpeg(const Folder& folder, const std::string& body) {
     folder.write("ffmpeg", "#!/bin/sh\nfor video; do :; done\n" + body + "\n");
     std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
@@ -52,8 +52,8 @@ TEST_CASE("panels, overlays, cameras and captions each change the picture, and e
 
 TEST_CASE("the summary of compared runs has one of each, and their states are those of the runs alone") {
     const Folder folder;
-    // Two renderers in one process: where the leak checker looks into the memory of the driver's threads that have
-    // ended, it crashes itself.
+    // Two renderers in one process: the leak checker crashes when it inspects the memory of the driver's ended
+    // threads.
     REQUIRE(shell(folder,
                   "export LSAN_OPTIONS=\"$LSAN_OPTIONS:use_tls=0\"; pushfactor render stack --seconds 1 --at 1 "
                   "--compare push=none,persistent --out frames --size 320x180")
@@ -142,7 +142,7 @@ TEST_CASE("an ffmpeg that fails ends the run with its own words and leaves no vi
 }
 
 TEST_CASE("every frame of a film is the still of its time, drawn by itself") {
-    // Bodies that fall and come to rest, a camera that turns, walls, bars, several drawings a picture, two panels.
+    // Bodies that fall and come to rest, a camera that turns, walls, bars, several samples per picture, two panels.
     for (const std::string scene :
          {"stack --count 2 --gap 0.05 --seconds 1 --fps 20", "stack --seconds 0.5 --fps 20 --camera orbit:40",
           "funnel --solver pgs --count 5 --seconds 1.5 --fps 10", "pendulum-grid --seconds 0.3 --fps 30",

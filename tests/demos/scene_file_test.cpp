@@ -1,4 +1,4 @@
-// Scenes as files: round trips, the examples, the schema, and what is said to wrong files.
+// Scene files: round trips, the examples, the schema, and the messages for wrong files.
 #include "demos/scenes/scene_file.h"
 
 #include "demos/options/choices.h"
@@ -54,7 +54,7 @@ TEST_CASE("a built-in scene and its file run to the same state, options included
         const std::string from_file = tests::shell(folder, "pushfactor run my.json").out;
         CHECK(hash_in(built_in).size() == 32);
         CHECK(hash_in(from_file) == hash_in(built_in));
-        // And the file of the file is the file.
+        // And reading and writing it again gives the same file.
         REQUIRE(tests::shell(folder, "pushfactor scene my.json > again.json").status == 0);
         CHECK(folder.read("again.json") == folder.read("my.json"));
     }
@@ -111,7 +111,7 @@ TEST_CASE("what a file does not mention is not constructed") {
 }
 
 TEST_CASE("wrong files are refused with the path inside them, the value and what is allowed") {
-    CHECK_THAT(said_of("{"), Catch::Contains("is no JSON"));
+    CHECK_THAT(said_of("{"), Catch::Contains("is not JSON"));
     for (const char* name : {"../up", "/etc/x", "..", ""}) {
         CHECK_THAT(said_of(R"({"version": 1, "bodies": [], "name": ")" + std::string(name) + "\"}"),
                    Catch::Contains("a name without slashes"));
@@ -126,7 +126,7 @@ TEST_CASE("wrong files are refused with the path inside them, the value and what
     CHECK_THAT(said_of(scene_of(R"({"name": 5, "shape": "sphere"})")),
                Catch::Contains("bodies[0].name 5: must be a string"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "cube"})")),
-               Catch::Contains("must be one of box, sphere, plane"));
+               Catch::Contains("must be one of box, sphere, plane, polyhedron"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1, "mass_kg": -1})")),
                Catch::Contains("bodies[0].mass_kg -1: must be a number from 1e-100 to 1e+100"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1})")),

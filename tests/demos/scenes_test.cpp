@@ -1,4 +1,4 @@
-// The scenes of paper section 10.3: what they must do. Measured values stand beside the bounds.
+// The scenes of paper section 10.3: what they must do. Measured values are next to the bounds.
 #include "demos/runs/measurements.h"
 #include "demos/scenes/named/ball_on_bar.h"
 #include "engine/bodies/diagnostics.h"
@@ -141,7 +141,7 @@ TEST_CASE("a cube ten times as heavy stands on a light one; a thousand times is 
     Run ten(simulate("heavy-on-light", preset_settings("default"), {{"mass-ratio", "10"}}));
     ten.advance(10);
     CHECK(ten.measurements.outcome() == Outcome::rest);
-    // An honest record of what a sweep cannot do; the direct solver can.
+    // A record of what a sweep cannot do and the direct solver can.
     Settings sweeping = preset_settings("default");
     sweeping.solver = "pgs";
     Run thousand(simulate("heavy-on-light", sweeping, {{"mass-ratio", "1000"}}));

@@ -1,5 +1,4 @@
-// Floors and walls of boxes that lie flush side by side: what slides or rolls over a seam does as on one single
-// box.
+// Floors and walls of flush boxes: bodies that slide or roll over a seam move as on a single box.
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/random.h"
@@ -18,8 +17,8 @@ using tests::Random;
 
 namespace {
 
-// What a scene does: a slider on a floor whose top is at y = 0, that comes from about the origin and moves along
-// +x.
+// The setting of a scene: a slider on a floor whose top is at y = 0, that comes from about the origin and moves
+// along +x.
 struct Trip {
     std::variant<BoxShape, SphereShape> shape = BoxShape{};
     double speed = 4.0;                        // m/s
@@ -107,7 +106,7 @@ Settings with(const char* preset, int substeps) {
     return settings;
 }
 
-// How far the slider is from where it would be on one single box, at most [m; m/s for velocities; 1 for the turn].
+// The largest deviation of the slider from its motion on a single box [m; m/s for velocities; 1 for the turn].
 struct Difference {
     double place = 0.0, velocity = 0.0, turn = 0.0;
 
@@ -176,7 +175,7 @@ void check_like_one_floor(const Trip& trip, const Settings& settings) {
     CHECK(seen.largest() < 1e-6);
 }
 
-// Settled: what first has to sink to where its rows aim at rest tilts by as much meanwhile.
+// Settled: a body that first has to sink to the depth that its rows aim at tilts by as much meanwhile.
 void settle(Trip& trip, const Settings& settings) {
     const auto* box = std::get_if<BoxShape>(&trip.shape);
     trip.depth = 2e-3 * settings.slop * (box ? box->size.minCoeff() : 2.0 * half_height(trip));
@@ -271,7 +270,7 @@ TEST_CASE("walls, and steps higher than the slop, stop a cube at every speed") {
                 INFO(speed << " m/s against a step of " << height << " m, " << settings.preset << " "
                            << settings.substeps.value());
                 CHECK(engine::velocity(slider_of(simulation)).x() < 0.9 * speed);
-                // A low step trips what is fast, a high one stops it for good.
+                // A low step trips fast bodies, a high one stops them.
                 if (height > 0.5) CHECK(slider_of(simulation).position.x() < 0.031 + 1e-4);
             }
         }

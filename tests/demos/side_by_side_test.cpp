@@ -1,5 +1,5 @@
-// What happens in one place changes nothing in another: scenes in one world, too far apart to touch, do what each
-// of them does alone, to the last bit.
+// Distant events do not interact: scenes in one world, too far apart to touch, behave bit for bit as each of them
+// alone.
 #include "demos/scenes/named/side_by_side.h"
 
 #include "engine/bodies/diagnostics.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr double far = 200.0;  // m
 constexpr int steps = 150;
 
-// Planes have no end, so that nothing would be beside them: the same face on a slab of 30 m.
+// Planes are infinite, so nothing would be outside them: the same face on a slab of 30 m instead.
 SceneDescription on_slabs(SceneDescription scene) {
     for (BodyDescription& body : scene.bodies) {
         if (!std::holds_alternative<PlaneShape>(body.shape)) continue;
@@ -32,7 +32,7 @@ SceneDescription on_slabs(SceneDescription scene) {
     return scene;
 }
 
-// Balls thrown into rows of balls: who is hit is thrown in its turn, and found by looking again.
+// Balls thrown into rows of balls: each ball that is hit hits the next, which only a repeated search finds.
 SceneDescription skittles() {
     SceneDescription scene;
     scene.name = "skittles";
@@ -178,7 +178,7 @@ TEST_CASE("a tower, a chain and a heap beside each other are three islands when 
         CHECK(count.islands_kept + count.islands_swept + count.islands_exact + count.islands_in_small_steps == 3);
         kept += count.islands_kept;
     }
-    CHECK(kept > 60 + 30);  // the tower always, the heap most of the time: measured 60 + 53
+    CHECK(kept > 60 + 30);  // the tower always, the heap mostly: measured 60 + 53
 }
 
 TEST_CASE("two thousand islands do the work of two thousand, each as if it were alone") {
@@ -211,7 +211,7 @@ TEST_CASE("two thousand islands do the work of two thousand, each as if it were 
         CHECK(simulation.sample().count.sweeps == 25);
         work[count] = simulation.sample().count.row_updates;
     }
-    // Columns differ from body to body while they settle, so as much per island within a little.
+    // Columns differ slightly from body to body while they settle, so the work per island is only about equal.
     CHECK(work[1000] == Approx(2.0 * work[500]).epsilon(0.05));
     CHECK(work[2000] == Approx(4.0 * work[500]).epsilon(0.05));
 

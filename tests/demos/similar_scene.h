@@ -1,5 +1,5 @@
-// Scenes that are alike: shifted, turned, mirrored, or with other units of length, time and mass. The physics of
-// such a scene is the physics of the first one, seen in the same way.
+// Similar scenes: shifted, turned, mirrored, or with other units of length, time and mass. Their motion is that of
+// the original under the same map.
 #pragma once
 
 #include "demos/options/settings.h"
@@ -8,8 +8,8 @@
 
 namespace pushfactor::tests {
 
-// Maps a scene to one that is alike: x -> turn mirror x * length + shift. Factors 1 and no movement map it to
-// itself. Gravity is an acceleration, so it stays what it is where length = time^2.
+// Maps a scene to a similar one: x -> turn mirror x * length + shift. Factors 1 and no movement map it to itself.
+// Gravity is an acceleration, so it is unchanged where length = time^2.
 struct Similarity {
     engine::Quaternion turn = engine::Quaternion::Identity();
     engine::Vector3 shift = engine::Vector3::Zero();  // m
@@ -24,12 +24,14 @@ struct Similarity {
     engine::Vector3 in_body(const engine::Vector3& v, double unit) const {
         return unit * (mirrored ? engine::Vector3(-v.x(), v.y(), v.z()) : v);
     }
-    // Of rotation; a mirror turns it round but for the part across the mirror.
-    engine::Vector3 axial(const engine::Vector3& v, double unit) const {
-        return turn * engine::Vector3(unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v));
+    // Of rotation; a mirror reverses it except for the part normal to the mirror.
+    engine::Vector3 axial(const engine::Vector3& v, double unit) const { return turn * axial_in_body(v, unit); }
+    engine::Vector3 axial_in_body(const engine::Vector3& v, double unit) const {
+        return unit * (mirrored ? engine::Vector3(v.x(), -v.y(), -v.z()) : v);
     }
-    engine::Quaternion orientation(const engine::Quaternion& q) const {
-        return turn * (mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q);
+    engine::Quaternion orientation(const engine::Quaternion& q) const { return turn * mirrored_only(q); }
+    engine::Quaternion mirrored_only(const engine::Quaternion& q) const {
+        return mirrored ? engine::Quaternion(q.w(), q.x(), -q.y(), -q.z()) : q;
     }
 
     double speed() const { return length / time.value(); }
@@ -52,7 +54,7 @@ struct Similarity {
         return settings;
     }
 
-    // Without view and measure, which the physics does not look at.
+    // Without view and measure, which do not affect the physics.
     demos::SceneDescription map(const demos::SceneDescription& scene) const {
         demos::SceneDescription other;
         other.name = scene.name;
@@ -60,7 +62,10 @@ struct Similarity {
         other.contacts = scene.contacts;
         for (const auto& body : scene.bodies) other.bodies.push_back(map(body));
         for (const auto& distance : scene.distances) other.distances.push_back(map(distance));
+        for (const auto& joint : scene.joints) other.joints.push_back(map(joint));
         for (const auto& force : scene.forces) other.forces.push_back(map(force));
+        other.no_contacts = scene.no_contacts;
+        other.materials = scene.materials;
         return other;
     }
 
@@ -80,17 +85,46 @@ struct Similarity {
         return body;
     }
 
-    demos::DistanceDescription map(demos::DistanceDescription distance) const {
-        for (demos::DistanceDescription::End* end : {&distance.a, &distance.b}) {
+    template <typename Described>
+    void map_ends(Described& described) const {
+        for (demos::DistanceDescription::End* end : {&described.a, &described.b}) {
             end->point = end->body == "world" ? position(end->point) : in_body(end->point, length);
         }
+    }
+
+    demos::JointDescription map(demos::JointDescription joint) const {
+        map_ends(joint);
+        if (!joint.hinge) return joint;
+        demos::HingeDescription& hinge = *joint.hinge;
+        const bool to_world = joint.a.body == "world";
+        hinge.axis = to_world ? axial(hinge.axis, 1.0) : axial_in_body(hinge.axis, 1.0);
+        if (hinge.zero) {
+            const engine::Quaternion q = mirrored_only(*hinge.zero);
+            hinge.zero = to_world ? turn * q : joint.b.body == "world" ? q * turn.conjugate() : q;
+        }
+        if (hinge.motor) {
+            hinge.motor->speed /= time.value();
+            hinge.motor->max_torque *= force() * length;
+        }
+        return joint;
+    }
+
+    demos::DistanceDescription map(demos::DistanceDescription distance) const {
+        map_ends(distance);
         if (distance.length) *distance.length *= length;
         if (distance.max_force) *distance.max_force *= force();
+        if (distance.spring) {
+            distance.spring->stiffness *= force() / length;
+            distance.spring->damping *= force() / speed();
+        }
         return distance;
     }
 
     demos::ForceDescription map(demos::ForceDescription poke) const {
-        poke.force = direction(poke.force, force());
+        const bool turns = poke.frame == engine::Poke::Frame::body;
+        poke.force = turns ? in_body(poke.force, force()) : direction(poke.force, force());
+        poke.torque = turns ? axial_in_body(poke.torque, force() * length) : axial(poke.torque, force() * length);
+        poke.point = in_body(poke.point, length);
         poke.from *= time.value();
         if (poke.until) *poke.until *= time.value();
         return poke;

@@ -1,5 +1,5 @@
-// Small bodies and long steps: what stands at 60 Hz stands whatever its size and step, when the step is divided as
-// its size asks for.
+// Small bodies and long steps: what stands at 60 Hz stands at any size and step when the step is divided according
+// to the size.
 #include "demos/scenes/named/cube_tower.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"

@@ -1,4 +1,4 @@
-// Paper section 10.1 and 10.2: what the two stacks must do. Measured values stand beside the bounds.
+// Paper section 10.1 and 10.2: what the two stacks must do. Measured values are next to the bounds.
 #include "demos/runs/measurements.h"
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"

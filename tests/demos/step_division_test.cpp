@@ -66,7 +66,7 @@ TEST_CASE("from step to step the parts at most double, and fall by a sixteenth")
     for (int i = 0; i < 80; ++i) division.divide(world, dt);
     CHECK(division.divide(world, dt) == 1);
     CHECK(division.rule().empty());
-    // A run that goes on knows the step before.
+    // A resumed run knows the step before.
     wanted = 100.0;
     CHECK(asking(wanted, 5.0).divide(world, dt) == 10);
 }

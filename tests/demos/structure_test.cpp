@@ -1,4 +1,4 @@
-// The shape of the house: which folder may include which.
+// The include rules: which folder may include which.
 #include "tests/catch.h"
 #include "tests/texts.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the sources of a folder include.
+// The includes of a folder's sources.
 std::set<std::string> includes(const char* folder) {
     std::set<std::string> found;
     const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
@@ -41,13 +41,13 @@ void check_absent(const char* folder, std::initializer_list<std::string_view> fo
 
 using Rooms = std::map<std::string, std::set<std::string>>;
 
-// The folder of a file within another folder, or the name of a file that is in none.
+// The subfolder of a file, or the file's name when it is in none.
 std::string room_of(const std::string& path) {
     const fs::path inside = fs::path(path.substr(path.find('/') + 1));
     return inside.has_parent_path() ? inside.begin()->string() : inside.stem().string();
 }
 
-// Which rooms of a folder include which others.
+// Which subfolders of a folder include which others.
 Rooms rooms_of(const std::string& folder) {
     const std::regex include("#include \"(" + folder + "/[^\"]+)\"");
     Rooms rooms;
@@ -66,7 +66,7 @@ bool reaches(const Rooms& rooms, const std::string& from, const std::string& to)
                        [&](const std::string& next) { return next == to || reaches(rooms, next, to); });
 }
 
-// "a --> b" for what a includes but not through another room. The rooms must have no circle.
+// "a --> b" for what a includes but not through another subfolder. There must be no cycle.
 std::set<std::string> arrows_of(const Rooms& rooms) {
     std::set<std::string> arrows;
     for (const auto& [from, included] : rooms) {
@@ -80,7 +80,7 @@ std::set<std::string> arrows_of(const Rooms& rooms) {
     return arrows;
 }
 
-// What matches in the README of a folder, in its order.
+// The matches in the README of a folder, in order.
 std::vector<std::string> shown(const std::string& folder, const std::regex& pattern) {
     const std::string text = read_file(fs::path(PUSHFACTOR_SOURCE_DIR) / folder / "README.md");
     std::vector<std::string> found;
@@ -155,7 +155,7 @@ TEST_CASE("scenes know the engine and nothing that draws or writes") {
                  {"renderer/", "glm/", "GL/", "fstream", "iostream", "filesystem", "chrono", "fmt/"});
 }
 
-// Everything that a file of the project includes, directly or not.
+// Everything that a file of the project includes, directly or indirectly.
 void gather(const std::string& file, std::set<std::string>& found) {
     const std::regex include(R"re(#include "([^"]+)")re");
     const std::string text = read_file(fs::path(PUSHFACTOR_SOURCE_DIR) / file);

@@ -1,4 +1,4 @@
-// Tables of reports and figures, as CSV and as lines of a page.
+// Tables of reports and figures, as CSV and as rows of a page.
 #include "demos/pages/table.h"
 
 #include "tests/catch.h"

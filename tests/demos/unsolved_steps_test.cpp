@@ -1,4 +1,4 @@
-// Steps that were not solved: counted, and said aloud.
+// Unsolved steps: counted and reported.
 #include "demos/options/named_run.h"
 #include "demos/text/json.h"
 #include "tests/catch.h"
@@ -41,8 +41,8 @@ Simulation start(const std::string& scene, const OptionTexts& options) {
     return Simulation(choices);
 }
 
-// How fast the bars of a scene of nothing but bars are too fast or too slow after a step, by the bodies that they
-// hold: from the momenta that the bodies have then, and not from forces.
+// The velocity errors of the bars after a step, by the bodies that they hold, in a scene of bars only: from the
+// momenta, not from forces.
 std::map<std::pair<int, int>, double> misses(const Simulation& simulation) {
     const engine::World& world = simulation.scene().world;
     std::map<std::pair<int, int>, double> found;
@@ -150,7 +150,7 @@ TEST_CASE("the bodies that are named are those of the bar that is most wrong, by
         CHECK(miss == Approx(sample.residual));
     }
     CHECK(named > 10);
-    CHECK(named < 120);  // looked for in the steps that are worse than any before
+    CHECK(named < 120);  // checked in each step that is worse than all before
 }
 
 TEST_CASE("of the substeps of a step the one with the most unsolved islands counts") {

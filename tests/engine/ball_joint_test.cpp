@@ -4,6 +4,7 @@
 #include "engine/forces/gravity.h"
 #include "engine/rattle.h"
 #include "tests/catch.h"
+#include "tests/engine/dense_algebra.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 
@@ -11,13 +12,14 @@
 
 using namespace pushfactor::engine;
 using pushfactor::tests::Random;
+using pushfactor::tests::rotation_between;
 
 namespace {
 
 const Vector3 gravity(0, -10, 0);
 constexpr Correction whole{PushKind::persistent, 1.0};
 
-// Rods of 1 m and 1 kg that hang on the world and on each other by their ends, laid out level along x.
+// A chain of rods of 1 m and 1 kg that hangs from the world, horizontal along x at the start.
 struct Rods {
     static constexpr double length = 1.0;
     World world;
@@ -124,7 +126,7 @@ TEST_CASE("a bar of length zero holds its points together in three directions: t
     }
 }
 
-// As seen by who turns with the mean of both bodies: then force and counterforce act at one point.
+// In the frame that turns with the mean of both bodies: there action and reaction act at one point.
 TEST_CASE("the points of a ball joint part at the rate that its rows say, at random poses") {
     Random random(72);
     for (int i = 0; i < 100; ++i) {
@@ -173,7 +175,7 @@ TEST_CASE("a joint bears the weight of a rod that hangs, along each axis of a ti
         const Vector3 tilted(3, -7, 2);
         rod.world.forces.push_back(std::make_unique<Gravity>(tilted));
         const Vector3 down = tilted.normalized();
-        rod.world.bodies[1].orientation = Quaternion::FromTwoVectors(Vector3::UnitX(), down);
+        rod.world.bodies[1].orientation = rotation_between(Vector3::UnitX(), down);
         rod.world.bodies[1].position = 0.5 * Rods::length * down;
         for (int i = 0; i < 60; ++i) rod.world.step(1.0 / 60);
         INFO(solver);
@@ -196,7 +198,7 @@ TEST_CASE("a chain of ten rods on ball joints keeps its energy and its joints") 
             worst.joint = std::max(worst.joint, chain.error());
             worst.energy = std::max(worst.energy, std::abs(chain.energy() - start));
         }
-        worst.energy /= 10 * 10.0 * 5.0;  // of what falls from level to hanging
+        worst.energy /= 10 * 10.0 * 5.0;  // of the fall from horizontal to hanging
         return worst;
     };
     const auto rattle_fine = swing(rattle4, 240, 3);

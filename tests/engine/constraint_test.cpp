@@ -87,7 +87,7 @@ TEST_CASE("a point in the margin may close its gap within the step, in both colu
         const ConstraintRow row = contact({0, 1, ground, box}, 0.02, {kind, 0.2});
         CHECK(row.push.lasting == Approx(-0.2));
         CHECK(row.push.correcting == 0.0);
-        // With a slop what is apart by a thousandth of it touches, and is not asked to move.
+        // With a slop bodies apart by a thousandth of it touch and are not asked to move.
         CHECK(contact({0, 1, ground, box}, 0.02, {kind, 0.2}, 0.01).push.lasting == Approx(-0.2));
         CHECK(contact({0, 1, ground, box}, 1.1e-5, {kind, 0.2}, 0.01).push.lasting == Approx(-1.1e-4));
         CHECK(contact({0, 1, ground, box}, 0.9e-5, {kind, 0.2}, 0.01).push.lasting == 0.0);

@@ -101,7 +101,7 @@ TEST_CASE("whatever points come and go, no force is handed out twice, and each t
             std::vector<std::pair<std::uint32_t, Vector3>> some;
             const int count = static_cast<int>(random.in(0, most + 1));
             for (int p = 0; p < count; ++p) {
-                // Features may come twice in a manifold; places are a few reaches wide.
+                // Features may occur twice in a manifold; points are spread over a few reaches.
                 some.emplace_back(static_cast<std::uint32_t>(random.in(0, 6)), random.vector(0, 0.05));
             }
             return some;
@@ -114,7 +114,7 @@ TEST_CASE("whatever points come and go, no force is handed out twice, and each t
         std::vector<ContactForce> forces;
         cache.recall(std::vector<Touch>{touch({0, 1}, now)}, forces);
         REQUIRE(forces.size() == now.size());
-        // The forces are powers of two: the bits of what has been handed out.
+        // The forces are powers of two: bits of the set of forces that were used.
         unsigned handed_out = 0;
         for (const ContactForce& one : forces) {
             const auto bit = static_cast<unsigned>(one.normal.first);

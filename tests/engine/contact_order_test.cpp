@@ -49,7 +49,7 @@ TEST_CASE("the row orders are what their names say") {
 
 namespace {
 
-// The orders of a layer of 100 cubes of this size on the ground and beside each other, their heights as given.
+// The orders of a layer of 100 cubes of this size side by side on the ground, with the given heights.
 std::string order_of_layer(double size, double height, const std::function<double()>& jitter) {
     std::vector<Body> bodies{static_body(Vector3::Zero())};
     std::vector<collision::Touch> touches;
@@ -84,7 +84,7 @@ TEST_CASE("rounding does not decide the order of a layer: ground first, then pai
             CHECK(order_of_layer(size, height, jittered) == expected);
         }
     }
-    // The layer comes to rest by slop and tolerance apart, and cubes a tenth higher are above it.
+    // Heights in a resting layer differ by slop and tolerance; cubes a tenth higher are above it.
     CHECK(order_of_layer(1.0, 0.5, [&] { return random.in(-1e-3, 1e-3); }) == expected);
     CHECK(order_of_layer(1.0, 0.5, [&] { return random.in(-0.1, 0.1); }) != expected);
 }

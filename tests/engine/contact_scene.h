@@ -17,7 +17,7 @@ struct Surface {
     double restitution = 0.0;
 };
 
-// What was seen over some steps.
+// Measures of some steps.
 struct Seen {
     double penetration = 0.0;   // m, the deepest
     double upward_speed = 0.0;  // m/s, the largest of the last body
@@ -33,7 +33,7 @@ struct ContactScene {
 
     static constexpr double dt = 1.0 / 60.0;
 
-    // Returns the body, good until the next one is added.
+    // Returns the body, valid until the next one is added.
     engine::Body& add(const engine::Body& body, const engine::collision::Shape& shape,
                       const Surface& surface = {}) {
         world.bodies.push_back(body);
@@ -69,7 +69,7 @@ struct ContactScene {
         return add(engine::static_body(position), engine::collision::Box{0.5 * size}, surface);
     }
 
-    // For a sweep of all colliders; good until the next call.
+    // The colliders, valid until the next call.
     engine::collision::ContinuousCollision::Step step_of(const engine::collision::Detection& detection) {
         all_ = engine::Awake(colliders.size());
         return {colliders, world.bodies, dt, detection, all_.members()};

@@ -1,4 +1,4 @@
-// Sizes, places and starts at the edge of what a scene can be: defined answers everywhere.
+// Extreme sizes, positions and initial states: defined results everywhere.
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 
@@ -9,12 +9,12 @@ using pushfactor::tests::ContactScene;
 
 namespace {
 
-// Five cubes of `edge` on the ground through `origin`, 0.01 % in each other.
+// Five cubes of `edge` on the ground through `origin`, overlapping by 0.01 %.
 ContactScene stack_of_five(double edge, const Vector3& origin) {
     ContactScene scene;
     scene.add_ground().position = origin;
     for (int i = 0; i < 5; ++i) {
-        // A little beside each other, so that no symmetry helps.
+        // Slightly offset, so that no symmetry helps.
         const Vector3 place(0.003 * i, 0.5 + i * (1.0 - 1e-4), -0.002 * i);
         scene.add_box(Vector3::Constant(edge), origin + edge * place);
     }
@@ -43,7 +43,7 @@ TEST_CASE("stacks of cubes from a millimetre to a kilometre rest, and penetrate 
         ContactScene scene = stack_of_five(edge, Vector3::Zero());
         const auto seen = scene.watch(600);
         INFO(edge);
-        // The smaller the cubes, the faster a stack falls over in which nothing is solved: by 1.7 a step at 1 cm.
+        // The smaller the cubes, the faster an unsolved stack falls over: by a factor of 1.7 per step at 1 cm.
         CHECK(seen.speed_at_end < 1e-4 * std::sqrt(10.0 * edge));
         CHECK(seen.penetration < 0.002 * edge);
         CHECK((scene.world.bodies[5].position / edge - Vector3(0.012, 4.5, -0.008)).norm() < 1e-3);
@@ -63,7 +63,7 @@ TEST_CASE("bodies with one centre separate and come to rest") {
         scene.build();
         const auto seen = scene.watch(600);
         INFO("case " << i);
-        // A ball on a ball is an inverted pendulum: roundings may have grown in ten seconds.
+        // A ball on a ball is an inverted pendulum: rounding errors grow within ten seconds.
         CHECK(seen.speed_at_end < (i == 0 ? 1e-4 : 1e-6));
         CHECK(scene.penetration() < 0.0021);
         CHECK((scene.world.bodies[1].position - scene.world.bodies[2].position).norm() > 0.7);

@@ -1,5 +1,5 @@
-// Bodies that move by more than their margin in one step: nothing goes through, nothing is thrown back that should
-// not be, and what only passes is not touched.
+// Bodies that move by more than their margin in one step: no tunnelling, no wrong rebounds, and no contact for
+// bodies that only pass.
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"
@@ -88,7 +88,7 @@ TEST_CASE("of random shots at a box those that meet it are turned and the others
         scene.add_ball(radius, target - 6.0 * direction, speed * direction, {.friction = 0.0});
         scene.build(Vector3::Zero());
 
-        // The truth: the smallest distance between the path and the box.
+        // Reference: the smallest distance between the path and the box.
         double distance = 1e9;
         for (int k = 0; k <= 4000; ++k) {
             const Vector3 centre = rotation.conjugate() * (target + (k / 4000.0 * 12.0 - 6.0) * direction);
@@ -204,7 +204,7 @@ TEST_CASE("a spinning rod does not get through a thin plate") {
 }
 
 TEST_CASE("a conveyor of bodies that fly together is as much at rest as one that does not fly") {
-    // Galilei: only the motion of one body against the other counts.
+    // Galilean invariance: only the relative motion counts.
     ContactScene scene;
     const Vector3 together(120, 0, 0);
     scene.add_box(Vector3::Ones(), {0, 0, 0}, together);
@@ -215,8 +215,7 @@ TEST_CASE("a conveyor of bodies that fly together is as much at rest as one that
 }
 
 TEST_CASE("what an impact turns does not end the step deep in what turned it") {
-    // Edge on edge, edge on face, corner on face: the point that meets first is stopped, and the rest comes after
-    // it.
+    // Edge on edge, edge on face, corner on face: the point that meets first is stopped, the others follow.
     std::mt19937 random(1);
     std::normal_distribution<double> number;
     const auto turned = [&] { return Quaternion(number(random), number(random), number(random), number(random)); };
@@ -248,7 +247,7 @@ TEST_CASE("where no body is fast the touches are handed on untouched") {
 }
 
 TEST_CASE("a ball in the margin of a corner that it only passes is let pass") {
-    // Half a millimetre past the corner, and still coming nearer in the direction of the shortest distance.
+    // Half a millimetre past the corner, and still approaching along the shortest distance.
     ContactScene scene;
     scene.add_plate({1, 1, 1});
     const double closest = 0.1 + 5e-4;

@@ -1,4 +1,5 @@
-// Coulomb friction on a round cone: the same in every direction and for every step, and none without a contact.
+// Coulomb friction on a round cone: the same in every direction and at every step length, and none without a
+// contact.
 #include "engine/constraints/friction_row.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
@@ -158,7 +159,7 @@ TEST_CASE("a slab that slides and spins goes 2.80 m, whatever the step") {
         scene.build({0, -9.81, 0});
         run(scene, 3.0, substeps);
         INFO(substeps << " substeps");
-        // To first order in the step, whose error is half of what it goes in one.
+        // To first order in the step: the error is half of the distance covered in one step.
         CHECK(std::abs(scene.world.bodies[1].position.norm() - 2.82) < 0.02 + 3.0 * dt / substeps);
         CHECK(velocity(scene.world.bodies[1]).norm() < 1e-9);
     }
@@ -197,7 +198,7 @@ TEST_CASE("friction points against the sliding and is mu times the normal force,
             const solvers::Termination to_the_end{
                 .iterations = 20000, .tolerance_high = 1e-10, .tolerance_low = 1e-10};
             solvers::make_solver(solver)->solve(frozen.system, to_the_end, lambda);
-            // Hard ones are for others to reach.
+            // Sweeps do not reach hard ones.
             if (natural_residual(frozen.system, lambda) > 1e-9) continue;
             std::vector<Vector6> forces;
             constraint_forces(frozen.system, lambda, 0, forces);

@@ -110,7 +110,7 @@ TEST_CASE("a symmetric body takes the closed form: large and small steps agree")
     const Quaternion in_one = rotate_splitting(plate, plate.angular_momentum, 1.0);
     const Quaternion in_many = turned(plate, rotate_splitting, 1.0 / 1024, 1.0);
     CHECK(angle_between(in_one, in_many) < 1e-11);
-    // And it is the motion that the other methods tend to.
+    // And it is the motion that the other methods converge to.
     CHECK(angle_between(in_one, turned(plate, rotate_exponential, 1.0 / 65536, 1.0)) < 1e-3);
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("a rod that spins and tumbles freely for a minute keeps energy, spin a
 }
 
 TEST_CASE("a box that turns by radians in a step keeps its energy") {
-    // In one splitting a step the ratio wanders between 0.9 and 1.65, in small turns it does not.
+    // With one splitting per step the ratio drifts between 0.9 and 1.65, with small rotations it does not.
     const Body box = spinning(box_body(1.0, {1.0, 0.4, 0.2}, Vector3::Zero()), {3.0, 100.0, 2.0});
     CHECK(energy_ratio(box, rotate_by_small_turns, 10.0) == Approx(1.0).margin(0.002));
 }

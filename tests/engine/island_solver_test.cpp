@@ -1,4 +1,4 @@
-// The guard around a solver, and what solves may cost. Each rule meets a solver that breaks it.
+// The guard around a solver, and the budget of solves. Each rule is tested with a solver that breaks it.
 #include "engine/step/island_solver.h"
 
 #include "engine/bodies/diagnostics.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr solvers::Termination usual{.iterations = 25, .tolerance_high = 1e-8, .tolerance_low = 1e-10};
 
-// Does to the forces of an island whatever it is told, and says what it is told to say.
+// A fake solver: changes the forces of an island and reports as told.
 class Puppet : public solvers::Solver {
   public:
     using Act = std::function<solvers::SolveCount(const SystemEquation&, const Island&, const solvers::Termination&,
@@ -99,7 +99,7 @@ TEST_CASE("a solver that lies changes nothing: the better of its guess and no fo
         CHECK(step.outcome().refused);
         CHECK_FALSE(step.outcome().solved);
         CHECK(step.solver.warm_start().method_of(step.islands.all().front()) != WarmStart::Method::exact);
-        // The bodies get the forces that stand in lambda.
+        // The bodies get the forces in lambda.
         std::vector<Vector6> expected;
         for (Eigen::Index column = 0; column < 2; ++column) {
             constraint_forces(frozen.system, step.lambda, column, expected);
@@ -121,7 +121,7 @@ TEST_CASE("what is not a number is a failure, not a small number") {
         CHECK(step.residual() <= before);
         CHECK(step.outcome().refused);
     }
-    // One of many is enough, and a guess that is no number either leaves no forces.
+    // One NaN of many is enough, and a guess that is NaN too leaves no forces.
     Puppet one_row([](const SystemEquation&, const Island& island, const solvers::Termination&, Columns& lambda) {
         lambda(island.runs.back().begin, 0) = std::numeric_limits<double>::quiet_NaN();
         return solvers::SolveCount{.iterations = 1};
@@ -154,7 +154,7 @@ TEST_CASE("a look is at most as bad as what the step began with, too") {
     Puppet idle(
         [](const auto&, const auto&, const auto&, Columns&) { return solvers::SolveCount{.iterations = 1}; });
     Step step(frozen);
-    step.lambda = 0.5 * good;  // what the solve before has found
+    step.lambda = 0.5 * good;  // the result of the solve before
     REQUIRE(step.residual() > natural_residual(frozen.system, good));
     step.solve(idle, &good);
     CHECK(step.residual() <= natural_residual(frozen.system, good));
@@ -251,7 +251,7 @@ TEST_CASE("an exact method that fails waits, twice as long each time; one that s
         CHECK(now > 1.5 * last);
         last = now;
     }
-    // What is kept costs nothing and earns nothing.
+    // Kept forces cost nothing and earn nothing.
     budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
     const double before = budget.limits(island, usual, Budget::Take::rest).credit;
     budget.spent(island, {});

@@ -1,4 +1,4 @@
-// Islands: against a search of the graph, against A as a matrix, and solved one by one against all at once.
+// Islands: compared with a graph search and with the matrix A, and solved one by one compared with all at once.
 #include "engine/system/islands.h"
 
 #include "engine/solvers/solver.h"
@@ -53,7 +53,7 @@ bool moves(const Frozen& frozen, int body) {
     return frozen.system.inverse_mass[static_cast<std::size_t>(body)].linear > 0.0;
 }
 
-// The movable bodies of each island, by spreading a number from row to row until nothing changes.
+// The movable bodies of each island, by propagating labels from row to row until nothing changes.
 std::set<std::set<int>> by_spreading(const Frozen& frozen) {
     std::map<int, int> number;
     for (const ConstraintRow& row : frozen.rows) {
@@ -89,7 +89,7 @@ std::set<std::set<int>> by_spreading(const Frozen& frozen) {
     return all;
 }
 
-// Everything that is said of the islands, to compare.
+// All data of the islands, to compare.
 std::string text_of(const Islands& islands) {
     std::string text;
     for (const Island& island : islands.all()) {
@@ -167,7 +167,7 @@ TEST_CASE("found again they are what they would be if they were new, whether row
     Islands islands;
     Random random(3);
     for (int step = 0; step < 300; ++step) {
-        // Every other time the same once more.
+        // Every other time the same again.
         const Frozen frozen = random_graph(1 + static_cast<std::uint64_t>(step) / 2, 30,
                                            static_cast<int>(random.in(0, step % 2 == 0 ? 30 : 25)));
         islands.find(frozen.system);
@@ -258,7 +258,7 @@ TEST_CASE("the residual of the system is the largest of its islands, and so are 
     }
 }
 
-// The bodies and rows of several problems in one, mixed row by row.
+// Several problems merged into one, with interleaved rows.
 TEST_CASE("every solver gives each of several problems in one system the answer that it has alone, bit for bit") {
     std::vector<tests::Problem> parts;
     parts.push_back(tests::column_problem(5));
@@ -315,7 +315,7 @@ TEST_CASE("every solver gives each of several problems in one system the answer 
 
 namespace {
 
-// Notes what it is asked to solve.
+// Records what it is asked to solve.
 class Spy : public solvers::Solver {
   public:
     struct Call {
@@ -345,7 +345,7 @@ class Spy : public solvers::Solver {
 TEST_CASE("looking again solves only the islands it concerns, from the answer just found") {
     tests::ContactScene scene;
     scene.add_ground();
-    // A tower, and far from it three balls of which the first comes flying: the second is hit, and hits the third.
+    // A tower, and far from it three balls of which the first flies into the second, which then hits the third.
     for (int i = 0; i < 3; ++i) scene.add_box(Vector3::Ones(), {-50, 0.5 + i, 0}, Vector3::Zero());
     const tests::Surface bouncy{.friction = 0.0, .restitution = 1.0};
     scene.add_ball(0.5, {0, 5, 0}, {60, 0, 0}, bouncy);
@@ -361,7 +361,7 @@ TEST_CASE("looking again solves only the islands it concerns, from the answer ju
     CHECK(calls[0].bodies == tower);
     CHECK(calls[1].bodies == pair);
     for (std::size_t k = 2; k < calls.size(); ++k) CHECK(calls[k].bodies == three);
-    // The rows of the first round begin with what it has left in them.
+    // The rows of the first round start from its results.
     const Eigen::Index known = calls[1].after.rows();
     CHECK(calls[2].before.rows() > known);
     CHECK(calls[2].before.topRows(known) == calls[1].after);

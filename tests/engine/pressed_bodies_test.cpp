@@ -1,5 +1,5 @@
-// Bodies that a force or a torque moves by more than their size within one step: nothing goes through, what rests
-// is not swept, and a touch that the sweep cannot decide about stays.
+// Bodies that a force or a torque moves by more than their size within one step: no tunnelling, resting bodies are
+// not swept, and an undecided sweep keeps its contact.
 #include "engine/forces/poke.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
@@ -13,7 +13,7 @@ using pushfactor::tests::Random;
 
 namespace {
 
-// Pushes one body, from the start on.
+// Pushes one body, from the start.
 class Press : public ForceSource {
   public:
     Press(int body, const Vector3& force, const Vector3& torque, double until)

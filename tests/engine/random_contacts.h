@@ -1,4 +1,4 @@
-// Random contacts between random bodies: problems that have an answer, however heavy, light, redundant or thin.
+// Random contacts between random bodies: problems that have a solution at any mass, redundancy or width of bounds.
 #pragma once
 
 #include "tests/engine/rows.h"
@@ -13,11 +13,11 @@ namespace pushfactor::tests {
 enum class RandomFriction { box, coulomb, cone };
 
 // 2 to 100 bodies with masses from 10^-decades to 10^decades kg, body 0 static. Each leans on one of the six before
-// it and touches some of those that are near, at one to four points of a plane (four are redundant), with normal
-// and two tangents; a tenth of the pairs are joined by a bar instead. The tangents are bounded by forces that suit
-// the weight or, in a third of the pairs, are thinner than rounding; or all are Coulomb friction, each tangent
-// alone or both on a disc. The rows ask for less than some motion of the bodies gives them, so that no two of them
-// contradict each other.
+// it and touches some of the nearby ones, at one to four points of a plane (four are redundant), with normal and
+// two tangents; a tenth of the pairs are joined by a bar instead. The bounds of the tangents are forces in
+// proportion to the weight or, in a third of the pairs, narrower than rounding; or all are Coulomb friction, each
+// tangent separately or both on a disc. The rows ask for less than some motion of the bodies gives them, so that
+// they are consistent.
 inline Frozen random_contacts(std::uint64_t seed, RandomFriction friction, double decades) {
     using namespace engine;
     Random random(seed);

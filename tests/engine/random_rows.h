@@ -1,5 +1,5 @@
-// Random rows with bounds between random bodies: problems that no scene makes, in which everything may be clamped,
-// redundant or in contradiction. An answer is checked against its definition alone.
+// Random rows with bounds between random bodies: problems that no scene makes, in which rows may be clamped,
+// redundant or inconsistent. A solution is checked only against its definition.
 #pragma once
 
 #include "tests/engine/rows.h"
@@ -11,7 +11,7 @@
 namespace pushfactor::tests {
 
 // `bodies` movable ones with masses from 10^-decades to 10^decades kg, body 0 static; about `rows` rows, a third of
-// them doubled. All bounds are finite: rows that contradict each other then have an answer, too.
+// them doubled. All bounds are finite: inconsistent rows then have a solution, too.
 inline Frozen random_rows(std::uint64_t seed, int bodies, int rows, double decades) {
     Random random(seed);
     std::vector<engine::Body> all{engine::static_body(engine::Vector3::Zero())};

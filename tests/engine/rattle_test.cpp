@@ -1,4 +1,4 @@
-// RATTLE and its compositions against closed forms: order, reversal, what must be kept.
+// RATTLE and its compositions against closed forms: order, reversibility, conserved quantities.
 #include "engine/rattle.h"
 
 #include "engine/base/invalid_input.h"
@@ -58,7 +58,7 @@ World spinning_ball() {
     ball.angular_momentum = 0.016 * Vector3(3, 20, -4);
     World world =
         held({ball}, {{.body_a = 0, .body_b = 1, .point_b = top, .length = (ball.position + top).norm()}});
-    // Takes the velocity along the bar away: what RATTLE starts from.
+    // Removes the velocity along the bar, as RATTLE requires at the start.
     const Vector3 n = (ball.position + top).normalized();
     const Vector3 at_top = velocity_at(ball, ball.position + top);
     world.bodies[1].linear_momentum -= at_top.dot(n) * n;
@@ -100,14 +100,14 @@ double energy(const World& world) {
     return kinetic_energy(world.bodies) + potential_energy(world.bodies, gravity);
 }
 
-// How far the last body is from where it is in `exact`: place and orientation.
+// The error of the last body against `exact`: position and orientation.
 double difference(const World& world, const World& exact) {
     const Body& body = world.bodies.back();
     const Body& other = exact.bodies.back();
     return (body.position - other.position).norm() + body.orientation.angularDistance(other.orientation);
 }
 
-// The order that errors at steps of `seconds` / n and half of it show, against `exact`.
+// The observed order of the errors at steps of `seconds` / n and half of it, against `exact`.
 double observed_order(World (*make)(), StepMethod step, double seconds, int n, const World& exact) {
     World coarse = make(), fine = make();
     advance(coarse, step, seconds, n);

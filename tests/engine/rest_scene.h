@@ -1,4 +1,4 @@
-// Scenes that come to rest, and what a test asks of them.
+// Scenes that come to rest, and queries for tests.
 #pragma once
 
 #include "engine/bodies/body.h"

@@ -1,4 +1,4 @@
-// Rest: which bodies may be left out of steps and which may not, and that the others move alike.
+// Rest: which bodies may be left out of steps and which may not, with the same motion of the others.
 #include "engine/step/rest.h"
 
 #include "engine/constraints/distance_constraints.h"
@@ -37,7 +37,7 @@ TEST_CASE("overlaps that the single-frame push still parts keep their island awa
     scene.add_box(Vector3::Ones(), {0, 0.45, 0});
     build(scene);
     while (scene.world.step(dt).at_rest == 0) REQUIRE(scene.world.time() < 10.0);
-    // The push stops at the slop, where it would have gone on.
+    // The push stops at the slop, as it does for awake bodies.
     CHECK(scene.penetration() < 0.0025);
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("nothing hangs in the air: at its highest point, on a slope that is to
     }
 }
 
-// A ball that turns about the line through its contacts, which no friction at a point brakes, on another one that
-// is held by the ground.
+// A ball that spins about the line through its contacts, which friction at a point does not brake, on another one
+// that is held by the ground.
 void add_turning_ball(ContactScene& scene, double rate) {
     scene.add_ground();
     scene.add_ball(0.5, {0, 0.5, 0});
@@ -119,7 +119,7 @@ TEST_CASE("a ball that turns in its place for ever rests with what it lies on, a
     };
     CHECK(turned_apart() < 1e-9);
     CHECK(2.0 * rate == Approx(Quaternion::Identity().angularDistance(scene.world.bodies[2].orientation)));
-    // Woken, it goes on with what it had.
+    // Once woken it continues with its former momentum.
     scene.world.rest->wake(1);
     CHECK(scene.world.step(dt).at_rest == 0);
     awake.world.step(dt);
@@ -157,7 +157,7 @@ TEST_CASE(
     };
     CHECK(turn(0.5, 8.0) == 2);   // 0.64 rad to each side
     CHECK(turn(2.5, 8.0) == 0);   // 3.2 rad
-    CHECK(turn(2.0, 80.0) == 0);  // round and round, slower and slower
+    CHECK(turn(2.0, 80.0) == 0);  // spinning slower and slower
 }
 
 TEST_CASE("a ball that turns at rest in a saved state goes on turning in the next world") {
@@ -179,7 +179,7 @@ TEST_CASE("what is awake has the same bits with and without something at rest be
     for (const bool rests : {false, true}) {
         ContactScene scene;
         add_ground_and_tower(scene);
-        // Far away, boxes that tumble for longer.
+        // Far away boxes that tumble for longer.
         for (int i = 0; i < 6; ++i) {
             scene.add_box(Vector3::Ones(), {50.0 + 0.3 * i, 3.0 + 1.5 * i, 0.2 * i}, {1.0, 0, 0.5});
         }

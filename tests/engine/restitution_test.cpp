@@ -1,4 +1,4 @@
-// Elastic collisions, paper section 8.2, and the push that lasts: a conveyor (8.1, "constant speed motors").
+// Elastic collisions, paper section 8.2, and the lasting push: a conveyor (8.1, "constant speed motors").
 #include "engine/constraints/restitution.h"
 
 #include "engine/constraints/contact_constraints.h"
@@ -147,7 +147,7 @@ TEST_CASE("a bounce within a step follows two parabolas that meet on the ground"
                                                                        .restitution = epsilon,
                                                                        .dt = dt})
             .push;
-    // Down to the ground, up with epsilon times the speed, on to the end of the step.
+    // Down to the ground, then up with epsilon times the speed to the end of the step.
     const double down = -std::sqrt(v * v - 2.0 * a * gap);
     const double rest = dt - (down - v) / a;
     const double height = -epsilon * down * rest + 0.5 * a * rest * rest;

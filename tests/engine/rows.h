@@ -31,7 +31,7 @@ struct Column {
     }
 };
 
-// What `source`, an object or a temporary, appends in a step.
+// The rows that `source`, an object or a temporary, appends in a step.
 template <typename Source>
 std::vector<engine::ConstraintRow> rows_of(Source&& source, const engine::StepStart& step) {
     engine::RowList rows;
@@ -39,7 +39,7 @@ std::vector<engine::ConstraintRow> rows_of(Source&& source, const engine::StepSt
     return {rows.begin(), rows.end()};
 }
 
-// The rows of `world` once more with the guesses at zero and their system.
+// A copy of the rows of `world` with zero guesses, and their system.
 struct Frozen {
     std::vector<engine::ConstraintRow> rows;
     engine::SystemEquation system;

@@ -1,4 +1,4 @@
-// Islands that go through a step in small ones.
+// Islands that take a step in small steps.
 #include "engine/step/small_steps.h"
 
 #include "engine/constraints/distance_constraints.h"
@@ -18,7 +18,7 @@ double energy(const World& world) {
     return kinetic_energy(world.bodies) + potential_energy(world.bodies, {0, -10, 0});
 }
 
-// What happens to bodies that should stand, in some seconds.
+// Measures of bodies that should stand, over some seconds.
 struct Standing {
     double gain = 0.0;   // J, the largest
     double moved = 0.0;  // m, of the body that moved most
@@ -45,7 +45,7 @@ void in_small_steps(ContactScene& scene, const std::optional<Division>& division
     scene.world.small_steps = std::make_unique<SmallSteps>(division);
 }
 
-// Bricks in bond, `rows` high and `length` long.
+// Bricks in running bond, `rows` high and `length` long.
 void add_wall(ContactScene& scene, int rows, int length) {
     scene.add_ground();
     for (int row = 0; row < rows; ++row) {
@@ -96,7 +96,7 @@ TEST_CASE("a tower of 30 layers of planks stands in small steps") {
 }
 
 TEST_CASE("what has stopped in one small step gives no energy back in the next") {
-    // A row of dominoes comes down: all of them stop within two steps.
+    // A row of dominoes lands: all of them stop within two steps.
     ContactScene scene;
     scene.add_ground();
     for (int i = 0; i < 8; ++i) scene.add_box({0.2, 1.0, 0.5}, {0.5 * i, 0.5, 0});

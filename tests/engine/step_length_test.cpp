@@ -9,7 +9,7 @@ using namespace pushfactor::engine;
 
 namespace {
 
-// A ball of 2 kg on a bar of 3 m from the origin, and the force in the bar [N] that is remembered.
+// A ball of 2 kg on a bar of 3 m from the origin, and the cached force in the bar [N].
 DistanceConstraints bar(double force, Distance::Acts acts = Distance::Acts::both) {
     DistanceConstraints bars({{.body_a = 0, .body_b = 1, .length = 3.0, .acts = acts}}, {}, true);
     bars.set_forces({{force, force}});

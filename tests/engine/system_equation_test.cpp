@@ -1,4 +1,4 @@
-// Paper section 6: the system equation 6.2.9 and what is derived from it.
+// Paper section 6: the system equation 6.2.9 and its consequences.
 #include "engine/system/system_equation.h"
 
 #include "engine/solvers/solver.h"

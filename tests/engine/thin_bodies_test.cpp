@@ -1,5 +1,5 @@
 // Cards, planks and rods, ten to a hundred times as long as thick: their contacts are as good as those of cubes.
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/engine/contact_scene.h"
@@ -128,7 +128,7 @@ TEST_CASE("a thin box on another touches in all corners and edge crossings of th
         Manifold manifold;
         collide_box_box(a, pose_a, b, pose_b, 0.01 * thickness, manifold);
         REQUIRE(std::abs(manifold.normal.y()) > 0.999);
-        // The truth on a grid: what lies in both faces lies in the hull of the points.
+        // Reference on a grid: what lies in both faces lies in the hull of the points.
         for (int k = 0; k < 50; ++k) {
             const Vector3 in_b = 0.5 * random.vector(-1, 1).cwiseProduct(size_b);
             const Vector3 x = pose_b.position + pose_b.rotation * in_b;
@@ -167,7 +167,7 @@ TEST_CASE("four points of a long overlap span most of it, whatever the direction
 
 namespace {
 
-// How far bodies that should stay have moved, turned and how fast they are at the end.
+// The displacement, rotation and final speed of bodies that should stay.
 struct Drift {
     double place = 0.0, turn = 0.0, speed = 0.0, gain = 0.0;
 };
@@ -222,6 +222,7 @@ TEST_CASE("planks across two others, cards and rods on a floor stay where they a
         if (!stays) WARN("case " << i << " moves by " << drift.place << " m");
         moved += stays ? 0 : 1;
     }
-    // One of them, 66 times as long as thick, jams while it settles: neither changes nor 25 sweeps solve its cones.
+    // One of them, 66 times as long as thick, jams while it settles: neither changes of the active set nor 25
+    // sweeps solve its cones.
     CHECK(moved <= 1);
 }

@@ -1,4 +1,4 @@
-// Threads: every part of the work once, and the bits of one thread, whatever their number.
+// Threads: every part of the work is done once, and the bits do not depend on their number.
 #include "engine/base/threads.h"
 
 #include "engine/step/small_steps.h"
@@ -27,9 +27,9 @@ struct Heap {
     Frozen frozen;
 };
 
-// Bodies in a grid, as wide as long and four high. Each touches those beside, behind and below it, and a few of
-// them one far away, at points with friction on a disc. With `follows_others` some friction follows the force
-// between other bodies.
+// Bodies in a square grid, four high. Each touches those beside, behind and below it, and a few of them one far
+// away, at points with friction on a disc. With `follows_others` some friction follows the force between other
+// bodies.
 Heap heap(std::uint64_t seed, int width, int length, bool follows_others = false) {
     Random random(seed);
     std::vector<Body> bodies{static_body(Vector3::Zero())};
@@ -71,7 +71,7 @@ Heap heap(std::uint64_t seed, int width, int length, bool follows_others = false
     return {bodies, Frozen(bodies, rows, 1.0 / 60.0)};
 }
 
-// What some small steps of the heap leave: forces, and what moves the bodies.
+// The result of some small steps of the heap: forces and impulses.
 struct Answer {
     Columns lambda;
     std::vector<double> moving;
@@ -283,7 +283,7 @@ TEST_CASE("what is narrow, small, or has rows that follow those of other bodies 
         CHECK(dissection.island().runs.data() == island.runs.data());
         CHECK(dissection.island().bodies.data() == island.bodies.data());
     }
-    // All in one upright line: a plane between two of them would lie across it.
+    // All in one vertical line: a plane between two of them would be horizontal.
     Heap tower = heap(3, 14, 14);
     for (Body& body : tower.bodies) body.position.x() = body.position.z() = 0.0;
     Islands islands;
@@ -315,8 +315,7 @@ TEST_CASE("a world of many islands and a heap has the same bits with any number 
 TEST_CASE("after threads had to wait for each other, the caller works alone for some calls and then not any more") {
     Threads threads(2);
     if (threads.count() < 2) return;
-    // The largest team of some jobs; stops when there is one of two, whose helper then takes long if it is to be
-    // late.
+    // The largest team of some jobs; stops at a team of two, whose helper is then slow if it is to be late.
     const auto largest_team = [&](bool late) {
         int largest = 0;
         threads.keep_at_hand([&] {

@@ -1,4 +1,4 @@
-// What wakes bodies that rest and what does not, in which step, and that neither brings energy.
+// What wakes resting bodies and what does not, in which step, and that neither adds energy.
 #include "engine/constraints/distance_constraints.h"
 #include "engine/forces/poke.h"
 #include "engine/step/rest.h"
@@ -14,7 +14,7 @@ using tests::ContactScene;
 
 namespace {
 
-// A force that acts from the start, of which it says nothing.
+// A force that acts from the start, without an announced start time.
 class Wind : public ForceSource {
   public:
     void add_forces(const ForcedBodies& bodies, double /*time*/) override {
@@ -43,7 +43,7 @@ TEST_CASE("a touch wakes all that rest together, in the same step, and moves non
         }
     }
     CHECK(touched);
-    // And with the ball lying on it, it comes to rest once more.
+    // And with the ball lying on it, it comes to rest again.
     CHECK(advance(scene.world, 5.0).at_rest == 6);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("a body at rest stops a fast one that flies through where it lies") {
     }
     REQUIRE(scene.world.rest->is_at_rest(1));
     ball.position = {-1.5, 1, 0};
-    ball.linear_momentum = {0.01 * 400, 0, 0};  // 6.7 m a step
+    ball.linear_momentum = {0.01 * 400, 0, 0};  // 6.7 m per step
     scene.world.step(dt);
     CHECK(!scene.world.rest->is_at_rest(1));
     scene.world.step(dt);
@@ -152,7 +152,7 @@ TEST_CASE("on a running belt nothing rests, on one that stands it does") {
         scene.add_plate({20, 1, 4}, {0, -0.5, 0}, {.friction = 0.5});
         scene.colliders.back().surface_velocity = {speed, 0, 0};
         add_tower(scene, 2);
-        // A wall, against which the belt holds them.
+        // A wall that the belt holds them against.
         scene.add_plate({1, 10, 4}, {1.0, 5, 0}, {.friction = 0.0});
         build(scene);
         CHECK((most_at_rest(scene.world, 3.0) > 0) == (speed == 0.0));
@@ -173,7 +173,7 @@ TEST_CASE(
     CHECK(advance(scene.world, 1.0 - dt).at_rest == 4);
     const double before = energy(scene.world);
     const Vector3 beside = scene.world.bodies[4].position;
-    CHECK(scene.world.step(dt).at_rest == 2);  // what is to change wakes before it does
+    CHECK(scene.world.step(dt).at_rest == 2);  // bodies wake before the change
     CHECK(energy(scene.world) == before);
     scene.world.step(dt);
     // mu g: no jerk, and not less.
@@ -252,7 +252,7 @@ TEST_CASE("a stack of which the lowest cube goes falls in the same step") {
     ContactScene scene;
     add_ground_and_tower(scene);
     settle_tower(scene);
-    // Code that moves a body has to wake it.
+    // Code that moves a body must wake it.
     scene.world.bodies[1].position.x() += 20.0;
     scene.world.rest->wake(1);
     CHECK(scene.world.step(dt).at_rest == 0);

@@ -1,4 +1,4 @@
-// What an island remembers from step to step, and what it makes of it.
+// The warm start of an island: what it keeps from step to step, and the resulting guess.
 #include "engine/step/warm_start.h"
 
 #include "tests/catch.h"
@@ -40,12 +40,12 @@ const Memory& memory_of(const WarmStart& warm_start, int body) {
     return warm_start.memory()[static_cast<std::size_t>(body)];
 }
 
-// Whether the guess of the next step would have to be better than usual.
+// Whether the next step would require a better guess than usual.
 bool is_strict(const WarmStart& warm_start, const Group& group) {
     return warm_start.tolerance_high(group.island, usual) < usual.tolerance_high;
 }
 
-// What is taken over of an answer that changes by 1 N, for a row between two bodies.
+// The share of a solution's change of 1 N that enters the guess, for a row between two bodies.
 double share(WarmStart& warm_start, const Group& group, const solvers::SolveCount& count, int a, int b) {
     warm_start.begin(6, everybody);
     warm_start.solved(group.island, count);

@@ -148,7 +148,7 @@ TEST_CASE("the observer hears of every stage in the order of the step") {
 }
 
 TEST_CASE("every source gets back its own range of the answers") {
-    // Two sources of different length; each wants its rows to push with its own number.
+    // Two sources of different numbers of rows; each wants its own push in its rows.
     struct Pusher : ConstraintSource {
         int body, count;
         double expected;

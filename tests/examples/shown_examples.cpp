@@ -7,7 +7,7 @@ namespace pushfactor::tests {
 
 namespace {
 
-// What stands between `opening` and `closing` when they are the two ends of the line.
+// The text between `opening` and `closing` when the line begins and ends with them.
 std::optional<std::string> between(const std::string& line, std::string_view opening, std::string_view closing) {
     if (line.size() < opening.size() + closing.size()) return std::nullopt;
     if (!line.starts_with(opening) || !line.ends_with(closing)) return std::nullopt;

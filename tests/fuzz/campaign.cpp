@@ -14,7 +14,7 @@ namespace pushfactor::tests {
 
 namespace {
 
-// Draws seeds until none is left or somebody stops it. Threads share one.
+// Hands out seeds until none is left or it is stopped. Shared by threads.
 class Worklist {
   public:
     Worklist(std::uint64_t first, long count) : first_(first), count_(count) {}

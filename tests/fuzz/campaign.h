@@ -1,4 +1,4 @@
-// Many random scenes, judged on all cores.
+// A campaign: many random scenes, judged on all cores.
 #pragma once
 
 #include "tests/fuzz/judge.h"
@@ -17,12 +17,13 @@ struct Failure {
 
 struct Campaign {
     long judged = 0;
-    long non_finite = 0;            // ended as exit 5 does
+    long non_finite = 0;            // ended with a non-finite state (exit 5)
     std::vector<Failure> failures;  // by seed
 };
 
-// The scenes of the seeds first .. first + count - 1. `go_on` is asked now and then in the calling thread, with the
-// number of scenes judged so far; when it says no, the scenes at work are finished and what was found is returned.
+// The scenes of the seeds first .. first + count - 1. `go_on` is called now and then in the calling thread, with
+// the number of scenes judged so far; when it returns false, the running scenes are finished and the results so far
+// returned.
 Campaign judge_scenes(std::uint64_t first, long count, const std::function<bool(long)>& go_on);
 
 // The smallest scene in which the claim of `verdict` still fails, for no more steps than that takes.

@@ -53,7 +53,7 @@ struct Line {
             const Measured& measured = judgement.of[p];
             if (!measured.holds()) ++fail[p];
             if (!judgement.error.empty() || static_cast<Property>(p) == Property::finite) continue;
-            // Least and most do not mix: the worst of what stands is shown where a family does both.
+            // Least and most do not mix: where a family has both, the worst of the members that stand is shown.
             if (!measured.asked || measured.at_least) continue;
             worst[p] = std::max(worst[p].value_or(0.0), measured.value);
         }

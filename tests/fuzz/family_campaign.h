@@ -1,4 +1,4 @@
-// Many members of the families, judged on all cores.
+// A campaign over members of the families, judged on all cores.
 #pragma once
 
 #include "tests/fuzz/structures.h"
@@ -23,16 +23,16 @@ struct JudgedMember {
     Judgement judgement;
 };
 
-// In the order in which they are drawn. `go_on` is asked now and then in the calling thread, with the number of
-// members judged so far; when it says no, those at work are finished and returned.
+// In the order in which they are drawn. `go_on` is called now and then in the calling thread, with the number of
+// members judged so far; when it returns false, the running ones are finished and returned.
 std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on);
 
-// A line for each family: members, how many hold, the worst of each property, which fail how often. The first is
-// the heading, the last that of all together.
+// One line per family: members, how many hold, the worst of each property, which fail how often. The first is the
+// header, the last is that of all families.
 std::vector<std::vector<std::string>> family_lines(const std::vector<JudgedMember>& judged);
 std::string family_table(const std::vector<JudgedMember>& judged);  // the same as text
 
-// The failing properties of a member with their numbers and bars.
+// The failing properties of a member with their values and limits.
 std::string failures_of(const Judgement& judgement);
 
 }  // namespace pushfactor::tests

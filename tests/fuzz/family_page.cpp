@@ -27,12 +27,12 @@ using demos::families::Family;
 constexpr demos::pictures::Size strip{1278, 239};  // pixels
 constexpr int samples = 4;
 constexpr float letters = 12.0f;  // pixels
-// When the pictures of a strip are taken, as shares of the run.
+// The times of a strip's pictures, as shares of the run.
 constexpr std::array<double, 3> moments{0.0, 0.2, 1.0};
 constexpr double share_left_out = 0.1;  // of the bodies, of a picture
 constexpr std::size_t most_listed = 20;
 
-// How many times beyond its bar the worst of its properties is.
+// The worst ratio of a property to its limit.
 double beyond(const Judgement& judgement) {
     if (!judgement.error.empty()) return INFINITY;
     double worst = 0.0;
@@ -52,13 +52,13 @@ std::vector<const JudgedMember*> of_family(const std::vector<JudgedMember>& judg
     return members;
 }
 
-// Whether mechanics says where it ends and it does not end there.
+// Whether mechanics predicts where it ends and it does not end there.
 bool ends_elsewhere(const JudgedMember& one) {
     return one.member.prospect.ends != Ends::rests &&
            (!one.judgement.error.empty() || !one.judgement[Property::ends].holds());
 }
 
-// Near enough for all but a few that have left.
+// Close enough for all bodies but a few that have flown off.
 demos::View camera(const demos::BuiltScene& scene, const demos::View& from, double aspect) {
     std::vector<demos::pictures::Ball> balls = demos::pictures::movable_balls(scene);
     engine::Vector3 middle = engine::Vector3::Zero();
@@ -86,7 +86,7 @@ class Strips {
 
     const std::string& missing() const { return missing_; }
 
-    // Writes `file`, as far as the run goes. Returns whether there is anything to be seen.
+    // Writes `file`, as far as the run goes. Returns whether there is anything to see.
     bool draw(const JudgedMember& one, const std::string& preset, const std::filesystem::path& file) const {
         if (!studio_) return false;
         const demos::SceneDescription scene = as_judged(one.member, preset);
@@ -129,7 +129,7 @@ std::string caption_of(const JudgedMember& worst) {
                        failures.empty() ? "all holds" : failures);
 }
 
-// The table of a campaign with a verdict at the head of each family's line; the last line is that of all.
+// The table of a campaign with a verdict at the start of each family's line; the last line is that of all.
 demos::TextTable marked_lines(const std::vector<JudgedMember>& judged) {
     demos::TextTable lines = family_lines(judged);
     lines.front().insert(lines.front().begin(), demos::verdict_column);
@@ -153,7 +153,7 @@ demos::Section section_of(const Family& family, const std::vector<const JudgedMe
     if (strips.draw(worst, preset, folder / picture)) plate.pictures.push_back(picture);
     for (const JudgedMember* one : members) {
         if (!ends_elsewhere(*one) || plate.table.size() > most_listed) continue;
-        if (plate.table.empty()) plate.table.push_back({"does not end as it must", demos::command_column});
+        if (plate.table.empty()) plate.table.push_back({"does not end as predicted", demos::command_column});
         plate.table.push_back({failures_of(one->judgement), one->member.command()});
     }
     const auto hold = std::count_if(members.begin(), members.end(),
@@ -174,9 +174,9 @@ void write_family_page(const std::vector<JudgedMember>& judged, const FamilyRequ
         if (!members.empty()) sections.push_back(section_of(family, members, strips, request.preset, folder));
     }
     const std::string opening = fmt::format(
-        "{} random members of the families under the preset {}, held against mechanics; of each family the member "
-        "that is farthest beyond a bar. Lengths are in edges of the smallest body, speeds in sqrt(g L), energy in "
-        "m g L; the properties are defined in tests/fuzz/structures.h.{}",
+        "{} random members of the families under the preset {}, compared with mechanics; of each family the member "
+        "that is farthest beyond a limit. Lengths are in edges of the smallest body, speeds in sqrt(g L), energy "
+        "in m g L; the properties are defined in tests/fuzz/structures.h.{}",
         judged.size(), request.preset,
         strips.missing().empty() ? "" : " There are no pictures: " + strips.missing());
     demos::write_file(folder / "index.html", demos::page_text("Pushfactor: families", opening, sections));

@@ -1,5 +1,5 @@
-// The page of a campaign: the table of families, and of each family the member that is farthest beyond a bar, at
-// its start, on its way and at its end.
+// The page of a campaign: the table of families, and for each family the member that is farthest beyond a limit, at
+// its start, in the middle and at its end.
 #pragma once
 
 #include "tests/fuzz/family_campaign.h"

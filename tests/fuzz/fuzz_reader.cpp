@@ -1,5 +1,5 @@
-// libFuzzer: whatever bytes a scene file holds, it is refused in one line, or it is a scene that is written and
-// read back as the same, and that can be stepped.
+// libFuzzer target: any bytes as a scene file are refused in one line, or are a scene that survives writing and
+// reading, and that can be stepped.
 #include "demos/options/choices.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
@@ -50,7 +50,7 @@ void read_back(const demos::SceneDescription& scene) {
     require(demos::scene_file_text(demos::read_scene_file(file.path())) == text);
 }
 
-// Two steps of a few sweeps, of scenes that do not take long.
+// Two steps of a few sweeps, only of scenes that do not take long.
 void step(demos::Choices& choices) {
     if (choices.description.bodies.size() > 20) return;
     choices.settings.iterations = std::min(choices.settings.iterations, 10);

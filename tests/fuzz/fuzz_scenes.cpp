@@ -1,5 +1,5 @@
-// Judges random scenes, members of the families, or the scene files that it is given. Exit status: 0 all hold, 1
-// interrupted, 2 wrong usage, 3 some fail, 4 a failure could not be written.
+// Judges random scenes, members of the families, or given scene files. Exit status: 0 all hold, 1 interrupted, 2
+// wrong usage, 3 some fail, 4 a failure could not be written.
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/scenes/scene_file.h"
@@ -128,19 +128,19 @@ int main(int argc, char** argv) {
     CLI::App app(
         "Judges random scenes: finite, forces within bounds, momentum and energy kept. A scene that fails "
         "is shrunk and written as a scene file.");
-    app.add_option("--scenes", options.scenes, "how many")
+    app.add_option("--scenes", options.scenes, "number of random scenes")
         ->check(CLI::Range(1L, 1'000'000'000L))
         ->capture_default_str();
-    app.add_option("--seed", options.seed, "seed of the first; the next has the next")->capture_default_str();
+    app.add_option("--seed", options.seed, "seed of the first; consecutive from there")->capture_default_str();
     app.add_option("--out", options.out, "folder for scenes that fail")->capture_default_str();
     FamilyRequest& families = options.families;
-    app.add_option("--families", families.members, "judge so many members of the families instead")
+    app.add_option("--families", families.members, "judge this number of members of the families instead")
         ->check(CLI::Range(1L, 1'000'000'000L));
-    app.add_option("--family", families.only, "of this one alone [all in turn]");
-    app.add_option("--preset", families.preset, "under which members are judged")
+    app.add_option("--family", families.only, "only members of this family [all in turn]");
+    app.add_option("--preset", families.preset, "preset of the members' runs")
         ->check(CLI::IsMember({"default", "exact", "paper"}))
         ->capture_default_str();
-    app.add_option("--most-bodies", families.most_bodies, "that a member has")->capture_default_str();
+    app.add_option("--most-bodies", families.most_bodies, "most bodies of a member")->capture_default_str();
     app.add_flag("--page", options.page, "and write a page with pictures of the worst member of each family");
     app.add_flag("--small", families.small, "small members, as in the tests");
     app.add_option("FILE", options.files, "scene files to judge instead");

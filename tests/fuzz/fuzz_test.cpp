@@ -1,4 +1,4 @@
-// Random scenes hold what must hold; and what judges them can see.
+// Random scenes fulfil the claims, and the judge detects violations.
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
@@ -14,7 +14,7 @@ using engine::Vector3;
 
 namespace {
 
-// Two balls and a box that fly into each other, and nothing else.
+// Two balls and a box that fly into each other, nothing else.
 demos::SceneDescription collision(const std::string& push) {
     demos::SceneDescription scene;
     scene.contacts = true;
@@ -28,7 +28,7 @@ demos::SceneDescription collision(const std::string& push) {
     return scene;
 }
 
-// One step of `scene`, which somebody may tamper with before it is judged.
+// One step of `scene`, which may be tampered with before it is judged.
 struct JudgedStep {
     explicit JudgedStep(const demos::SceneDescription& scene)
         : settings(settings_of(scene)), built(build_scene(scene, settings)), before(built.world.bodies) {
@@ -114,8 +114,8 @@ TEST_CASE("a correction for a single frame turns an isolated system by sum dx_co
 }
 
 TEST_CASE("an exact solve that is cut short gives no energy away") {
-    // What shrinking left of a random scene: after four factorisations the best residual belonged to forces that
-    // gave 1.9e4 J more than the push.
+    // A shrunk random scene: after four factorisations the best residual belonged to forces that gave 1.9e4 J more
+    // than the push.
     demos::SceneDescription scene;
     scene.contacts = true;
     scene.bodies = {

@@ -15,16 +15,19 @@ bool is_isolated(const demos::SceneDescription& scene) {
     const auto touches_world = [](const auto& d) { return d.a.body == "world" || d.b.body == "world"; };
     return scene.gravity.isZero(0.0) && scene.forces.empty() &&
            std::none_of(scene.distances.begin(), scene.distances.end(), touches_world) &&
+           std::none_of(scene.joints.begin(), scene.joints.end(), touches_world) &&
            std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.mass; });
 }
 
-// Corrections do so for a frame, and bounces in flight: where a body is after the step is not where the speed that
-// it leaves with would have taken it.
+// Corrections for one frame do so, and bounces within a step: the body is not where its final velocity would have
+// taken it.
 bool moves_without_momentum(const demos::SceneDescription& scene, const demos::Settings& settings) {
     return settings.contacts.kind == engine::PushKind::single_frame ||
            settings.distances.kind == engine::PushKind::single_frame ||
            std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                       [](const auto& body) { return body.restitution > 0.0; });
+                       [](const auto& body) { return body.restitution > 0.0; }) ||
+           std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const auto& pair) { return pair.restitution.value_or(0.0) > 0.0; });
 }
 
 // Sweeps row by row lower q with every row while the bounds are numbers; over-relaxed or conjugate ones need not.

@@ -2,6 +2,7 @@
 
 #include "demos/options/simulation_options.h"
 #include "demos/text/numbers.h"
+#include "engine/base/invalid_input.h"
 #include "tests/random.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using demos::BodyDescription;
 using demos::SceneDescription;
 using engine::Vector3;
 
-// What may be drawn for an option; the first choice is left to the preset.
+// The choices for an option; the first one leaves it to the preset.
 struct OptionChoices {
     const char* name;
     std::vector<const char*> texts;
@@ -48,7 +49,7 @@ const std::array option_choices{
 
 class Generator {
   public:
-    explicit Generator(std::uint64_t seed) : random_(seed) {
+    explicit Generator(std::uint64_t seed) : random_(seed), shapes_(seed + 0x5eed) {
         scene_.name = "fuzz-" + std::to_string(seed);
         size_ = decades(-3, 3);
         mass_ = decades(-4, 4);
@@ -66,6 +67,10 @@ class Generator {
         if (chance(0.5)) add_distances(isolated);
         if (!isolated && chance(0.3)) add_force();
         add_options();
+        if (chance(0.2)) add_pairs();
+        if (chance(0.5)) turn_forces();
+        if (chance(0.2)) add_joints(isolated);
+        if (chance(0.2)) soften_distances();
         for (BodyDescription& body : scene_.bodies) {
             if (!body.mass && chance(0.3)) body.motion = motion();
         }
@@ -85,7 +90,7 @@ class Generator {
         return v;
     }
 
-    // To four digits: a failure has to be read.
+    // To four digits, so that a failing scene is readable.
     static double rounded(double value) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
@@ -109,6 +114,7 @@ class Generator {
 
     void add_body(int number) {
         BodyDescription body{.name = "body " + std::to_string(number + 1)};
+        std::vector<Vector3> points;
         const double size = wild_ ? decades(-3, 3) : rounded(size_ * in(0.5, 2.0));
         if (chance(0.4)) {
             body.shape = demos::SphereShape{size};
@@ -116,6 +122,7 @@ class Generator {
             Vector3 edges = Vector3::Constant(size);
             if (chance(0.7)) edges = edges.cwiseProduct(positive(chance(0.1) ? 2.0 : 0.5));
             body.shape = demos::BoxShape{edges};
+            points = maybe_points(edges);
         }
         body.mass = wild_ || chance(0.2) ? decades(-4, 4) : rounded(mass_ * in(0.5, 2.0));
         body.position = chance(0.05) && number > 0 ? scene_.bodies.back().position : vector(size_ * spread_);
@@ -128,7 +135,29 @@ class Generator {
             body.surface_velocity = vector(size_);
             if (chance(0.3)) body.surface_from = in(0.0, 1.0);
         }
+        if (!points.empty()) become_polyhedron(body, points);
         scene_.bodies.push_back(body);
+    }
+
+    // Sometimes, points in a box. From numbers of their own, so that all else of a seed stays what it is.
+    std::vector<Vector3> maybe_points(const Vector3& edges) {
+        std::vector<Vector3> points;
+        if (shapes_.in(0, 1) > 0.3) return points;
+        const auto count = static_cast<std::size_t>(shapes_.in(5, 25));
+        while (points.size() < count) {
+            Vector3 point = 0.5 * shapes_.vector(-1, 1).cwiseProduct(edges);
+            for (double& number : point) number = rounded(number);
+            points.push_back(point);
+        }
+        return points;
+    }
+
+    // Unless the points are too flat.
+    static void become_polyhedron(BodyDescription& body, const std::vector<Vector3>& points) {
+        try {
+            give_polyhedron(body, demos::make_polyhedron(points));
+        } catch (const engine::InvalidInput&) {
+        }
     }
 
     demos::MotionDescription motion() {
@@ -174,7 +203,7 @@ class Generator {
         return body->position + body->orientation * end.point;
     }
 
-    // A length that is given, or left to where the points are.
+    // A given length, or none: the distance of the points at the start.
     bool has_length(const demos::DistanceDescription& distance) const {
         if (distance.length) return *distance.length > 0.0;
         return (world_point(distance.a) - world_point(distance.b)).norm() > 1e-3 * size_;
@@ -213,6 +242,62 @@ class Generator {
         scene_.forces.push_back(force);
     }
 
+    void soften_distances() {
+        for (demos::DistanceDescription& distance : scene_.distances) {
+            const bool rigid = distance.max_force || distance.acts != engine::Distance::Acts::both;
+            if (rigid || !has_length(distance) || chance(0.3)) continue;
+            distance.spring = engine::Spring{mass_ * decades(-1, 5), chance(0.5) ? mass_ * decades(-2, 3) : 0.0};
+        }
+    }
+
+    void add_joints(bool isolated) {
+        const std::size_t bodies = scene_.bodies.size(), count = 1 + below(4);
+        for (std::size_t i = 0; i < count; ++i) {
+            const BodyDescription &a = scene_.bodies[below(bodies)], &b = scene_.bodies[below(bodies)];
+            const bool to_world = !isolated && chance(0.3);
+            if ((!b.mass && (to_world || !a.mass)) || (!to_world && a.name == b.name)) continue;
+            demos::JointDescription joint;
+            joint.a = end(to_world ? "world" : a.name, chance(0.3));
+            joint.b = end(b.name, chance(0.3));
+            joint.collide = chance(0.3);
+            if (chance(0.8)) {
+                joint.hinge.emplace().axis = vector(1.0) + Vector3(0.1, 0, 0);
+                if (chance(0.3)) joint.hinge->zero = random_.rotation();
+                if (chance(0.4)) joint.hinge->motor = engine::Motor{.speed = in(-10, 10)};
+                if (joint.hinge->motor && chance(0.8)) joint.hinge->motor->max_torque = mass_ * decades(-2, 3);
+                if (chance(0.4)) joint.hinge->limits = engine::AngleLimits{in(-2, 0), in(0, 2)};
+            }
+            scene_.joints.push_back(joint);
+        }
+    }
+
+    void turn_forces() {
+        for (demos::ForceDescription& force : scene_.forces) {
+            if (chance(0.5)) force.torque = size_ * vector(mass_ * decades(-1, 3));
+            if (chance(0.5)) force.point = vector(size_);
+            if (chance(0.5)) force.frame = engine::Poke::Frame::body;
+        }
+    }
+
+    // Bodies that do not touch each other, and what materials have on each other.
+    void add_pairs() {
+        for (BodyDescription& body : scene_.bodies) {
+            if (chance(0.3)) body.group = "group";
+            if (chance(0.5)) body.material = chance(0.5) ? "ice" : "rubber";
+        }
+        const auto is_used = [&](const char* name) {
+            return std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                               [&](const BodyDescription& body) { return body.material == name; });
+        };
+        for (const auto& [a, b] : {std::pair{"ice", "ice"}, std::pair{"ice", "rubber"}}) {
+            if (!is_used(a) || !is_used(b)) continue;
+            scene_.materials.push_back({.a = a, .b = b, .friction = in(0, 1)});
+            if (chance(0.3)) scene_.materials.back().restitution = in(0, 1);
+        }
+        const BodyDescription &a = scene_.bodies.front(), &b = scene_.bodies.back();
+        if (a.name != b.name) scene_.no_contacts.emplace_back(a.name, b.name);
+    }
+
     void add_options() {
         constexpr std::array presets{"default", "exact", "paper"};
         constexpr std::array steps_a_second{60, 60, 60, 30, 240, 10};
@@ -227,7 +312,7 @@ class Generator {
         }
     }
 
-    Random random_;
+    Random random_, shapes_;
     SceneDescription scene_;
     double size_ = 1.0;    // m, of most bodies
     double mass_ = 1.0;    // kg, of most bodies

@@ -1,5 +1,5 @@
-// Random scenes from a seed: bodies over six decades of size and eight of mass that overlap, fly about and hang on
-// each other, under any of the simulation options.
+// Random scenes from a seed: bodies over six decades of size and eight of mass that overlap, fly about and are
+// linked to each other, with any of the simulation options.
 #pragma once
 
 #include "demos/options/settings.h"
@@ -9,11 +9,11 @@
 
 namespace pushfactor::tests {
 
-// An ordinary scene: written to a file, `pushfactor run` accepts it. Numbers have four digits. The same on every
-// platform.
+// An ordinary scene: written to a file, `pushfactor run` accepts it. Numbers have four digits, but for
+// polyhedra, which have all. The same on every platform.
 demos::SceneDescription random_scene(std::uint64_t seed);
 
-// What the scene's own options make of the settings. Throws std::invalid_argument for one that is not allowed.
+// The settings from the scene's own options. Throws std::invalid_argument for one that is not allowed.
 demos::Settings settings_of(const demos::SceneDescription& scene);
 
 }  // namespace pushfactor::tests

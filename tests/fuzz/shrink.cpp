@@ -1,7 +1,9 @@
 #include "tests/fuzz/shrink.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::tests {
@@ -19,13 +21,16 @@ double rounded(double value, int digits) {
     return std::strtod(text, nullptr);
 }
 
-// Every scene that is one step simpler than `scene_`, the greatest steps first.
+// Every scene that is one simplification away from `scene_`, the greatest first.
 class Simplifications {
   public:
     explicit Simplifications(const SceneDescription& scene) : scene_(scene) {
         drop_bodies();
         drop_each(&SceneDescription::distances);
+        drop_each(&SceneDescription::joints);
         drop_each(&SceneDescription::forces);
+        drop_each(&SceneDescription::no_contacts);
+        drop_each(&SceneDescription::materials);
         drop_options();
         calm();
         for (const int digits : {1, 2, 3}) round(digits);
@@ -34,14 +39,27 @@ class Simplifications {
     std::vector<SceneDescription> take() { return std::move(found_); }
 
   private:
-    // With what hangs on it.
+    static bool has_material(const SceneDescription& scene, const std::string& name) {
+        return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                           [&](const BodyDescription& body) { return body.material == name; });
+    }
+
+    // With everything that refers to it.
     void drop_bodies() {
         for (const BodyDescription& body : scene_.bodies) {
             SceneDescription simpler = scene_;
             std::erase_if(simpler.bodies, [&](const auto& other) { return other.name == body.name; });
             std::erase_if(simpler.distances,
                           [&](const auto& d) { return d.a.body == body.name || d.b.body == body.name; });
+            std::erase_if(simpler.joints, [&](const auto& joint) {
+                return joint.a.body == body.name || joint.b.body == body.name;
+            });
             std::erase_if(simpler.forces, [&](const auto& force) { return force.body == body.name; });
+            std::erase_if(simpler.no_contacts,
+                          [&](const auto& pair) { return pair.first == body.name || pair.second == body.name; });
+            std::erase_if(simpler.materials, [&](const auto& pair) {
+                return !has_material(simpler, pair.a) || !has_material(simpler, pair.b);
+            });
             found_.push_back(std::move(simpler));
         }
     }
@@ -55,7 +73,7 @@ class Simplifications {
         }
     }
 
-    // How long it runs stays, and what the other options change.
+    // Keeps the duration and the effects of the other options.
     void drop_options() {
         for (const auto& [name, text] : scene_.options) {
             if (name == "preset" || name == "seconds" || name == "dt") continue;
@@ -89,10 +107,37 @@ class Simplifications {
             set(body.orientation, Quaternion(Quaternion::Identity()));
             set(body.restitution, 0.0);
             set(body.friction, 0.0);
+            become_box(body);
+            set(body.group, std::string());
+        }
+        for (auto& force : edited_.forces) {
+            set(force.torque, Vector3(Vector3::Zero()));
+            set(force.point, Vector3(Vector3::Zero()));
+            set(force.frame, engine::Poke::Frame::world);
         }
         for (auto& distance : edited_.distances) {
             set(distance.acts, engine::Distance::Acts::both);
             set(distance.max_force, std::optional<double>());
+            if (!distance.spring) continue;
+            const auto spring = std::exchange(distance.spring, std::nullopt);
+            found_.push_back(edited_);
+            distance.spring = spring;
+        }
+        for (auto& joint : edited_.joints) {
+            set(joint.collide, false);
+            if (!joint.hinge) continue;
+            SceneDescription simpler = edited_;
+            auto& hinge = simpler.joints[static_cast<std::size_t>(&joint - edited_.joints.data())].hinge;
+            const auto add_without = [&](auto part) {
+                if (!((*hinge).*part)) return;
+                const auto before = std::exchange((*hinge).*part, std::nullopt);
+                found_.push_back(simpler);
+                (*hinge).*part = before;
+            };
+            add_without(&demos::HingeDescription::motor);
+            add_without(&demos::HingeDescription::limits);
+            hinge.reset();
+            found_.push_back(std::move(simpler));
         }
     }
 
@@ -104,6 +149,18 @@ class Simplifications {
         body.motion = before;
         set(body.motion->from, 0.0);
         set(body.motion->until, std::optional<double>());
+    }
+
+    // A polyhedron as the box that holds it.
+    void become_box(BodyDescription& body) {
+        const auto* polyhedron = std::get_if<demos::PolyhedronShape>(&body.shape);
+        if (!polyhedron) return;
+        Vector3 size = Vector3::Zero();
+        for (const Vector3& point : polyhedron->points()) size = size.cwiseMax(2.0 * point.cwiseAbs());
+        const auto before = body.shape;
+        body.shape = demos::BoxShape{size};
+        found_.push_back(edited_);
+        body.shape = before;
     }
 
     void round_number(double& number, int digits) { set(number, rounded(number, digits)); }

@@ -1,5 +1,5 @@
-// Makes a scene that fails as small as it can be while it still fails: fewer bodies, constraints and options, less
-// motion, rounder numbers.
+// Shrinks a failing scene as far as it still fails: fewer bodies, constraints and options, less motion, rounder
+// numbers.
 #pragma once
 
 #include "demos/scenes/scene_description.h"

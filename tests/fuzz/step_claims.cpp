@@ -17,7 +17,7 @@ using engine::SystemEquation;
 using engine::Vector3;
 using engine::Vector6;
 
-// Roundings of sums over some hundred terms, as a share of the largest that may stand in them.
+// Rounding errors of sums of some hundred terms, as a share of the largest possible term.
 constexpr double rounding = 1e-12;
 // Smaller forces have squares of zero and lie within any disc.
 constexpr double smallest = 1e-150;  // N
@@ -26,7 +26,7 @@ std::size_t at(Eigen::Index j) {
     return static_cast<std::size_t>(j);
 }
 
-// sum over rows of |lambda_j| times what `weight` says of the row, in the column that sets momenta.
+// sum over rows of |lambda_j| times `weight` of the row, in the column that sets momenta.
 template <typename Weight>
 double sum_of_forces(const engine::World& world, Weight weight) {
     double sum = 0.0;
@@ -79,7 +79,7 @@ double kinetic(const engine::InverseMass& inverse, const Vector3& p, const Vecto
     return 0.5 * inverse.linear * p.squaredNorm() + 0.5 * l.dot(inverse.angular * l);
 }
 
-// What lambda does to a row's velocity and back: the terms of q for given forces, with the sum of their sizes.
+// The terms of q for given forces, with the sum of their magnitudes.
 struct Objective {
     double value = 0.0;  // dt^2 q, J
     double scale = 0.0;  // J
@@ -99,6 +99,7 @@ Objective objective(const SystemEquation& system, const engine::Island& island, 
             forces[static_cast<std::size_t>(row.body_a)] += row.jacobian.a * force;
             forces[static_cast<std::size_t>(row.body_b)] += row.jacobian.b * force;
             q.value -= dt2 * system.b(j, last) * force;
+            q.value += 0.5 * dt2 * row.softness * force * force;
             q.scale += dt2 * (std::abs(system.b(j, last) * force) + system.diagonal(j) * force * force);
         }
     }
@@ -126,7 +127,7 @@ std::optional<Broken> energy(const Step& step) {
     for (Eigen::Index j = 0; j < system.row_count(); ++j) {
         gain -= system.dt * answer(j) * system.rows[at(j)].push.lasting;
     }
-    // In small steps a gap closes at any speed, and may have none left when its force acts.
+    // In small steps a gap closes at any speed, and may be closed when its force acts.
     for (const engine::Island& island : step.world.islands().all()) {
         if (!step.world.outcome_of(island).in_small_steps) continue;
         for (const engine::RowRun& run : island.runs) {
@@ -135,8 +136,8 @@ std::optional<Broken> energy(const Step& step) {
             }
         }
     }
-    // Each island may gain what its own guess brings, and no other's may make up for it. The bounds may have
-    // changed since the cached forces were an answer.
+    // Each island may gain what its own guess adds; islands do not compensate each other. The bounds may have
+    // changed since the cached forces were a solution.
     double start = 0.0;
     for (const engine::Island& island : step.world.islands().all()) {
         const Objective cached =
@@ -145,7 +146,7 @@ std::optional<Broken> energy(const Step& step) {
             const ConstraintRow& row = system.rows[at(j)];
             return std::clamp(row.guess.last, row.bounds.c_min, row.bounds.c_max);
         });
-        // In small steps it acts twice: in the first of them, and in what the next one takes over.
+        // In small steps it acts twice: in the first one, and in the guess of the next one.
         const double times = step.world.outcome_of(island).in_small_steps ? 2.0 : 1.0;
         start += times * std::max({0.0, cached.value, clamped.value});
         scale += objective(system, island, answer).scale + cached.scale;

@@ -9,7 +9,7 @@
 
 namespace pushfactor::tests {
 
-// One step as it is seen from outside: the bodies before it, and the world with its rows and forces after it.
+// One step seen from outside: the bodies before it, and the world with its rows and forces after it.
 struct Step {
     std::span<const engine::Body> before;
     const engine::World& world;

@@ -20,14 +20,14 @@ using demos::families::Prospect;
 using engine::Body;
 using engine::Vector3;
 
-// Bars. What stands may lean on each other by little; what is dropped lands deeper.
+// Limits. Standing bodies may overlap only slightly; dropped ones land deeper.
 constexpr double most_energy = 1e-3;
 constexpr double most_overlap_standing = 0.1, most_overlap_moving = 0.5;
 constexpr double most_speed = 0.02;
 constexpr double most_moved = 0.05, least_moved = 0.2;
 constexpr double most_step = 40.0, most_step_standing = 200.0;
-// Multiply-adds of a usual step, a movable body: some 30 sweeps over a dozen rows; and in all, some tenths of a
-// millisecond, below which no step is a bad one.
+// Multiply-adds of a usual step per movable body: some 30 sweeps over a dozen rows; and in total, some tenths of a
+// millisecond, below which no step counts as slow.
 constexpr double usual_work = 1e4, least_work = 3e5;
 
 double volume(const BodyDescription& body) {
@@ -45,7 +45,7 @@ bool is_ball(const BodyDescription& body) {
     return std::holds_alternative<demos::SphereShape>(body.shape);
 }
 
-// What a member's numbers are measured by.
+// The units of a member's numbers.
 struct Scale {
     double length = INFINITY, edge = INFINITY;  // m
     double weight = 0.0;                        // N

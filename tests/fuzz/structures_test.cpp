@@ -1,4 +1,4 @@
-// Small members of every family do what mechanics says; and what judges them can see when they do not.
+// Small members of every family behave as mechanics predicts, and the judge detects when they do not.
 #include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
 #include "tests/demos/pages/check_page.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int members_each = 10;
 
-// What does not hold of all members yet, by family.
+// Claims that not all members fulfil yet, by family.
 const std::map<std::string_view, std::set<std::string_view>> not_yet{
     {"boxes", {"overlap", "rest"}},
     {"mixed", {"overlap"}},

@@ -14,7 +14,7 @@ namespace {
 
 struct BulletOptions {
     bool sleeping = false;
-    bool multipoint = true;  // all points of a box on a plane at once; as shipped one more in each step
+    bool multipoint = true;  // all points of a box on a plane at once; as shipped one more per step
     bool direct = false;     // the MLCP solver with Dantzig's method instead of sequential impulses
     bool swept = false;      // continuous collision detection for spheres
     int iterations = 10;
@@ -62,7 +62,8 @@ class BulletWorld : public World {
         world_.setGravity(to_bullet(scene.gravity));
         world_.getSolverInfo().m_numIterations = options.iterations;
         if (options.direct) {
-            world_.getSolverInfo().m_minimumSolverBatchSize = 1;  // islands apart: it solves one dense matrix each
+            world_.getSolverInfo().m_minimumSolverBatchSize =
+                1;  // separate islands: it solves one dense matrix each
             // Four points of a face make the matrix singular; without this it falls back to a few sweeps.
             world_.getSolverInfo().m_globalCfm = 1e-7;
         }
@@ -142,7 +143,7 @@ class BulletWorld : public World {
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
     btDbvtBroadphase broadphase_;
-    btRigidBody space_{0.0, nullptr, nullptr};  // what hangs from the world hangs from this
+    btRigidBody space_{0.0, nullptr, nullptr};  // links to the world are attached to this
     btDantzigSolver direct_;
     std::unique_ptr<btConstraintSolver> solver_;
     btDiscreteDynamicsWorld world_;

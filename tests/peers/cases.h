@@ -7,7 +7,7 @@
 namespace pushfactor::tests::peers {
 
 struct Ours {
-    std::string name;       // "default", or what differs
+    std::string name;       // "default", or the differences from it
     std::string arguments;  // of `pushfactor run`
     bool whole_steps = false;
 };
@@ -25,7 +25,7 @@ struct Case {
     std::vector<std::string> ratios = {};  // measures that are also given as parts of those of reference settings
 };
 
-// `scenes`: the folder of the files that are not in the catalogue.
+// `scenes`: the folder of the scene files that are not in the catalogue.
 std::vector<Case> cases(const std::string& scenes);
 
 // The group `piles`: heaps, towers, walls.

@@ -1,4 +1,4 @@
-// What the comparison asks of an engine: to build a scene, to step it, to say where the bodies are.
+// The interface of an engine in the comparison: builds a scene, steps it, reports the states of the bodies.
 #pragma once
 
 #include "tests/peers/scene.h"
@@ -14,13 +14,13 @@ class World {
   public:
     virtual ~World() = default;
 
-    virtual void step() = 0;  // by step_length, however the setting divides it
+    virtual void step() = 0;  // by step_length, divided as the setting says
 
-    // Of the movable bodies, in the scene's order; not a number where the engine gave up.
+    // Of the movable bodies, in the scene's order; NaN where the engine gave up.
     virtual std::vector<State> states() const = 0;
 };
 
-// What holds a link's length: a distance between two points, or an arm that is fixed to body b and turns with it.
+// The model of a link: a distance between two points, or an arm that is fixed to body b and turns with it.
 enum class Joint { distance, rigid_arm };
 
 struct Setting {
@@ -36,7 +36,7 @@ struct Setting {
     std::string reference = {};  // its short name where the others are given as ratios to it
 };
 
-// What a run leaves: states at 0, 1, ... steps, and the CPU time of each step, us.
+// The result of a run: states at 0, 1, ... steps, and the CPU time of each step, us.
 struct Run {
     std::vector<std::vector<State>> states;
     std::vector<double> step_us;

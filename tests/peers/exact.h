@@ -1,4 +1,4 @@
-// The motions that the measures compare with.
+// Reference motions for the measures.
 #pragma once
 
 #include "tests/peers/engine.h"
@@ -8,8 +8,8 @@
 namespace pushfactor::tests::peers {
 
 // The angle from the vertical at 0, 1, ... steps, rad, of a ball released at `amplitude` [rad]: the centre of a
-// ball on a massless bar (distance), or a ball that is one with its bar and turns about the hook (rigid_arm).
-// gravity > 0, m/s^2.
+// ball on a massless bar (distance), or a ball rigidly connected to its bar, which turns about the pivot
+// (rigid_arm). gravity > 0, m/s^2.
 std::vector<double> exact_angles(const Body& ball, const Link& link, double gravity, double amplitude, Joint joint,
                                  std::size_t steps);
 

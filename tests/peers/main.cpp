@@ -42,7 +42,7 @@ Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
     return run;
 }
 
-// The measures of the first run, which all repeat, and the medians of what differs: the cost.
+// The measures of the first run, which are the same in all, and the medians of the cost, which differs.
 template <typename Once>
 Values measured(const Case& of, const Scene& scene, const Once& once) {
     Values result;

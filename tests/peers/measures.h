@@ -1,4 +1,4 @@
-// What is measured, the same for every engine: from the states alone, none of an engine's own figures.
+// The measures, the same for every engine: from the states alone, without an engine's own figures.
 #pragma once
 
 #include "tests/peers/engine.h"
@@ -24,8 +24,8 @@ Values standing(const Scene& scene, const Run& run);
 // Cubes that start inside each other. Thrown up: a centre more than half a side above its place at rest.
 Values parting(const Scene& scene, const Run& run);
 
-// Links: of the length. Energy: of what the bodies have to lose, from the start to hanging straight down. Kinetic
-// energy is taken at the time of the positions.
+// Links: relative to the length. Energy: relative to what the bodies can lose, from the start to hanging straight
+// down. Kinetic energy is taken at the time of the positions.
 Values chain(const Scene& scene, const Run& run);
 
 // Pendulums from fixed points that swing in the y-z plane, against the exact pendulum of the run's kind of joint,
@@ -35,7 +35,7 @@ Values wave(const Scene& scene, const Run& run);
 // One body that turns freely: energy, angular momentum, and the attitude against a fine integration.
 Values turning(const Scene& scene, const Run& run);
 
-// How many balls that flew along x are beyond x = 0.
+// The number of balls flying along x that are beyond x = 0.
 Values through(const Scene& scene, const Run& run);
 
 // Spheres on planes: the last second.

@@ -1,4 +1,4 @@
-// What mechanics says about states: the quantities that several measures ask for.
+// Mechanical quantities of states that several measures use.
 #pragma once
 
 #include "tests/peers/engine.h"

@@ -163,7 +163,8 @@ class MujocoWorld : public World {
     }
 
   private:
-    // A step leaves places and velocities of bodies as they were before it; this touches neither forces nor caches.
+    // After a step the body poses and velocities are those before it; this updates them without touching forces or
+    // caches.
     void refresh() const {
         mj_kinematics(model_, data_);
         mj_comPos(model_, data_);

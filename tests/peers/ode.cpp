@@ -175,7 +175,7 @@ std::vector<Setting> ode_settings() {
                 {"stack", "tower", "heavy", "chain", "chain-light", "wave", "parting", "funnel"}, {.quick = true}),
         setting("dWorldStep, surface layer 1 mm, correction up to 1 m/s", {"stack", "tower", "heavy", "parting"},
                 {.surface_layer = 0.001, .correcting_velocity = 1.0}),
-        // Its manual's way out where four points of a face make the matrix singular.
+        // Its manual's remedy where four points of a face make the matrix singular.
         setting("dWorldStep, cfm 1e-5", {"stack", "tower", "heavy", "parting"}, {.cfm = 1e-5}),
         setting("dWorldStep, 4 substeps",
                 {"stack", "chain", "chain-light", "wave", "funnel", "free-box", "free-rod", "plate-50"},

@@ -11,7 +11,7 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 
-constexpr double rounding = 1e-9;  // m: bodies built to touch overlap by some 1e-15
+constexpr double rounding = 1e-9;  // m: bodies that are built to touch overlap by some 1e-15
 
 struct Placed {
     const Body* body = nullptr;
@@ -107,7 +107,7 @@ Overlap overlap(const Scene& scene, const std::vector<State>& states) {
         }
         for (std::size_t i = 0; i < states.size(); ++i) sum.add(depth_in_plane(all[i], body));
     }
-    // Pairs by sweeping along x.
+    // Pairs by sweep and prune along x.
     const auto low = [](const Placed& p) { return p.centre.x() - p.reach.x(); };
     std::sort(all.begin(), all.end(), [&](const Placed& a, const Placed& b) { return low(a) < low(b); });
     for (std::size_t i = 0; i < all.size(); ++i) {

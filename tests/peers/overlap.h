@@ -1,5 +1,4 @@
-// How deep bodies are inside each other: one yardstick for all engines, from places alone and without any engine's
-// own contacts.
+// The overlap of bodies: one measure for all engines, from positions alone and without any engine's own contacts.
 #pragma once
 
 #include "tests/peers/scene.h"
@@ -7,8 +6,8 @@
 namespace pushfactor::tests::peers {
 
 // Over the pairs of bodies that overlap by more than rounding (1 nm), two movable ones or one and a fixed one.
-// Depth of a pair: the shortest way on which they come apart without turning. Of two boxes that is the least
-// overlap along their separating axes, of a box and a plane the depth of its deepest corner.
+// Depth of a pair: the shortest separating translation. Of two boxes that is the least overlap along their
+// separating axes, of a box and a plane the depth of its deepest corner.
 struct Overlap {
     double deepest = 0.0;  // m
     double rms = 0.0;      // m, 0 without pairs

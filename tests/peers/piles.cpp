@@ -25,7 +25,7 @@ double in_seconds(std::size_t steps) {
     return static_cast<double>(steps) * step_length;
 }
 
-// Bodies that can be asked to come to rest: not balls beside boxes, which roll away over the ground for ever.
+// Bodies that should come to rest: not balls where there are boxes, because these may roll away for ever.
 std::vector<std::size_t> resting_bodies(const Scene& scene) {
     std::vector<std::size_t> boxes, all;
     for (std::size_t i = 0; i < scene.movable.size(); ++i) {
@@ -35,8 +35,8 @@ std::vector<std::size_t> resting_bodies(const Scene& scene) {
     return boxes.empty() ? all : boxes;
 }
 
-// Of the fastest of `bodies` in the step that ends in state n > 0: its velocity, or its way in that step where that
-// is more, because engines push bodies apart by displacements that no velocity knows of.
+// Of the fastest of `bodies` in the step that ends in state n > 0: its velocity, or its displacement in that step
+// where that is more, because engines push bodies apart by displacements that are in no velocity.
 double top_speed(const Run& run, const std::vector<std::size_t>& bodies, std::size_t n) {
     double speed = 0.0;
     for (const std::size_t i : bodies) {
@@ -55,7 +55,7 @@ double top_speed_at_end(const Scene& scene, const Run& run) {
     return speed;
 }
 
-// s; not a number where it never rests.
+// s; NaN where it never rests.
 double rests_from(const Scene& scene, const Run& run) {
     const std::vector<std::size_t> bodies = resting_bodies(scene);
     std::size_t n = last(run);
@@ -105,7 +105,7 @@ Values appended(Values values, const Values& more) {
     return values;
 }
 
-// Not a number where the states are none.
+// NaN where the states are NaN.
 template <typename Measure>
 Value value(const Run& run, const std::string& name, const Measure& measure) {
     return {name, finite(run) ? measure() : unknown, {}};

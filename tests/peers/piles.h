@@ -8,11 +8,11 @@ namespace pushfactor::tests::peers {
 // A pile that falls: overlap and energy.
 Values falling(const Scene& scene, const Run& run);
 
-// A pile that has fallen: the last second, and since when no body is faster than 0.1 mm/s. Balls beside boxes may
-// roll for ever and are left out of both speeds.
+// A pile that has fallen: the last second, and the time since when no body is faster than 0.1 mm/s. Balls beside
+// boxes may roll for ever and are left out of both speeds.
 Values settled(const Scene& scene, const Run& run);
 
-// What is built to stand: how far bodies get from their places, energy, the last second.
+// A structure that should stand: displacements of bodies, energy, the last second.
 Values structure(const Scene& scene, const Run& run);
 
 // The measure of overlap that is compared with other engines.

@@ -1,4 +1,4 @@
-// Our own engine, as people use it: the program, run on the same scene, its trajectory read back.
+// Our own engine as users run it: the program on the same scene, its trajectory read back.
 #pragma once
 
 #include "tests/peers/engine.h"
@@ -21,7 +21,7 @@ Scene scene_of(const Program& program, const std::string& arguments);
 std::string family_file(const Program& program, const std::string& name, const std::string& arguments);
 
 // `bodies`: number of movable bodies; `whole_steps`: momenta belong to the time of the positions (rattle).
-// Where the program stops with a non-finite state, the states from there on are not numbers.
+// Where the program stops with a non-finite state, the states from there on are NaN.
 Run run_program(const Program& program, const std::string& arguments, std::size_t bodies, std::size_t steps,
                 bool whole_steps);
 

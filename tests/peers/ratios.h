@@ -1,4 +1,4 @@
-// Lines of a table as parts of its reference lines.
+// Lines of a table as ratios to its reference lines.
 #pragma once
 
 #include "tests/peers/table.h"

@@ -1,5 +1,5 @@
-// A scene as every engine is given it: what `pushfactor scene` prints, so that bodies, places, masses and friction
-// are the same to the last digit.
+// The scene for every engine: what `pushfactor scene` prints, so that bodies, positions, masses and friction are
+// the same to the last digit.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -55,7 +55,7 @@ Scene read_scene(const std::string& file);
 // Principal moments of a box or sphere in the body's axes, kg m^2.
 Vector3 inertia(const Body& body);
 
-// World place of a link's two ends, m.
+// World positions of a link's two ends, m.
 Vector3 end_a(const Link& link, const std::vector<State>& states);
 Vector3 end_b(const Link& link, const std::vector<State>& states);
 

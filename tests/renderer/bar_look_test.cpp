@@ -1,4 +1,4 @@
-// What a frame shows of bars.
+// The look of bars in a frame.
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr int width = 320;   // pixels
 constexpr int height = 180;  // pixels
 
-// How much darker the pixels within 2 of a point are in `image` than in `empty`, in sum.
+// The summed darkening of the pixels within 2 of a point, `image` against `empty`.
 int darkening_around(const Image& image, const Image& empty, int x, int y) {
     int sum = 0;
     for (int row = y - 2; row <= y + 2; ++row) {
@@ -43,7 +43,7 @@ TEST_CASE("A bar is seen between its ends and not beyond, whatever its direction
             const auto [x, y] = pixel_from_the_front(width, height, beyond);
             CHECK(image.pixel(x, y) == empty.pixel(x, y));
         }
-        // And as wide as it should be.
+        // And of the right width.
         const glm::vec3 across = glm::normalize(glm::cross(direction, glm::vec3(0.0f, 0.0f, 1.0f)));
         const auto [in_x, in_y] = pixel_from_the_front(width, height, 0.5f * (from + to) + 0.06f * across);
         CHECK(is_red(image.pixel(in_x, in_y)));

@@ -17,7 +17,7 @@ const Paint black{};
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-// How much of the pixel of a white image is covered by black, 0..1.
+// The black coverage of a pixel in a white image, 0..1.
 double cover(const Image& image, int x, int y) {
     return (765.0 - brightness(image, x, y)) / 765.0;
 }

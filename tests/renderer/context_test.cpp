@@ -17,7 +17,7 @@ namespace {
 
 using Open = std::unique_ptr<OffscreenContext>(const std::vector<std::string>& libraries);
 
-// That a context whose library is missing is refused with one line that names these packages.
+// Checks that a context without its library is refused with one line that names these packages.
 void check_missing(Open open, const std::vector<const char*>& packages) {
     try {
         open({"libNoSuchMesa.so.1", "libNoSuchMesa.so"});
@@ -29,7 +29,7 @@ void check_missing(Open open, const std::vector<const char*>& packages) {
     }
 }
 
-// Only where EGL is not installed at all its tests have nothing to say.
+// Its tests are skipped only where EGL is not installed.
 bool egl_is_installed() {
     try {
         open_egl_context();

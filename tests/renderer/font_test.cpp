@@ -113,7 +113,7 @@ TEST_CASE("Letters stand at fractions of a pixel and keep their ink", "[font]") 
 }
 
 TEST_CASE("The signs of the reports are in the font, and differ from its sign for what is missing", "[font]") {
-    const Image missing = written("\xEE\x80\x80", 30.0f);  // U+E000, which is nobody's
+    const Image missing = written("\xEE\x80\x80", 30.0f);  // U+E000, private use
     CHECK(ink_of(missing).sum > 5.0);
     for (const std::string sign : {"β", "·", "²", "°", "–", "→", "µ", "×", "≤", "\xEF\xBF\xBD"}) {
         INFO(sign);

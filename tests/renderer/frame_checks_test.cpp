@@ -13,7 +13,7 @@ using Catch::Contains;
 
 namespace {
 
-// What the functions of a FailingContext answer next; from the front.
+// The next results of a FailingContext's functions; from the front.
 std::vector<GLenum> errors;
 std::vector<GLenum> statuses;
 
@@ -33,7 +33,7 @@ const GLubyte* old_version(GLenum) {
     return reinterpret_cast<const GLubyte*>("2.1 of old");
 }
 
-// A context that works but for what a test takes from it.
+// A context that works except for the functions that a test removes.
 class FailingContext final : public OffscreenContext {
   public:
     FailingContext() {
@@ -53,7 +53,7 @@ class FailingContext final : public OffscreenContext {
     }
     std::string description() const override { return "a failing context"; }
 
-    std::string missing{};  // a function that it lacks
+    std::string missing{};  // a removed function
     bool lost = false;
     bool old = false;
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int width = 320;   // pixels
 constexpr int height = 180;  // pixels
 
-// How many of the areas each pixel is in, rows from the bottom.
+// The number of areas that contain each pixel, rows from the bottom.
 std::vector<int> count(const std::vector<PixelArea>& areas) {
     std::vector<int> pixels(width * height);
     for (const PixelArea& area : areas) {
@@ -52,7 +52,7 @@ Tiles shadowed(const Picture& picture) {
     return shadowed_tiles(frame_view(picture), bodies_of(picture), *picture.ground);
 }
 
-// How many of the points are in view but in none of the counted parts.
+// The number of points in view but in none of the counted areas.
 int missed(const std::vector<int>& pixels, const glm::mat4& world_to_clip, const std::vector<glm::vec3>& points) {
     int outside = 0;
     for (const glm::vec3& point : points) {

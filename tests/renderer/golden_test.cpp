@@ -1,6 +1,5 @@
-// Frames as they are meant to look, against the images in assets/golden.
-// After a wanted change: build/release/tests/tests "[golden-update]" makes them anew; look at them before you
-// commit.
+// Frames against the golden images in assets/golden. After an intended change: build/release/tests/tests
+// "[golden-update]" regenerates them; look at them before you commit.
 #include "renderer/gl/gl.h"
 #include "renderer/images/png.h"
 #include "tests/catch.h"
@@ -52,6 +51,7 @@ Picture funnel() {
     Picture picture = all_kinds();
     picture.ground.reset();
     picture.boxes.clear();
+    picture.polyhedra.clear();
     picture.bars.clear();
     picture.camera = {.eye = {8.0f, 14.0f, 12.0f}, .target = {5.0f, 3.0f, 0.0f}};
     return picture;
@@ -89,7 +89,7 @@ std::string description_of_gl() {
     return text(GL_VERSION) + ", " + text(GL_RENDERER);
 }
 
-// Writes the drawn image and its difference for whoever has to find out, and says where.
+// Writes the drawn image and its difference for inspection, and reports where.
 std::string report(const Sample& sample, const Image& golden, const Image& drawn) {
     const fs::path folder = PUSHFACTOR_GOLDEN_REPORTS;
     const fs::path drawn_file = folder / (sample.name + ".png");

@@ -1,4 +1,4 @@
-// How far two images are from each other, and how far is too far.
+// The difference of two images, and its limits.
 #pragma once
 
 #include "renderer/images/image.h"
@@ -39,7 +39,7 @@ inline ImageDifference image_difference(const Image& a, const Image& b) {
     return {3.0 * seen / channels, 3.0 * large / channels, similarity};
 }
 
-// Another processor rounds some pixels on edges the other way; more than that is another picture.
+// Other processors round some pixels on edges differently; more than that is a different picture.
 inline bool same_to_the_eye(const ImageDifference& difference) {
     return difference.seen <= 0.002 && difference.large <= 0.0002 && difference.similarity >= 50.0;
 }

@@ -1,5 +1,5 @@
-// What a renderer keeps of the frame before must not be seen: every frame of a run is, to the byte, the one that a
-// new renderer draws of the same picture.
+// Reuse of the previous frame must not be visible: every frame of a run is byte for byte the one that a new
+// renderer draws.
 #include "renderer/frames/stages.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
@@ -19,8 +19,8 @@ namespace {
 constexpr int width = 240;   // pixels
 constexpr int height = 150;  // pixels
 
-// The frames that come out otherwise when nothing of the frame before can be kept: between them the other renderer
-// draws something else, from another place.
+// The frames that differ when nothing of the previous frame can be reused: between them the other renderer draws
+// something else, from another viewpoint.
 std::set<int> frames_that_differ(int count, const std::function<Picture(int)>& picture, int samples = 1) {
     Studio film(width, height, samples);
     Studio afresh(width, height, samples);
@@ -52,6 +52,20 @@ class Counter final : public Stages {
 };
 
 }  // namespace
+
+TEST_CASE("A polyhedron that moves and turns, then another shape in its place") {
+    const auto pyramid = std::make_shared<const ConvexShape>(ConvexShape{
+        .corners = {{-0.9f, -0.5f, -0.5f}, {0.9f, -0.5f, -0.5f}, {0.0f, 0.9f, 0.0f}, {0.0f, -0.5f, 0.5f}},
+        .faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+    CHECK(frames_that_differ(8, [&](int frame) {
+              Picture picture = crowd();
+              const auto moved = static_cast<float>(std::min(frame, 4));
+              picture.polyhedra[0].position += 0.2f * moved * glm::vec3(1.0f, 0.2f, -0.5f);
+              picture.polyhedra[1].orientation = glm::angleAxis(0.3f * moved, glm::vec3(0.0f, 1.0f, 0.0f));
+              if (frame > 5) picture.polyhedra[1].shape = pyramid;
+              return picture;
+          }) == none);
+}
 
 TEST_CASE("One body that moves among others that stand, and comes to rest") {
     CHECK(frames_that_differ(8, [](int frame) {

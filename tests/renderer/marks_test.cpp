@@ -128,7 +128,7 @@ TEST_CASE("Marks change no other pixels", "[marks]") {
         }
     }
     CHECK(changed > 60);
-    // And they leave nothing behind for the next picture.
+    // And they leave no traces in the next picture.
     CHECK(studio.render(all_kinds()) == before);
 }
 

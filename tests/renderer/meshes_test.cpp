@@ -17,7 +17,7 @@ glm::vec3 point(const Vertex& vertex, const glm::vec3& half_extents, float bevel
     return vertex.corner * (half_extents - bevel) + vertex.normal * bevel;
 }
 
-// Volume inside of a closed mesh, by the divergence theorem; negative when the triangles face inwards.
+// Volume of a closed mesh, by the divergence theorem; negative when the triangles face inwards.
 float volume(const Mesh& mesh, const glm::vec3& half_extents, float bevel) {
     float sum = 0.0f;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -1,4 +1,4 @@
-// What a frame shows of translucent panels.
+// The look of translucent panels in a frame.
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
@@ -82,7 +82,7 @@ TEST_CASE("A panel has a bright outline, even where it hides nothing") {
         const Panel panel = square_at(0.0f, blue, opacity);
         for (const Panel& side : {panel, reversed(panel)}) {
             const Image image = studio.render({.camera = from_the_front, .panels = {side}});
-            // A little inside of each edge, between the lines of the grid.
+            // A little inside each edge, between the lines of the grid.
             for (const glm::vec3 edge : {glm::vec3(2.38f, 0.45f, 0.0f), glm::vec3(-1.58f, 0.45f, 0.0f),
                                          glm::vec3(0.45f, 2.38f, 0.0f), glm::vec3(0.45f, -1.58f, 0.0f)}) {
                 const Pixel line = at(image, edge);

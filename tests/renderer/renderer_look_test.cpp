@@ -1,5 +1,5 @@
-// What a frame shows: the right thing in the right place, lit from the right side, without the flaws that
-// rasterised pictures have.
+// The look of a frame: the right thing in the right place, lit from the right side, without rasterisation
+// artefacts.
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
@@ -122,7 +122,7 @@ TEST_CASE("Edges are antialiased") {
     for (int y = 0; y < 90; ++y) {
         for (int x = 0; x < 160; ++x) mixed += image.pixel(x, y)[2] > 90 && image.pixel(x, y)[2] < 200 ? 1 : 0;
     }
-    CHECK(mixed > 70);  // 96 seen; 42, on the bevels, with one sample a pixel
+    CHECK(mixed > 70);  // 96 seen; 42, on the bevels, with one sample per pixel
 }
 
 TEST_CASE("Nothing is over-exposed") {

@@ -25,7 +25,7 @@ Picture slab_at(float altitude) {
             .boxes = {{.position = {-2.0f, altitude, altitude + 4.0f}, .half_extents = {2.0f, 0.01f, 0.5f}}}};
 }
 
-// How many pixels along a row are neither in the full shadow nor in the full light.
+// The number of pixels along a row that are neither in full shadow nor in full light.
 int half_lit(const Image& image, float z) {
     int count = 0;
     const auto [left, y] = pixel_from_above(from_above, width, height, -1.5f, z);

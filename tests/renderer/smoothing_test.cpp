@@ -1,5 +1,5 @@
-// Edges that were drawn with one sample a pixel, smoothed: against the share of each pixel that a straight edge
-// covers.
+// Smoothing of edges that were drawn with one sample per pixel: against the share of each pixel that a straight
+// edge covers.
 #include "renderer/images/smoothing.h"
 
 #include "renderer/images/light_bytes.h"
@@ -44,7 +44,7 @@ double dark_share(const Image& image, int x, int y) {
     return (light_of_byte(200) - light) / (light_of_byte(200) - light_of_byte(40));
 }
 
-// The largest error of the share, of pixels some way inside of the image, below a line of this slope.
+// The largest error of the share, of pixels well inside the image, below a line of this slope.
 double worst_error(double slope, bool swapped) {
     const auto below = [&](double x, double y) {
         return swapped ? x < 0.5 * side + slope * (y - 0.5 * side) : y < 0.5 * side + slope * (x - 0.5 * side);

@@ -1,4 +1,4 @@
-// What a frame shows of spheres.
+// The look of spheres in a frame.
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
@@ -10,8 +10,8 @@ namespace {
 constexpr int width = 640;   // pixels
 constexpr int height = 360;  // pixels
 
-// Where on a ball of 1 m at the origin, seen from the front, a point at this angle from its right is, half way
-// out to its outline.
+// The image position of a point on a ball of 1 m at the origin, seen from the front: at this angle from the right,
+// half way out to the outline.
 std::pair<int, int> on_the_ball(float degrees) {
     const float angle = glm::radians(degrees);
     return pixel_from_the_front(width, height, {0.5f * std::cos(angle), 0.5f * std::sin(angle), 0.85f});
@@ -64,10 +64,10 @@ TEST_CASE("A sphere's pattern turns with its quaternion") {
     CHECK(brightness(straight, on_the_ball(135.0f)) < brightness(quarter, on_the_ball(135.0f)) - 40);
     CHECK(brightness(straight, on_the_ball(225.0f)) > brightness(quarter, on_the_ball(225.0f)) + 25);
 
-    // The sense of the turn: the light octant that starts at the right moves up, or down.
+    // The sense of rotation: the light octant that starts at the right moves up, or down.
     CHECK(brightness(turned(-30.0f, z), on_the_ball(15.0f)) >
           brightness(turned(30.0f, z), on_the_ball(15.0f)) + 40);
-    // About the vertical: what was left of the middle stays to the left, or what was right of it comes there.
+    // About the vertical: what was left of the middle stays left, or what was right of it moves there.
     const glm::vec3 y(0.0f, 1.0f, 0.0f);
     const auto left_of_middle = pixel_from_the_front(width, height, {-0.25f, -0.4f, 0.88f});
     CHECK(brightness(turned(40.0f, y), left_of_middle) > brightness(turned(-40.0f, y), left_of_middle) + 40);

@@ -24,7 +24,7 @@ OptionTexts options_of(const AtlasCell& cell) {
     return options;
 }
 
-// Threads that run cells, and what they have found and nobody has fetched yet.
+// Threads that run cells, and the results that have not been fetched yet.
 class Crew {
   public:
     explicit Crew(std::span<const AtlasCell> cells) : cells_(cells) {
@@ -34,7 +34,7 @@ class Crew {
         }
     }
 
-    // Asked before the first is waited for, so that all stop at once.
+    // Requests all stops before the first join.
     ~Crew() {
         for (std::jthread& worker : workers_) worker.request_stop();
     }
@@ -44,7 +44,7 @@ class Crew {
 
     using Finished = std::vector<std::pair<std::size_t, CellResult>>;  // number of the cell
 
-    // What was found since the last call; waits a little when that is nothing. Throws what a run threw.
+    // Results since the last call; waits briefly if there are none. Throws what a run threw.
     Finished fetch() {
         std::unique_lock lock(mutex_);
         news_.wait_for(lock, std::chrono::milliseconds(100), [this] { return !finished_.empty() || error_; });
@@ -71,11 +71,11 @@ class Crew {
 
     std::span<const AtlasCell> cells_;
     std::atomic<std::size_t> next_ = 0;
-    std::mutex mutex_;  // of the two below
+    std::mutex mutex_;  // guards the two below
     Finished finished_;
     std::exception_ptr error_;
     std::condition_variable news_;
-    std::vector<std::jthread> workers_;  // last, to end first
+    std::vector<std::jthread> workers_;  // last, so that they are joined first
 };
 
 }  // namespace

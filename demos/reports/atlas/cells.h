@@ -1,4 +1,4 @@
-// The cells of an atlas: one run each, judged as its summary judges it.
+// The cells of an atlas: one run each, with the outcome of its summary.
 #pragma once
 
 #include "demos/reports/atlas/maps.h"
@@ -17,23 +17,22 @@ struct AtlasCell {
     std::string x, y;  // values of the axes
 };
 
-// Row by row from below.
+// Cells of a map, row by row from below.
 std::vector<AtlasCell> cells_of(const AtlasMap& map);
 
-// "pushfactor run ..." that makes the same run.
+// "pushfactor run ...", the command that reproduces the cell.
 std::string command_of(const AtlasCell& cell);
 
 struct CellResult {
-    std::string outcome;  // as in a summary, or "non-finite"
-    double value = 0.0;   // of the map's measure, up to where the run became non-finite
+    std::string outcome;  // of the summary, or "non-finite"
+    double value = 0.0;   // of the map's measure, up to the last finite step
 };
 
-// Nothing when it was stopped. Throws what errors.h names, but not NonFiniteError.
+// None if it was stopped. Throws the exceptions of errors.h except NonFiniteError.
 std::optional<CellResult> run_cell(const AtlasCell& cell, const std::stop_token& stop);
 
-// Runs the cells on all cores, from the first on. `finished` is called in the calling thread as soon as a cell is
-// done, in no order that could be told beforehand; `check` is called often. What they or a run throw ends the work:
-// runs that are under way are dropped.
+// Runs the cells on all cores. `finished` is called in the calling thread as soon as a cell is done, in unspecified
+// order; `check` is called often. An exception of theirs or of a run stops all: runs in progress are dropped.
 void run_cells(std::span<const AtlasCell> cells,
                const std::function<void(const AtlasCell&, const CellResult&)>& finished,
                const std::function<void()>& check);

@@ -25,7 +25,7 @@ std::string header() {
            ": stability atlas\nmap,x_name,x,y_name,y,outcome,measure,value,command\n";
 }
 
-// What the line of a cell begins with; no other cell has the same.
+// Start of a cell's line, unique per cell.
 std::string key_of(const AtlasCell& cell) {
     const AtlasMap& map = *cell.map;
     return fmt::format("{},{},{},{},{}", map.name, map.x.option, cell.x, map.y.option, cell.y);
@@ -51,7 +51,7 @@ AtlasFile::AtlasFile(fs::path path, const std::vector<AtlasMap>& atlas) : path_(
     }
     std::error_code ignored;
     if (!fs::exists(path_, ignored)) write_file(path_, header());
-    if (!fs::is_regular_file(path_, ignored)) refuse("is no file");
+    if (!fs::is_regular_file(path_, ignored)) refuse("is not a file");
     std::ifstream stream(path_, std::ios::binary);
     if (!stream) fail(errno);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -67,7 +67,7 @@ AtlasFile::AtlasFile(fs::path path, const std::vector<AtlasMap>& atlas) : path_(
 
 void AtlasFile::refuse(const std::string& what) const {
     throw UsageError(
-        fmt::format("{}: {}: must be an atlas of this version, to go on with it; remove it or name another --out",
+        fmt::format("{}: {}: must be an atlas of this version to be resumed; remove it or name another --out",
                     path_.string(), what));
 }
 
@@ -76,7 +76,7 @@ void AtlasFile::fail(int error) const {
 }
 
 void AtlasFile::take_over(const std::string& text) {
-    if (!text.starts_with(header())) refuse("does not begin as one");
+    if (!text.starts_with(header())) refuse("unknown header");
     std::istringstream stream(text.substr(header().size()));
     long number = 2;
     for (std::string line; std::getline(stream, line);) take_line(line, ++number);
@@ -87,7 +87,7 @@ void AtlasFile::take_line(const std::string& line, long number) {
     const auto value = fields.size() == 9 ? parse_number(fields[7]) : std::nullopt;
     for (const AtlasCell& cell : cells_) {
         if (!value || !line.starts_with(key_of(cell) + ",")) continue;
-        // As this version writes it, and once.
+        // Exactly as this version writes it, and no duplicate.
         const CellResult result{fields[5], *value};
         const bool known = find_look(result.outcome) && line_of(cell, result) == line;
         if (known && results_.emplace(key_of(cell), result).second) return;

@@ -1,4 +1,4 @@
-// atlas.csv: the cells that were run. It grows by a line a cell, so that what was interrupted can go on.
+// atlas.csv: the cells that were run. It grows by a line per cell, so that an interrupted report can be resumed.
 #pragma once
 
 #include "demos/reports/atlas/cells.h"
@@ -14,19 +14,18 @@ namespace pushfactor::demos::reports::atlas {
 
 class AtlasFile {
   public:
-    // Takes over what the file holds, or begins a new one; a last line that was not finished is dropped. `atlas`
-    // has all cells that may be in the file and must outlive this. Throws UsageError, and leaves the file as it is,
-    // when something in it is no line that this version writes for one of these cells; OutputError when it cannot
-    // be read or written.
+    // Reads an existing file or begins a new one; an incomplete last line is dropped. `atlas` has all cells that
+    // may be in the file and must outlive this. Throws UsageError, and leaves the file as it is, for a line that
+    // this version does not write for one of these cells; OutputError if it cannot be read or written.
     AtlasFile(std::filesystem::path path, const std::vector<AtlasMap>& atlas);
 
-    // Null when the cell was not run yet.
+    // Null if the cell has not been run.
     const CellResult* find(const AtlasCell& cell) const;
 
-    // Adds a line, which is in the file when this returns.
+    // Adds a line and flushes it.
     void add(const AtlasCell& cell, const CellResult& result);
 
-    // Writes the lines anew in the order of the atlas. Nothing may be added afterwards.
+    // Rewrites the lines in the order of the atlas. Nothing may be added afterwards.
     void sort();
 
   private:
@@ -41,8 +40,8 @@ class AtlasFile {
 
     std::filesystem::path path_;
     std::vector<AtlasCell> cells_;               // in the order of the atlas
-    std::map<std::string, CellResult> results_;  // by what their lines begin with
-    std::unique_ptr<std::FILE, Close> file_;     // open to add lines
+    std::map<std::string, CellResult> results_;  // by the start of their lines
+    std::unique_ptr<std::FILE, Close> file_;     // open for appending
 };
 
 }  // namespace pushfactor::demos::reports::atlas

@@ -46,18 +46,18 @@ AtlasAxis time_step(const Values& values) {
     return {"dt", "time step [s]", values};
 }
 
-// What a heavy cube on a light one leaves of its error after a sweep from zero is R / (R + 1).
+// Sweeps in which an error falls to 1/e: for a heavy cube on a light one a sweep leaves R / (R + 1) of it.
 double sweeps_of_mass_ratio(double ratio) {
     return 1.0 / std::log1p(1.0 / ratio);
 }
 
-// What a column of n equal bodies leaves after one is cos^2(pi / 2n).
+// The same for a column of n equal bodies, where a sweep leaves cos^2(pi / 2n).
 double sweeps_of_height(double count) {
     return -0.5 / std::log(std::cos(0.5 * std::numbers::pi / count));
 }
 
-// The five contacts of the stack each add beta overlap / dt; at this speed the topmost cube still rises by
-// sqrt(g L), which makes it fly, after two of three seconds.
+// The five contacts of the stack each add beta overlap / dt. From this beta on the topmost cube still rises at
+// sqrt(g L), the limit of "fly", two seconds into the three of the run.
 double beta_that_throws(double overlap) {
     constexpr double dt = 1.0 / 60.0, side = 2.4, contacts = 5.0, seconds = 2.0;
     return (gravity * seconds + std::sqrt(gravity * side)) * dt / (contacts * overlap);
@@ -67,7 +67,7 @@ double beta_that_throws(double overlap) {
 // tension of the topmost bar when the straight chain passes its lowest point.
 double step_that_tension_allows(double end_mass) {
     constexpr double links = 20.0, mass = 1.0, length = 1.0, angle = std::numbers::pi / 4.0;
-    constexpr double sum = links * (links - 1.0) / 2.0;                            // of 1, 2, ... below links
+    constexpr double sum = links * (links - 1.0) / 2.0;                            // 1 + 2 + ... + (links - 1)
     constexpr double squares = links * (links - 1.0) * (2.0 * links - 1.0) / 6.0;  // of their squares
     const double moment = (end_mass * links + mass * sum) * length;
     const double inertia = (end_mass * links * links + mass * squares) * length * length;
@@ -76,7 +76,7 @@ double step_that_tension_allows(double end_mass) {
     return std::sqrt(mass * length / tension);
 }
 
-// Maps that differ in one option.
+// Maps that differ in one option each.
 AtlasMap overlap_map(const std::string& name, const std::string& push, const std::string& title,
                      const std::string& caption, const std::optional<AtlasTheory>& theory = {}) {
     return {"overlap_beta_" + name,

@@ -1,5 +1,5 @@
-// Which maps the stability atlas has, and over what: the one place where they are listed. A cell of a map is a run,
-// and its outcome is the one of the run's summary.
+// The list of maps of the stability atlas and their axes. A cell of a map is a run, coloured by the outcome of its
+// summary.
 #pragma once
 
 #include "demos/options/named_run.h"
@@ -12,27 +12,27 @@
 namespace pushfactor::demos::reports::atlas {
 
 struct AtlasAxis {
-    std::string option;               // that is varied, without dashes
-    std::string label;                // what it is, with its unit
-    std::vector<std::string> values;  // as on the command line; the shown numbers rise
-    double scale = 1.0;               // shown number over that of the text
+    std::string option;               // the varied option, without dashes
+    std::string label;                // of the axis, with the unit
+    std::vector<std::string> values;  // as on the command line, in ascending order of the shown numbers
+    double scale = 1.0;               // shown number / number of the text
     bool logarithmic = true;
 
     double shown(const std::string& value) const;
     std::string tick(const std::string& value) const;  // the text of the shown number
 };
 
-// A number of the summary, written beside the outcome.
+// A number of the summary that is shown in each cell.
 struct AtlasMeasure {
     std::string key;    // in the summary
     std::string words;  // with the unit
     double (Measurements::*value)() const;
 };
 
-// What theory says beforehand: a line on the map.
+// A theoretical limit: a line on the map.
 struct AtlasTheory {
     std::string label;
-    double (*y)(double x);  // both as shown
+    double (*y)(double x);  // both in shown numbers
 };
 
 struct AtlasMap {
@@ -40,11 +40,11 @@ struct AtlasMap {
     std::string title;
     std::string caption;
     std::string scene;   // of the catalogue
-    OptionTexts common;  // of all its runs
+    OptionTexts common;  // options of all its runs
     AtlasAxis x, y;
     AtlasMeasure measure;
     std::optional<AtlasTheory> theory{};
-    std::string moving = "moving";  // what this outcome means here, for the legend
+    std::string moving = "moving";  // meaning of this outcome here, for the legend
 };
 
 std::vector<AtlasMap> atlas_maps();

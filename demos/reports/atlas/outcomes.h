@@ -17,7 +17,7 @@ struct OutcomeLook {
     std::string_view ink;     // on that colour
 };
 
-// From good to bad; every outcome that a run can have. Greys beside the palette differ in lightness from all of it.
+// All outcomes of a run, from good to bad. The greys differ in lightness from all colours of the palette.
 inline constexpr std::array outcome_looks{
     OutcomeLook{"rest", "rest", "green", "#ffffff"},
     OutcomeLook{"jitter", "jitter: shakes in place", "ivory", "#222222"},

@@ -15,7 +15,7 @@ namespace pushfactor::demos::reports::atlas {
 
 namespace {
 
-// Where the cells of an axis begin and end: halfway between their numbers, one more than there are.
+// Edges of the cells of an axis, halfway between their numbers: one more than there are cells.
 std::vector<double> edges_of(const AtlasAxis& axis) {
     const auto placed = [&axis](double number) { return axis.logarithmic ? std::log(number) : number; };
     const auto number = [&axis](double place) { return axis.logarithmic ? std::exp(place) : place; };
@@ -45,7 +45,7 @@ int number_of(std::string_view colour) {
     return number;
 }
 
-// Two blocks, never empty, which gnuplot would not count: the cells, and the theory.
+// Two blocks, the cells and the theory. Never empty, because gnuplot does not count empty blocks.
 std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results, const std::vector<double>& xs,
                     const std::vector<double>& ys) {
     std::string text = "# x,y,x_low,x_high,y_low,y_high,colour,number,ink\n";
@@ -69,7 +69,7 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
     return text;
 }
 
-// What the legend lists: the outcomes that the map has, as words and as colours for gnuplot's word().
+// Legend of the outcomes on the map: words and colours for gnuplot's word().
 std::pair<std::string, std::string> legend_of(const AtlasMap& map, const std::vector<CellResult>& results) {
     std::string words, colours;
     for (const OutcomeLook& look : outcome_looks) {
@@ -81,7 +81,7 @@ std::pair<std::string, std::string> legend_of(const AtlasMap& map, const std::ve
     return {words, colours};
 }
 
-// The command of all cells, with the names of the axes' options for their values.
+// The command of all cells, with X and Y for the values of the axes.
 std::string pattern_of(const AtlasMap& map) {
     return command_of({&map, "X", "Y"});
 }

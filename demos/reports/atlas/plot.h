@@ -1,4 +1,4 @@
-// A map of the atlas as a picture: a colour an outcome, and in each cell the measured number.
+// A map of the atlas as a picture: one colour per outcome, and the measured number in each cell.
 #pragma once
 
 #include "demos/pages/page.h"
@@ -14,7 +14,7 @@ namespace pushfactor::demos::reports::atlas {
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
                       const std::filesystem::path& folder);
 
-// Two digits that fit into a cell: "0.31", "12", "4e-07" as "4e-7", and "0".
+// A number short enough for a cell: "0.31", "12", "4e-7", "0".
 std::string short_number(double value);
 
 }  // namespace pushfactor::demos::reports::atlas

@@ -25,6 +25,7 @@ void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
     std::vector<engine::collision::Pose> poses;
     for (const engine::Body& body : scene.world.bodies) poses.push_back(engine::collision::pose_of(body));
     engine::collision::BroadPhase broad_phase;
+    broad_phase.leave_out(scene.contacts->filter());
     sum.pairs += static_cast<double>(
         broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
     Pairs touching;
@@ -52,10 +53,28 @@ void add_islands(const engine::World& world, Counts& sum) {
     }
 }
 
+double& rows_in(engine::RowKind kind, Counts& counts) {
+    switch (kind) {
+        case engine::RowKind::friction:
+            return counts.friction_rows;
+        case engine::RowKind::distance:
+        case engine::RowKind::spring:
+            return counts.distance_rows;
+        case engine::RowKind::joint:
+        case engine::RowKind::motor:
+        case engine::RowKind::limit:
+            return counts.joint_rows;
+        case engine::RowKind::contact:
+            break;
+    }
+    return counts.contact_rows;
+}
+
 void add_step(const engine::StepCount& step, Counts& sum) {
-    sum.contact_rows += step.rows(engine::RowKind::contact);
-    sum.friction_rows += step.rows(engine::RowKind::friction);
-    sum.distance_rows += step.rows(engine::RowKind::distance);
+    for (std::size_t k = 0; k < engine::row_kind_count; ++k) {
+        const auto kind = static_cast<engine::RowKind>(k);
+        rows_in(kind, sum) += step.rows(kind);
+    }
     sum.columns += step.columns;
     sum.at_rest += step.at_rest;
     sum.sweeps += step.sweeps;
@@ -63,9 +82,10 @@ void add_step(const engine::StepCount& step, Counts& sum) {
     sum.multiply_adds += step.multiply_adds;
 }
 
-// What there is once per step is divided by the engine steps, the rest by the steps of the run.
+// Counts of engine steps are divided by the engine steps, the rest by the steps of the run.
 Counts means_of(Counts sum) {
-    for (double* each : {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.columns, &sum.at_rest}) {
+    for (double* each :
+         {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.joint_rows, &sum.columns, &sum.at_rest}) {
         *each /= sum.substeps;
     }
     for (double* each :

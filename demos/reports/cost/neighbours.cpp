@@ -96,7 +96,7 @@ Neighbours beside(const std::vector<SceneDescription>& parts, double start) {
     return {name, parts, {1, 1}, scenes::side_by_side(name, parts), start};
 }
 
-// The same scene many times, each at another x [m].
+// The same scene many times, at different x [m].
 Neighbours many(const std::string& name, int count, int of, SceneDescription (*scene)(int of, double x)) {
     std::vector<SceneDescription> parts;
     for (int i = 0; i < count; ++i) parts.push_back(scene(of, 60.0 * i));
@@ -112,7 +112,7 @@ MeasuredState moment_of(const SceneDescription& scene, double start, const std::
     return moment_at(choices, start, check);
 }
 
-// The largest distance between the movable bodies of the first part alone and in the common world, at the moment.
+// The largest distance between the movable bodies of the first part alone and the same bodies in the common world.
 double distance(const MeasuredState& alone, const MeasuredState& together) {
     const BuiltScene a = alone.build(), b = together.build();
     double largest = 0.0;

@@ -30,7 +30,7 @@ const std::vector<Size> sizes{
     {"funnel of 2000", "funnel", {{"count", "2000"}}, true},
 };
 
-// A bar that yields at once: it never has its length, and so asks for a correction in every step.
+// A bar that yields at once: it never has its length, and so needs a correction in every step.
 DistanceDescription yielding_bar(const BodyDescription& body) {
     DistanceDescription bar;
     bar.a.point = body.position + engine::Vector3(0, 2, 0);
@@ -88,10 +88,13 @@ Parts parts_of(const BuiltScene& scene, const Settings& settings) {
     }
     if (scene.distances)
         parts.constraints.push_back(fmt::format("{} distances", scene.distances->distances().size()));
+    if (scene.joints) parts.constraints.push_back(fmt::format("{} joints", scene.joints->joints().size()));
     if (scene.contacts) {
         parts.constraints.emplace_back("contacts");
         if (scene.contacts->friction()) parts.contacts.emplace_back("friction");
         if (scene.contacts->restitution()) parts.contacts.emplace_back("restitution");
+        if (scene.contacts->materials()) parts.contacts.emplace_back("materials");
+        if (scene.contacts->filter()) parts.contacts.emplace_back("pairs left out");
         if (scene.contacts->continuous_collision()) parts.contacts.emplace_back("sweep");
         if (scene.contacts->cache()) parts.contacts.emplace_back("cache");
     }

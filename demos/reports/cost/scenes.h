@@ -1,5 +1,5 @@
-// What the ledger is about: every scene of the catalogue as it is, some in other sizes and at other times, and the
-// same scenes with every part that there is, for the price of parts that a scene does not need.
+// The scenes of the ledger: every scene of the catalogue, some in other sizes and at other times, and the same
+// scenes with every part added, to measure the cost of parts that a scene does not need.
 #pragma once
 
 #include "demos/options/named_run.h"
@@ -19,26 +19,26 @@ struct CostCase {
 
 std::vector<CostCase> cost_cases(bool quick);  // `quick`: the small ones
 
-// Without blanks and commas.
+// The name with '-' for blanks and without commas.
 std::string file_name(const std::string& name);
 
 // The scene of `description`, whose options are spelled out, with
 //
 //   a poke beside gravity, a distance, contacts with friction and restitution, sweep and cache,
 //   the distances pushed for a single frame, so that there are two columns in every step,
-//   rules that are asked before each step how long it may be.
+// rules that are evaluated before each step and may divide it.
 //
-// The additions are too small to be seen: forces of 1e-12 N, friction and restitution of 1e-9. Two things do
-// change: bodies that only swung through each other collide, and a length error that is corrected for a single
-// frame leaves no velocity.
+// The additions are negligible: forces of 1e-12 N, friction and restitution of 1e-9. Two things do change: bodies
+// that swung through each other now collide, and a length error that is corrected for a single frame leaves no
+// velocity.
 SceneDescription with_everything(SceneDescription scene);
 
-// The parts of a scene by name; those that it does not need are absent.
+// The parts of a scene by name, without absent ones.
 struct Parts {
     std::vector<std::string> forces;       // "gravity", "poke"
     std::vector<std::string> constraints;  // "50 distances", "contacts"
     std::vector<std::string> contacts;     // of the contact stage: "friction", "restitution", "sweep", "cache"
-    std::vector<std::string> step_rules;   // that divide a step
+    std::vector<std::string> step_rules;   // that may divide a step
 };
 
 Parts parts_of(const BuiltScene& scene, const Settings& settings);

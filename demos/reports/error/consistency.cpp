@@ -25,7 +25,7 @@ Choices choices_at(const ConsistencyCase& which, const Rational& dt) {
     return run_of(which.scene, options);
 }
 
-// The scene as it is when its bodies are in this state. What is remembered of contacts is lost, in all runs alike.
+// The scene with its bodies in this state. Cached contact forces are lost, in all runs alike.
 SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].mass) continue;
@@ -58,9 +58,9 @@ Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, c
 }  // namespace
 
 ConsistencyPlan consistency_plan(bool quick) {
-    // Where nothing touches, half a kick back is right from any state and gives the second order. A chain needs the
-    // iterations: what sweeps leave of its forces is another error, which does not shrink with the step. The
-    // heavy-on-light scene begins at rest and is left out: there is no motion to compare.
+    // Without contacts the start kick is right from any state and gives second order. A chain needs the iterations:
+    // the sweeps' error in its forces does not shrink with the step. The heavy-on-light scene is left out: it
+    // begins at rest, so there is no motion to compare.
     ConsistencyPlan plan{
         .cases = {{"stack", {}, "vermilion"},
                   {"intersecting-stack", {}, "orange"},

@@ -1,5 +1,5 @@
-// Each scene against itself at smaller steps: how fast what it converges to is reached. Runs begin anew, in several
-// windows, at states of one run of the smallest step, so that chaos does not grow beyond a window.
+// Convergence of each scene to itself at smaller steps. In several windows, runs restart from states of one run
+// with the smallest step, so that chaos does not grow beyond a window.
 //
 //   e_c(h) = sqrt( mean over windows and bodies of |x^h - x^h_min|^2 ) at the end of a window
 //   order p = log2( e_c(2h) / e_c(h) )

@@ -54,7 +54,7 @@ engine::MatrixX dense_matrix(const SystemEquation& system) {
     return A;
 }
 
-// The bounds of row `j` while all other forces are as they are: in a disc, the chord through it.
+// The bounds of row `j` with all other forces fixed: for a disc, the chord through it.
 engine::Interval range_of(const SystemEquation& system, const Columns& lambda, Eigen::Index j,
                           Eigen::Index column) {
     const engine::ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
@@ -65,8 +65,8 @@ engine::Interval range_of(const SystemEquation& system, const Columns& lambda, E
     return {-half, half};
 }
 
-// Adds a share of `change` to the free rows of a column, up to the first that reaches a bound; at most `most` of
-// it. Returns the share, infinity when nothing was there to reach and nothing was done.
+// Adds a share of `change`, at most `most`, to the free rows of a column, up to the first that reaches a bound.
+// Returns the share; infinity, and no change, if `most` is infinite and no row reaches a bound.
 double move(const SystemEquation& system, const std::vector<Eigen::Index>& free, const engine::VectorX& change,
             double most, Columns& lambda, Eigen::Index column) {
     const auto way = [&](std::size_t k) {
@@ -81,16 +81,16 @@ double move(const SystemEquation& system, const std::vector<Eigen::Index>& free,
     for (std::size_t k = 0; k < free.size(); ++k) {
         const auto [bound, reached] = way(k);
         double& value = lambda(free[k], column);
-        // What gets there is there, without a rounding in between.
+        // Exactly on the bound, without rounding.
         value = reached <= share ? bound : value + share * change[static_cast<Eigen::Index>(k)];
     }
     for (const Eigen::Index j : free) clamp_force(system.rows, j, column, lambda);
     return share;
 }
 
-// Rows between their bounds come to meet A lambda = b exactly, as far as the others let them: a row that reaches a
-// bound on the way stays there, and the rest goes on without it. A has no full rank where boxes touch, so the
-// smallest change is taken; what it cannot meet would grow for ever, until some bound ends it.
+// Active set method: solves A lambda = b for the rows between their bounds; a row that reaches a bound on the way
+// stays there, and the rest is solved again without it. A is rank-deficient where boxes touch, so the minimum-norm
+// change is taken; forces along an error that remains grow until a row reaches a bound.
 void finish_free_rows(const SystemEquation& system, const engine::MatrixX& A, Columns& lambda,
                       Eigen::Index column) {
     for (Eigen::Index turn = 0; turn < 2 * lambda.rows(); ++turn) {
@@ -128,7 +128,7 @@ ConvergedSolver::ConvergedSolver()
     : direct_(solver_if_any("direct")), experiments_(engine::solvers::make_solver("pgs")) {}
 
 std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, const Columns& guess) {
-    // Without tolerances, because a guess that is good enough to be kept would be its own reference, without error.
+    // Without tolerances: a guess that was kept would be its own reference and have no error.
     const auto attempt = [&](engine::solvers::Solver& solver, int iterations, Columns& lambda) {
         solver.solve(system, {.iterations = iterations, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
         return lambda.allFinite() && natural_residual(system, lambda) <= residual;
@@ -136,8 +136,8 @@ std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, cons
     Columns answer = guess;
     if (direct_ && attempt(*direct_, 100, answer)) return answer;
 
-    // Sweeps find out which rows are at their bounds long before the others are exact, which is linear then. Some
-    // modes they would not solve in a hundred thousand sweeps: bars that hold each other through contacts.
+    // Sweeps find the active set long before they converge on the remaining linear system: some modes, such as bars
+    // that hold each other through contacts, need more than a hundred thousand sweeps.
     answer = guess;
     if (attempt(*experiments_, 500, answer)) return answer;
     const engine::MatrixX A = dense_matrix(system);

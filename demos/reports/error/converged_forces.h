@@ -1,4 +1,4 @@
-// What the solver should have answered: the same system solved until nothing is left of its residual.
+// Reference forces: the same system solved down to a negligible residual.
 //
 //   e_f = sqrt( (lambda - lambda*)^T A (lambda - lambda*) / (lambda*^T A lambda*) )
 //
@@ -14,21 +14,21 @@
 
 namespace pushfactor::demos::reports::error {
 
-// e_f, the larger of all columns. Nothing when the converged forces do nothing.
+// e_f, the largest over the columns. None if the converged forces are zero.
 std::optional<double> force_error(const engine::SystemEquation& system, const engine::Columns& lambda,
                                   const engine::Columns& converged);
 
 class ConvergedSolver {
   public:
-    static constexpr double residual = 1e-10;  // m/s, natural map: what converged means
+    static constexpr double residual = 1e-10;  // m/s, natural map: bound of convergence
 
     ConvergedSolver();
 
-    // From `guess`. Nothing when no solver that there is gets there.
+    // The converged forces, starting from `guess`. None if no solver converges.
     std::optional<engine::Columns> solve(const engine::SystemEquation& system, const engine::Columns& guess);
 
   private:
-    std::unique_ptr<engine::solvers::Solver> direct_;  // null when there is none
+    std::unique_ptr<engine::solvers::Solver> direct_;  // null if this build has none
     std::unique_ptr<engine::solvers::Solver> experiments_;
 };
 

@@ -42,8 +42,8 @@ Method over_dt(const char* name, const char* differs, const char* colour, int da
     return one;
 }
 
-// Solvers, by the colours that they have in all plots. Sweeps run all their iterations (tolerance 0); what works to
-// a tolerance is swept over that.
+// Solvers with their colours in all plots. Iterative ones run all iterations (tolerance 0); direct ones are varied
+// over the tolerance.
 std::vector<Method> solvers(bool push_matters) {
     std::vector<Method> methods;
     const auto add = [&methods](const std::string& name, const std::string& more, const std::string& differs,
@@ -69,7 +69,7 @@ std::vector<Method> cold_solvers() {
             method("auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle)};
 }
 
-// Sweeps of whole steps next to small steps of so many sweeps each.
+// Sweeps of whole steps, and small steps with 1, 2 or 4 sweeps each.
 std::vector<Method> small_steps(bool quick) {
     std::vector<Method> methods{
         method("whole step, from the last forces", "tolerance=0 solver=pgs", "iterations", "blue"),
@@ -98,7 +98,7 @@ std::vector<Method> integrators() {
             over_dt("rattle6", "scheme=rattle6", "violet", solid, filled_triangle, 6)};
 }
 
-// Of bodies that nothing touches. rattle would be the half kick again.
+// For bodies without contacts. rattle would equal the half kick.
 std::vector<Method> free_motions() {
     return {over_dt("splitting, no kick", "start-kick=off", "blue", dashed, filled_square, 1),
             over_dt("splitting, half kick", "", "blue", solid, filled_circle, 2),
@@ -128,7 +128,7 @@ std::vector<Experiment> all_experiments(bool quick) {
     for (Method& each : parting) each.flies = each.name.ends_with("persistent");
 
     std::vector<Experiment> all;
-    // `full` and `short_run`: seconds of the run and of the quick one.
+    // `full` and `short_run`: seconds of the run and of the quick run.
     const auto add = [&](const char* scene, const char* title, const std::string& common, const char* full,
                          const char* short_run, MakeTrueError error, const char* error_axis, const char* caption,
                          std::vector<Method> methods) -> Experiment& {
@@ -148,7 +148,7 @@ std::vector<Experiment> all_experiments(bool quick) {
     add("intersecting-stack", "Intersecting stack: against the closed form", "slop=0 friction-model=paper", "0.5",
         "0.5", parting_error, "distance from the closed form, RMS [m]",
         "Five cubes part for half a second: the distance of their centres from the closed form of the exactly "
-        "solved steps, which for the persistent push is another one (they fly up) than for the single-frame push.",
+        "solved steps, which for the persistent push (they fly up) differs from that for the single-frame push.",
         parting);
     add("funnel", "Funnel: constraint forces", "count=20 friction-model=paper", "4", "3", converged_error,
         of_forces,
@@ -192,7 +192,7 @@ std::vector<Experiment> all_experiments(bool quick) {
     add("sphere_column", "Column of spheres: against the weights", "push=none warm-start=off", "1", "0.5",
         column_error, "relative error of the constraint forces in the first step",
         "Ten equal spheres one on the other: the constraint forces of the first step against the weights above "
-        "each contact. Grey: the known contraction of Gauss-Seidel, cos^2(pi/2n) a sweep.",
+        "each contact. Grey: the known contraction of Gauss-Seidel, cos^2(pi/2n) per sweep.",
         cold_solvers())
         .contraction = column_contraction(10);
     return all;

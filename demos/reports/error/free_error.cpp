@@ -1,4 +1,4 @@
-// Bodies that nothing touches: a parabola, and for boxes of three edges the closed form of a free turn.
+// Free bodies: a parabola, and for boxes with three different edges the closed form of free rotation.
 #include "demos/reports/error/true_errors.h"
 #include "demos/scenes/named/free_rotation.h"
 
@@ -26,7 +26,7 @@ struct Flight {
     }
 };
 
-// From the description, because the momenta of the start may already have had half a kick.
+// From the description, because the start kick may already have changed the momenta.
 Flight flight_of(const BodyDescription& described, const Body& body) {
     Flight flight{.start = described.position, .velocity = described.velocity};
     if (const auto* box = std::get_if<BoxShape>(&described.shape)) {
@@ -58,7 +58,7 @@ class FreeError : public TrueError {
             if (!flights_[i].rotation) continue;
             const Quaternion exact = flights_[i].rotation->at(time);
             const Matrix3 apart = bodies[i].orientation.toRotationMatrix() - exact.toRotationMatrix();
-            // The mean over all corners: those opposite each other cancel what is linear in the flight.
+            // Mean over all corners: terms linear in the offset cancel between opposite ones.
             corners_.add(flown + (apart * flights_[i].half_size.asDiagonal()).squaredNorm());
             angle_.add(std::pow(bodies[i].orientation.angularDistance(exact) * 180.0 / std::numbers::pi, 2));
         }

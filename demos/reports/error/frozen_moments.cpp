@@ -11,19 +11,19 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
-// Stacks land in the step in which the topmost cube, which falls through all gaps, meets the one below it.
+// The step in which the topmost cube, which falls through all gaps, meets the one below it.
 FrozenMoment landing(const std::string& count, const std::string& seconds) {
     return {"stack of " + count + ", landing", "stack", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}}};
 }
 
-// After some time with many iterations, before a tall stack has leaned.
+// After some time with many iterations, before a tall stack leans.
 FrozenMoment settled(const std::string& count, const std::string& seconds) {
     return {"stack of " + count + ", settled",
             "stack",
             {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}}};
 }
 
-// So many substeps that the bars stay whole.
+// Enough substeps for the bars to hold.
 FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) {
     return {"chain of " + links + ", end 1000 times heavier",
             "chain",
@@ -38,8 +38,8 @@ const std::map<std::string, const char*> colours{
 }  // namespace
 
 std::vector<FrozenMoment> hard_moments(bool quick) {
-    // The paper's bound of friction makes the problem convex, so that there is one answer to compare with. No cube
-    // of a stack is exactly above the next: symmetry would hide what Jacobi does.
+    // The paper's friction bound makes the problem convex, with a unique solution to compare with. No cube of a
+    // stack is exactly above the next: symmetry would hide the behaviour of Jacobi.
     const OptionTexts::value_type convex{"friction-model", "paper"};
     std::vector<FrozenMoment> moments{
         landing("5", "0.32"),
@@ -60,7 +60,7 @@ std::vector<FrozenMoment> hard_moments(bool quick) {
     for (FrozenMoment& moment : moments) {
         if (moment.scene == "stack")
             moment.options.insert(moment.options.end(), {{"jitter", "0.01"}, {"seed", "1"}, convex});
-        // Solvers get the system of a whole step, and the forces of one.
+        // Solvers get the system and the cached forces of a whole step.
         moment.options.emplace_back("scheme", "whole");
     }
     return moments;

@@ -1,5 +1,5 @@
-// Hard moments of scenes, frozen, and how far each solver gets with each of them: the solver alone, without what
-// its errors do to the run.
+// Frozen problems at hard moments of scenes, and the convergence of each solver on them, without the effect of its
+// errors on the run.
 #pragma once
 
 #include "demos/options/named_run.h"
@@ -21,7 +21,8 @@ struct FrozenMoment {
 
 std::vector<FrozenMoment> hard_moments(bool quick);
 
-// Runs the scene up to the moment. `check` is called at each step; what it throws ends the run.
+// Runs the scene up to the moment and freezes its system. `check` is called at each step; its exceptions end the
+// run.
 FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check);
 
 struct FrozenPoint {
@@ -31,13 +32,13 @@ struct FrozenPoint {
     double multiply_adds = 0.0;  // of the solve
 };
 
-// Every solver that there is, cold and warm, over iterations. `dense` is left out where it has more than 200 rows:
-// it gives the same as `pgs` at a cost of the cube.
+// Results of every solver, cold and warm, over iterations. `dense` is left out above 200 rows: it gives the same as
+// `pgs` at cubic cost.
 std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick);
 
 Table table_of(const std::vector<FrozenPoint>& points);  // frozen.csv
 
-// What the plot of one problem shows of its points: all but `dense`, whose work would press the others together.
+// Lines of the plot of one problem: all but `dense`, whose work would compress the others.
 std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points);
 
 }  // namespace pushfactor::demos::reports::error

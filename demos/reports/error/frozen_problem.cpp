@@ -19,7 +19,7 @@ using engine::Matrix3;
 using engine::Vector6;
 
 constexpr int format_version = 1;
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double infinite_force = std::numeric_limits<double>::infinity();  // N
 
 template <typename Numbers>
 Json numbers_of(const Numbers& numbers) {
@@ -57,7 +57,7 @@ int read_index(const JsonReader& json, std::size_t count) {
     return static_cast<int>(number);
 }
 
-// Of the row before, which may be the first of a disc.
+// `before` is the previous row, which may be the first of a disc.
 engine::Disc read_disc(const JsonReader& json, const ConstraintRow& row, const ConstraintRow* before) {
     const bool begun = before && before->bounds.disc == engine::Disc::first;
     const std::string disc = json.has("disc") ? json.at("disc").string() : "";
@@ -77,8 +77,8 @@ ConstraintRow read_row(const JsonReader& json, std::size_t bodies, std::span<con
     row.body_a = read_index(json.at("body_a"), bodies);
     row.body_b = read_index(json.at("body_b"), bodies);
     row.jacobian = {read_six(json.at("j_a")), read_six(json.at("j_b"))};
-    row.bounds.c_min = read_bound(json.at("c_min_n"), -unbounded);
-    row.bounds.c_max = read_bound(json.at("c_max_n"), unbounded);
+    row.bounds.c_min = read_bound(json.at("c_min_n"), -infinite_force);
+    row.bounds.c_max = read_bound(json.at("c_max_n"), infinite_force);
     if (json.has("of_row")) row.bounds.of_row = read_index(json.at("of_row"), index);
     row.bounds.disc = read_disc(json, row, before.empty() ? nullptr : &before.back());
     if (json.has("in_momenta")) row.bounds.in_momenta = json.at("in_momenta").boolean();
@@ -120,7 +120,7 @@ FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const auto count = static_cast<Eigen::Index>(rows.size());
     const std::size_t columns = rows.empty() ? 1 : rows.front().at("b_m_per_s2").elements().size();
     if (columns != 1 && columns != 2) rows.front().at("b_m_per_s2").refuse("one or two numbers");
-    const std::string one_a_column = "one number a column";
+    const std::string one_a_column = "one number per column";
     system_.b.resize(count, static_cast<Eigen::Index>(columns));
     guess_.resizeLike(system_.b);
     for (Eigen::Index j = 0; j < count; ++j) {

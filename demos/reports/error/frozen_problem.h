@@ -1,11 +1,11 @@
-// The system equation of one moment, frozen: what a solver gets, without the scene that made it. As a file it is
-// JSON, so that other programs can solve the same problem:
+// A frozen problem: the system equation of one step as a solver gets it, without the scene. As a JSON file other
+// programs can solve it too:
 //
 //   {
 //     "version": 1,
 //     "name": "stack of 5, landing",
 //     "dt_s": 0.01666,
-//     "bodies": [                      one a body, static ones with zeros
+//     "bodies": [                      one per body, static ones with zeros
 //       {
 //         "inverse_mass_per_kg": 0.83,
 //         "inverse_inertia_per_kg_m2": [9 numbers],       world frame, row by row
@@ -13,7 +13,7 @@
 //         "free_acceleration": [6 numbers]                v1/dt + M^-1 f_ext, m/s^2 and rad/s^2
 //       }, ...
 //     ],
-//     "rows": [                        J, one a constraint row
+//     "rows": [                        J, one per constraint row
 //       {
 //         "body_a": 0, "body_b": 1,    indices into bodies
 //         "j_a": [6 numbers], "j_b": [6 numbers],         linear part [1], angular part [m], world frame
@@ -21,13 +21,13 @@
 //         "of_row": 3,                 only where the bounds are factors of that row's lambda
 //         "disc": "first",             then "second": c_max bounds the length of both rows' lambda
 //         "in_momenta": false,         only where lambda of the last column is zero
-//         "b_m_per_s2": [one number a column],            right side of A lambda = b, A = J M^-1 J^T
-//         "guess_n": [one number a column]                where a warm solver starts
+//         "b_m_per_s2": [one number per column],          right side of A lambda = b, A = J M^-1 J^T
+//         "guess_n": [one number per column]              warm start
 //       }, ...
 //     ]
 //   }
 //
-// Find lambda [N], a column at a time: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
+// Find lambda [N], column by column: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
 #pragma once
 
 #include "demos/text/json.h"

@@ -9,8 +9,8 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
-constexpr double letter_height = 1.9;  // of a line, in widths of a letter
-constexpr double mark = 0.9;           // half a point's width
+constexpr double letter_height = 1.9;  // of a text line, in letter widths
+constexpr double mark = 0.9;           // half the width of a point's mark
 
 struct Box {
     double left, right, bottom, top;
@@ -78,7 +78,7 @@ std::vector<std::size_t> pareto_front(std::span<const Trade> points) {
     std::sort(order.begin(), order.end(), [points](std::size_t a, std::size_t b) {
         return std::tuple(points[a].error, points[a].work, a) < std::tuple(points[b].error, points[b].work, b);
     });
-    // With the error rising, a point is on the front when it takes less work than all before it.
+    // In order of rising error a point is on the front if it takes less work than all before it.
     std::vector<std::size_t> front;
     for (const std::size_t i : order) {
         if (front.empty() || points[i].work < points[front.back()].work) front.push_back(i);

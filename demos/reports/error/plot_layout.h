@@ -1,4 +1,4 @@
-// Geometry of plots: which points are on the Pareto front, and where labels go.
+// Geometry of plots: the Pareto front and the placement of labels.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ struct Trade {
     double work = 0.0;
 };
 
-// Indices of the points that no other point beats: no other has less of one without more of the other. In the order
-// of rising error, of equal points the first.
+// Indices of the points that no other point dominates (less error or work, and no more of the other), by rising
+// error; of equal points the first.
 std::vector<std::size_t> pareto_front(std::span<const Trade> points);
 
-// In widths of a letter, y upwards.
+// A position in letter widths, y upwards.
 struct Place {
     double x = 0.0, y = 0.0;
 };
@@ -27,9 +27,8 @@ struct Segment {
     Place from, to;
 };
 
-// The centre of each label next to its point, in the order of the points, so that none covers a point or another
-// label, and where there is room no line; nothing where there is no room. Labels keep inside the area from (0, 0)
-// to `corner`.
+// The centre of each label next to its point, so that none covers a point or another label, and if possible no
+// line; none where there is no room. Labels stay inside the area from (0, 0) to `corner`.
 std::vector<std::optional<Place>> place_labels(const std::vector<Place>& points,
                                                const std::vector<std::string>& labels,
                                                const std::vector<Segment>& lines, const Place& corner);

@@ -24,7 +24,7 @@ struct StepTimes {
     void observe(const Simulation& run) { us.push_back(*run.sample().cpu_us); }
 };
 
-// Fills in all but the times.
+// Sets everything in `point` except the times.
 void run_for_errors(const Experiment& sweep, const Choices& choices, const std::function<void()>& check,
                     ErrorPoint& point) {
     Simulation run(choices);

@@ -1,5 +1,5 @@
-// One point of a sweep: a scene by a method at one value of its knob, run once for its errors and its work and some
-// times more for the clock, which measuring would disturb.
+// One point of a sweep: a scene with a method at one value of its knob, run once for errors and work, and several
+// times for CPU time, which measuring would distort.
 #pragma once
 
 #include "demos/pages/table.h"
@@ -11,8 +11,8 @@
 
 namespace pushfactor::demos::reports::error {
 
-// CPU seconds of the engine steps a simulated second, of a run up to where it became non-finite. Scenes that come
-// to rest cost more before, so medians of the first two seconds and of the last one stand beside the whole.
+// CPU seconds of the engine steps per simulated second, up to the last finite step. Scenes that come to rest cost
+// more at first, so the medians of the first two seconds and of the last one are listed too.
 struct CpuShare {
     double min = 0.0, median = 0.0, p95 = 0.0;
     double first_two_seconds = 0.0, last_second = 0.0;
@@ -20,19 +20,19 @@ struct CpuShare {
 
 struct ErrorPoint {
     std::string scene, method, differences, knob, value;
-    std::vector<NamedError> errors{};  // of all steps before it became non-finite
-    double multiply_adds = 0.0;        // of the solver, a simulated second: the same on every machine
-    double moves = 0.0;                // of all bodies, a simulated second
+    std::vector<NamedError> errors{};  // over all finite steps
+    double multiply_adds = 0.0;        // of the solver per simulated second, equal on every machine
+    double moves = 0.0;                // of all bodies per simulated second
     CpuShare cpu{};
     std::string outcome{};  // as in a summary, or non-finite
-    bool failed = false;    // it blew up or fell where an exact answer would not
+    bool failed = false;    // it blew up or fell, which the exact solution does not
 };
 
-// `check` is called often; what it throws ends the run.
+// `check` is called often; its exceptions end the run.
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
                      const std::function<void()>& check);
 
-// The smallest value that at least 95 % of all do not exceed; `values` is not empty.
+// The smallest value that at least 95 % of `values`, which is not empty, do not exceed.
 double percentile_95(std::vector<double> values);
 
 Table table_of(const std::vector<ErrorPoint>& points);  // error.csv, one line per point and error

@@ -14,9 +14,9 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
-constexpr double least_error = 1e-16;  // rounding: nothing below is told apart
+constexpr double least_error = 1e-16;  // rounding: smaller errors are not distinguished
 constexpr double aspect = 1.45;
-// Of the area inside the axes, in widths of a letter of the labels; the script draws them in this size.
+// Size of the area inside the axes in letter widths of the labels; the script draws them in this size.
 constexpr Place area{110.0, 100.0 / aspect};
 
 // Powers of ten at both ends of an axis.
@@ -46,13 +46,13 @@ Decades decades(const std::vector<double>& values) {
         most = std::max(most, value);
     }
     if (most <= 0.0) return {};
-    // Half decades, with room so that no point lies on the border by chance.
+    // Half decades, with a margin so that no point is on the border.
     const double low = 0.5 * std::floor(2.0 * (std::log10(least) - 0.1));
     const double high = 0.5 * std::ceil(2.0 * (std::log10(most) + 0.1));
     return {low, std::max(high, low + 1.0)};
 }
 
-// Points that can be drawn at all; those without work cannot stand on a logarithmic axis.
+// Whether the point can be drawn: zero work has no place on a logarithmic axis.
 bool drawable(const WorkPoint& point) {
     return point.work > 0.0 && (point.failed || std::isfinite(point.error));
 }
@@ -78,7 +78,7 @@ int number_of(const std::string& colour) {
     return found ? number_of(*found) : 0x444444;
 }
 
-// One block of the data file. Never empty, which gnuplot would not count.
+// One block of the data file. Never empty, because gnuplot does not count empty blocks.
 std::string block(const std::string& what, const std::string& lines) {
     return fmt::format("# {}\n{}\n\n", what, lines.empty() ? "nan,nan,,0\n" : lines);
 }
@@ -102,7 +102,7 @@ std::string front_block(const WorkPlot& plot, const Axes& axes) {
     return block("Pareto front as steps: error, work", lines);
 }
 
-// The part inside the axes: what leaves the area would be drawn over its margins.
+// The part inside the axes; the rest would be drawn over the margins.
 std::vector<std::pair<double, double>> visible(const TheoryLine& theory, const Axes& axes) {
     std::vector<std::pair<double, double>> points;
     for (const auto& [error, work] : theory.points) {
@@ -112,7 +112,7 @@ std::vector<std::pair<double, double>> visible(const TheoryLine& theory, const A
     return points;
 }
 
-// Of the points and of the theory lines, at their upper ends.
+// Labels of the points and, at their upper ends, of the theory lines.
 class Labels {
   public:
     Labels(const WorkPlot& plot, const Axes& axes) : axes_(axes) {
@@ -146,7 +146,7 @@ class Labels {
     }
 
   private:
-    // Of points that lie on each other one label is enough where they belong to one line or have the same value.
+    // Coincident points get one label if they belong to one line or have the same value.
     void add(const Place& place, const std::string& text, int colour) {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const bool same_point = std::hypot(points_[i].x - place.x, points_[i].y - place.y) < 1.0;

@@ -1,4 +1,4 @@
-// Work against error, double logarithmic: lower left is better. The plot of all reports that compare methods.
+// Work-precision diagrams, double logarithmic: lower left is better.
 #pragma once
 
 #include "demos/pages/page.h"
@@ -11,7 +11,7 @@
 namespace pushfactor::demos::reports::error {
 
 struct WorkPoint {
-    double error = 0.0;  // drawn at the left border where it is below what the axis shows
+    double error = 0.0;  // drawn at the left border if below the axis range
     double work = 0.0;
     std::string label;    // the value of the knob
     bool failed = false;  // drawn hollow at the right border
@@ -25,7 +25,7 @@ struct WorkLine {
     std::vector<WorkPoint> points;
 };
 
-// What is known beforehand: a thin grey line.
+// Theory: a thin grey line.
 struct TheoryLine {
     std::string label;
     std::vector<std::pair<double, double>> points;  // error, work
@@ -34,10 +34,10 @@ struct TheoryLine {
 struct WorkPlot {
     std::string name;  // of the files
     std::string error_axis, work_axis;
-    std::string machine;  // small, below
+    std::string machine;  // in small print below
     std::vector<WorkLine> lines;
     std::vector<TheoryLine> theory;
-    bool front = true;  // mark the Pareto front; lines that are not alternatives have none
+    bool front = true;  // mark the Pareto front; not for lines that are no alternatives
 };
 
 // Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg. Adds the files to the plate;

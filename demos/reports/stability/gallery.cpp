@@ -19,7 +19,7 @@ constexpr int columns = 3;
 constexpr int samples = 4;
 constexpr float letters = 11.0f;  // pixels
 
-// Of a box its corners: a ball around a floor or a card would be mostly empty.
+// Boxes by their corners: a ball around a floor or a card would be mostly empty.
 void add_balls(const BodyDescription& body, std::vector<pictures::Ball>& balls) {
     if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) {
         balls.push_back({body.position, sphere->radius});
@@ -31,7 +31,7 @@ void add_balls(const BodyDescription& body, std::vector<pictures::Ball>& balls) 
     }
 }
 
-// What a scene begins with: what moves, what it hangs on, and the walls that are not infinite.
+// The start of a scene: all finite bodies, and the fixed points of its distances.
 std::vector<pictures::Ball> balls_of(const SceneDescription& start) {
     std::vector<pictures::Ball> balls;
     for (const BodyDescription& body : start.bodies) add_balls(body, balls);
@@ -50,7 +50,8 @@ Eigen::AlignedBox3d place_of(const std::vector<pictures::Ball>& balls) {
     return place;
 }
 
-// Pictures have single precision, so what is far away is drawn as if it were here: where the origin is to be.
+// Pictures have single precision, so scenes far from the origin are drawn shifted: the point that becomes the
+// origin.
 Vector3 origin_of(const SceneDescription& start) {
     const Eigen::AlignedBox3d place = place_of(balls_of(start));
     const bool far = !place.isEmpty() && place.center().norm() > 100.0 * place.diagonal().norm();
@@ -63,11 +64,16 @@ void shift(SceneDescription& scene, const Vector3& by) {
         if (distance.a.body == "world") distance.a.point += by;
         if (distance.b.body == "world") distance.b.point += by;
     }
+    for (JointDescription& joint : scene.joints) {
+        if (joint.a.body == "world") joint.a.point += by;
+        if (joint.b.body == "world") joint.b.point += by;
+    }
     scene.view.eye += by;
     scene.view.target += by;
 }
 
-// Shows how it began and where it ended, but for what ended so far away that nothing else would be seen.
+// A camera with the start and the end of the run in view, without bodies that ended so far away that nothing else
+// would be visible.
 View camera(const SceneDescription& start, const BuiltScene& end, double aspect) {
     std::vector<pictures::Ball> balls = balls_of(start);
     const std::vector<pictures::Ball> ended = pictures::movable_balls(end);
@@ -79,7 +85,7 @@ View camera(const SceneDescription& start, const BuiltScene& end, double aspect)
     return pictures::fitted(start.view, balls, aspect);
 }
 
-// Blank where the state lies beyond what a picture can hold.
+// Blank if the state is beyond single precision.
 renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const Trial& trial) {
     Choices choices = understand(trial.state().string(), {});
     SceneDescription start = trial.start();

@@ -1,4 +1,4 @@
-// Thumbnails of how the runs of a chapter ended, on one sheet.
+// Thumbnails of the last states of a chapter's runs, on one sheet.
 #pragma once
 
 #include "demos/pages/figure_output.h"
@@ -11,13 +11,13 @@ namespace pushfactor::demos::reports::stability {
 
 class Gallery {
   public:
-    // Pictures lie in `folder`. Without an offscreen context there are none.
+    // Pictures are written to `folder`. Without an offscreen context there are none.
     explicit Gallery(const std::filesystem::path& folder);
 
-    // Why there are no pictures, one line; empty when there are.
+    // The reason why there are no pictures, one line; empty if there are.
     const std::string& missing() const { return missing_; }
 
-    // Writes NAME.png and gives that name; empty when there is nothing to be seen. Throws OutputError.
+    // Writes NAME.png and returns that name; empty without pictures. Throws OutputError.
     std::string hang(const std::string& name, std::span<const Trial> trials);
 
   private:

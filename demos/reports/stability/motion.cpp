@@ -1,4 +1,4 @@
-// What is fast, turns or bounces; bars; scenes with little or nothing in them.
+// Cases with fast, spinning or bouncing bodies, bars, and scenes with little or nothing in them.
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes/scenes.h"
 
@@ -42,7 +42,7 @@ Chapter passing() {
     return chapter;
 }
 
-// They move in their place.
+// Bodies that spin in place.
 Chapter turning() {
     Chapter chapter{"turning",
                     "Free bodies that turn fast or about their middle axis, 60 s: energy and spins stay"};

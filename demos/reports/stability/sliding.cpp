@@ -1,4 +1,4 @@
-// What slides, rolls or holds by friction, what must not notice it, and floors of flush boxes.
+// Cases of sliding, rolling and static friction, of hovering bodies without friction, and floors of flush boxes.
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/measures/slab_slide.h"
 #include "demos/reports/stability/scenes/scenes.h"
@@ -11,15 +11,15 @@ namespace pushfactor::demos::reports::stability {
 
 namespace {
 
-// A step takes the speed of its end for its whole length, and the last one stops within it: times this, of speed
-// times step, a way of first order may be off.
+// Allowed error of a sliding distance, as a factor of speed x step: a step uses its final speed for its whole
+// length, and the body stops within the last one.
 constexpr double first_order = 1.5;
 
 const Check straight_on{"sideways_m", 1e-6};
 const Check no_spin{"vertical_spin_rad_per_s", 1e-6};
 const Check not_turned{"turned_rad", 1e-6};
 
-// Those that do not depend on the length of a step.
+// Checks that do not depend on the step.
 auto always(const Checks& checks) {
     return [checks](double) { return checks; };
 }
@@ -92,8 +92,8 @@ Chapter slab() {
     Chapter chapter{"slab",
                     "A slab 1 x 0.2 x 1 m that slides at 3 m/s and turns by 10 rad/s, friction 0.3: goes as far as "
                     "quadrature says at any step"};
-    // A step less than the way has half a step of the first speed. exact has a square for the cone, whose second
-    // tangent holds what turns.
+    // First order: half a step at the first speed. exact has a square instead of the cone, whose second tangent
+    // slows a spinning body too much.
     chapter.add_at_both_steps(
         "spinning-slab", spinning_slab(speed, spin, Slab{}.friction), "4", "rest",
         [&](double step) -> Checks {
@@ -110,7 +110,7 @@ Chapter rolls() {
     constexpr double speed = 3.0;     // m/s
     constexpr double friction = 0.3;  // mu
     constexpr double seconds = 1.0;
-    // It slides until its surface runs as fast as it does: then 5/7 of its speed are left.
+    // It slides until it rolls, with 5/7 of its speed.
     constexpr double sliding = 2.0 * speed / (7.0 * friction * usual_gravity);  // s
     constexpr double rolls_at = 5.0 / 7.0 * speed;                              // m/s
     constexpr double way = 0.5 * (speed + rolls_at) * sliding + rolls_at * (seconds - sliding);
@@ -168,7 +168,7 @@ Chapter seams() {
         "seams",
         "Cubes, planks and balls on flush boxes, also with every other box 0.5 mm lower: as on a single "
         "box; but walls and steps stop them"};
-    add_rides(chapter, 0.1, "3", "creep");  // as slow as that
+    add_rides(chapter, 0.1, "3", "creep");  // 0.1 m/s counts as creeping
     add_rides(chapter, 4.0, "0.8", "moving");
     add_rides(chapter, 50.0, "0.067", "moving");
     constexpr double slop = 0.002;  // m, of a cube of 1 m
@@ -176,7 +176,7 @@ Chapter seams() {
         chapter.add_at_both_steps(
             name, scene, "4", "rest", always({{"farthest_m", beyond, way_to_stop}}),
             [&](double step) -> Expectations {
-                // Short steps leave default a speed of a tenth of its seat in a step, which nothing takes away.
+                // With short steps default keeps a speed of a tenth of `seat` per step, which nothing removes.
                 return {{"default", step < 0.01 && beyond == slop ? "creep" : "rest"}, {"exact", "rest"}};
             },
             name == "cube-stopped-by-step");

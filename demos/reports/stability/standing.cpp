@@ -1,4 +1,4 @@
-// What should stand: towers, cubes of all sizes, overlaps, thin bodies.
+// Cases that should stand: towers, cubes of all sizes, overlaps, thin bodies.
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes/scenes.h"
 
@@ -16,7 +16,7 @@ Chapter heavy_on_light() {
         const OptionTexts options{{"mass-ratio", ratio}};
         chapter.add(name, "heavy-on-light", options, "rest", {deep}, {{"default", "rest"}, {"paper", "fall"}},
                     ratio == "1000");
-        // To rounding, where nothing is left to a slop.
+        // To rounding, as there is no slop.
         chapter.add(name + "-to-rounding", "heavy-on-light", options, "rest", {{"penetration_at_end_m", 1e-9}},
                     {{"exact", "rest"}}, ratio == "1000");
     }
@@ -78,7 +78,7 @@ Chapter overlaps() {
                     {{"beta", beta}, {"seconds", "5"}}, "rest",
                     {{"max_upward_speed_m_per_s", 1e-6}, {"penetration_at_end_m", 0.0021}},
                     with_paper("rest", paper), quick);
-        // The cones of eight points that push by a metre are not always solved to the tolerance.
+        // With eight contact points and a push of a metre the cones are not always solved to tolerance.
         if (overlap == 1.0) chapter.cases.back().expected.front().reached = {1e-5};
     };
     for (const double overlap : {0.01, 0.1, 0.25, 0.5, 0.9, 1.0}) add(overlap, "0.2", "creep", overlap == 0.5);
@@ -92,7 +92,7 @@ Chapter overlaps() {
 Chapter thin() {
     Chapter chapter{"thin", "Cards, a plank and a rod that lie, stand and lean, 20 s: stand"};
     const auto add = [&chapter](const SceneDescription& scene, double thickness, bool quick = false) {
-        // The energy in J: a body of 1 kg that is lowered by a hundredth of its thickness.
+        // Energy bar: a body of 1 kg lowered by a hundredth of its thickness.
         const Checks checks{{"max_penetration_m", 0.002, 0.0, thickness},
                             {"max_off_axis_m", 1e-3},
                             {"energy_change_at_end_j", 0.01, 0.0, usual_gravity * thickness}};

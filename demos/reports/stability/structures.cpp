@@ -1,5 +1,5 @@
-// Members of the families (demos/scenes/families) that are hard: what stands must stand still, what leaves must
-// leave.
+// Hard members of the families (demos/scenes/families): what should stand must not move, what should slide or
+// topple must do so.
 #include "demos/reports/stability/cases.h"
 #include "demos/scenes/families/family.h"
 
@@ -17,22 +17,22 @@ Check penetration(double most) {
     return {"max_penetration_m", most};
 }
 
-// What stands is never `moved` by more than this sideways [m], and does not creep on.
+// Checks of structures that stand: moved by at most `moved` sideways [m], no creep.
 Checks standing(double deep, double moved) {
     return {penetration(deep), {"max_off_axis_m", moved}, no_energy, {"drift_after_10_s_m", 1e-4}};
 }
 
-// `left`: m, sideways at least.
+// Checks of bodies that slide or topple, sideways by at least `left` [m].
 Checks leaving(double left) {
     return {penetration(0.01), {.measure = "max_off_axis_m", .bar = left, .at_least = true}, no_energy};
 }
 
 const Checks piled{penetration(0.1), no_energy};
 
-// What answers to rounding leave of what stands.
+// Standing structures, solved to rounding.
 const Checks exactly = standing(1e-9, 1e-6);
 
-// Parameters that all families call the same have the same values where `given` does not say anything else.
+// A member with friction 0.5 and gap 0 unless `given` differs.
 SceneDescription member(const std::string& family_name, const GivenValues& given) {
     families::Choice choice{.given = given};
     const families::Family& family = *families::find_family(family_name);
@@ -52,7 +52,7 @@ struct Outcome {
 
 class Structures {
   public:
-    // Under `default`, and under `exact` where there are checks for that.
+    // Adds a case for `default`, and one for `exact` if there are checks for it.
     void add(const std::string& name, const std::string& family, const GivenValues& values, const Checks& checks,
              const Checks& exact_checks = exactly, const Outcome& of_default = {}, bool quick = false,
              const Reached& of_exact = {}) {
@@ -110,7 +110,7 @@ void add_what_is_at_the_limit(Structures& all) {
             leaving(0.5), {"rest", {{}, {}, 1e-4}}, false, {0.02, {}, 1e-4});
 }
 
-// Exact answers of large piles take minutes. Where balls roll away, that is an outcome `moving`.
+// Solving large piles exactly takes minutes. Balls that roll away give the outcome `moving`.
 void add_piles(Structures& all) {
     all.add("200-cubes", "cubes", {{"count", "200"}, {"layers", "4"}}, piled, piled, {"creep"}, false, {0.25, {}});
     all.add("200-mixed", "mixed", {{"count", "200"}, {"layers", "4"}}, piled, {}, {"moving", {0.25, {}}});

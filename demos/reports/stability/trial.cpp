@@ -22,7 +22,7 @@ bool better_or_equal(double value, double bar, bool at_least) {
     return at_least ? value >= bar : value <= bar;
 }
 
-// What is farthest from what the check asks for.
+// The value that is farthest from meeting the check.
 std::optional<double> worst(const Check& check, const std::vector<double>& values) {
     std::optional<double> found;
     for (const double value : values) {
@@ -72,7 +72,7 @@ Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<do
         verdict.holds = verdict.met || (index < reached.size() && reached[index] &&
                                         better_or_equal(*verdict.value, *reached[index], check.at_least));
     }
-    // Where another outcome than the wanted one is expected, the bars cannot be, unless it says what is reached.
+    // Where an unwanted outcome is expected, bars are not judged unless `reached` is given.
     if (outcome != one_.wanted && reached.empty()) verdict.holds = true;
     return verdict;
 }

@@ -1,5 +1,5 @@
-// One case under one preset: a run of the program in a process of its own, so that nothing that a case does reaches
-// another one, and what was expected of it.
+// A trial: one case under one preset, run in a separate process so that cases cannot affect each other, and its
+// verdicts.
 #pragma once
 
 #include "demos/platform/child_process.h"
@@ -13,36 +13,36 @@
 namespace pushfactor::demos::reports::stability {
 
 struct Verdict {
-    const Check* check = nullptr;   // none where the outcome is all that is asked
-    std::optional<double> value{};  // of several bodies the worst
-    bool met = true;                // the bar
+    const Check* check = nullptr;   // null if only the outcome is checked
+    std::optional<double> value{};  // the worst of several bodies
+    bool met = true;                // the bar is met
     bool holds = true;              // as expected, or better
 };
 
 class Trial {
   public:
-    // `one` and `expected` must outlive the trial. Its scene file, if it has one, lies in `folder`/scenes; what the
-    // run writes for the report lies in `folder`/runs.
+    // `one` and `expected` must outlive the trial. Its scene file, if it has one, is in `folder`/scenes; the output
+    // of the run is in `folder`/runs.
     Trial(const Case& one, const Expected& expected, const std::filesystem::path& folder);
 
     const Case& one() const { return one_; }
     const Expected& expected() const { return expected_; }
     std::string name() const { return one_.name + "-" + expected_.preset; }
-    const std::string& command() const { return command_; }  // that shows the same
+    const std::string& command() const { return command_; }  // that reproduces it
 
-    // `program` is this one. Throws ChildProcessError.
+    // `program` is the path of this program. Throws ChildProcessError.
     void start(const std::filesystem::path& program);
     bool has_ended() const { return tool_->has_ended(); }
     void judge();  // after it has ended
 
-    // After judge().
+    // Valid after judge().
     const std::string& outcome() const { return outcome_; }
-    const std::vector<Verdict>& verdicts() const { return verdicts_; }  // one at least
+    const std::vector<Verdict>& verdicts() const { return verdicts_; }  // at least one
     bool holds() const;
 
     const SceneDescription& start() const { return start_; }
 
-    // The last state, as a scene file. There is none where the run failed.
+    // Scene file of the last state; missing if the run failed.
     std::filesystem::path state() const;
 
   private:
@@ -55,14 +55,14 @@ class Trial {
     std::string scene_;
     OptionTexts options_;
     SceneDescription start_;
-    std::vector<std::string> outputs_;  // options that write what is measured
+    std::vector<std::string> outputs_;  // output options that the measures need
     std::string command_;
     std::unique_ptr<ChildProcess> tool_;
     std::string outcome_;
     std::vector<Verdict> verdicts_;
 };
 
-// Writes the scene files of the cases that have one of their own.
+// Writes the scene files of the cases with a scene of their own.
 void write_scenes(const std::vector<Chapter>& chapters, const std::filesystem::path& folder);
 
 }  // namespace pushfactor::demos::reports::stability

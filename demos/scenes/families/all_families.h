@@ -1,11 +1,11 @@
-// The families, by what they are made of.
+// The families by source file.
 #pragma once
 
 #include "demos/scenes/families/family.h"
 
 namespace pushfactor::demos::families {
 
-// piles.cpp: what is dropped
+// piles.cpp: dropped bodies
 Family cubes();
 Family boxes();
 Family mixed();
@@ -21,13 +21,13 @@ Family crossed();
 Family wall();
 Family wall_hit();
 
-// blocks.cpp: cubes and blocks built up
+// blocks.cpp: structures of cubes and blocks
 Family pyramid();
 Family stacks();
 Family ball_on_cubes();
 Family overhang();
 
-// cards.cpp: what is thin and stands
+// cards.cpp: thin bodies that stand or lean
 Family card_house();
 Family dominoes();
 Family leaning_slab();

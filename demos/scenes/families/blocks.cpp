@@ -1,4 +1,4 @@
-// Cubes and blocks that are built up.
+// Structures of cubes and blocks.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
@@ -10,8 +10,6 @@ namespace pushfactor::demos::families {
 namespace {
 
 using engine::Vector3;
-
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
 
 Prospect describe_pyramid(const ParameterValues& values, Random&) {
     const double mu = values.number("friction");
@@ -51,7 +49,7 @@ Prospect describe_stacks(const ParameterValues& values, Random& random) {
     return {.scene = std::move(scene)};
 }
 
-// An even number of cubes a side meets under the ball, which sinks in between them by their gap.
+// With an even number of cubes per side the ball sinks between the four middle ones by their gap.
 Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     constexpr double side = 0.3, radius = 0.4;  // m
     const double gap = values.number("gap"), mu = values.number("friction"), step = side + gap;
@@ -74,8 +72,8 @@ Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     return {.scene = std::move(scene)};
 }
 
-// The k blocks on top of another have their common centre over its edge where the k-th of them lies L / (2 k)
-// farther out than the one below it: the harmonic overhang, all blocks at their limit together.
+// The harmonic overhang: the common centre of the k topmost blocks is over the edge of the block below if the k-th
+// of them is L / (2 k) farther out than that block. All blocks are at their limit together.
 Prospect describe_overhang(const ParameterValues& values, Random&) {
     const Vector3 block(1.0, 0.25, 0.5);  // m
     const double mu = values.number("friction");
@@ -104,7 +102,7 @@ Family pyramid() {
             "Stands: every cube lies on two others under its own middle, whatever it weighs.",
             {{{"rows", "N", "number of rows", 0, 2, 20, true}, 2, 5},
              {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, 1, 1000, Draw::by_decades},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_pyramid};
 }
 
@@ -113,7 +111,7 @@ Family stacks() {
         "stacks",
         "Independent stacks of two to five cubes, each a little off its axis.",
         "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
-        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction},
+        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction_of(0.3, 1.0)},
         describe_stacks};
 }
 
@@ -121,21 +119,21 @@ Family ball_on_cubes() {
     return {"ball-on-cubes",
             "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
             "Stands: the ball presses straight down on columns of cubes.",
-            {{{"side", "N", "cubes a side", 0, 2, 4, true}, 2, 3},
+            {{{"side", "N", "cubes per side", 0, 2, 4, true}, 2, 3},
              {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, 50, 5000, Draw::by_decades},
              {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_ball_on_cubes};
 }
 
 Family overhang() {
     return {"overhang",
-            "Blocks that overhang as far as they can, less or more by a share.",
+            "Blocks that overhang by a share less or more than the maximum.",
             "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
             {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
              {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},
              {{"beyond", "X", "share of the limit that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_overhang};
 }
 

@@ -1,4 +1,4 @@
-// What is thin and stands, leans or falls over.
+// Thin bodies that stand, lean or fall over.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
@@ -10,10 +10,10 @@ namespace {
 
 using engine::Vector3;
 
-// Pairs of leaning cards with floors across their upper ends, and a storey of one pair less on these.
+// Pairs of leaning cards with floors across their upper ends, each storey with one pair less.
 Prospect describe_card_house(const ParameterValues& values, Random&) {
     constexpr double lean = 0.2, height = 1.0, depth = 0.6, mass = 0.1;  // rad, m, m, kg
-    constexpr double floor = 1.0, pitch = 1.01;                          // m: length of a floor, from top to top
+    constexpr double floor = 1.0, pitch = 1.01;  // m: length of a floor, distance between tops
     const double thickness = height / values.number("slenderness"), mu = values.number("friction");
     // Half of the space that a leaning card takes.
     const double beside = 0.5 * (height * std::sin(lean) + thickness * std::cos(lean));
@@ -39,7 +39,7 @@ Prospect describe_card_house(const ParameterValues& values, Random&) {
     return {.scene = std::move(scene)};
 }
 
-// The first one turns about its lower edge in front, with half as much energy again as takes it past its balance.
+// The first one rotates about its lower front edge, with 1.5 times the energy that takes it past its balance.
 Prospect describe_dominoes(const ParameterValues& values, Random&) {
     constexpr double height = 1.0, depth = 0.5;  // m
     const double thickness = values.number("thickness"), mu = values.number("friction");
@@ -105,7 +105,7 @@ Family card_house() {
             "Stands: at the ground a pair needs a friction of about tan(0.2) / 2 to hold and has much more.",
             {{{"storeys", "N", "number of storeys", 0, 1, 5, true}, 1, 3},
              {{"slenderness", "R", "height of a card over its thickness", 0, 10, 50}, 10, 50},
-             {{"friction", "MU", "friction coefficient", 0, 0.7, 1.0}, 0.7, 1.0}},
+             friction_of(0.7, 1.0)},
             describe_card_house};
 }
 
@@ -116,7 +116,7 @@ Family dominoes() {
             {{{"count", "N", "number of dominoes", 0, 3, 200, true}, 3, 10, Draw::by_decades},
              {{"spacing", "M", "from one to the next, m", 0, 0.35, 0.7}, 0.35, 0.7},
              {{"thickness", "M", "of a domino, m", 0, 0.05, 0.12}, 0.05, 0.12},
-             {{"friction", "MU", "friction coefficient", 0, 0.4, 0.8}, 0.4, 0.8}},
+             friction_of(0.4, 0.8)},
             describe_dominoes};
 }
 

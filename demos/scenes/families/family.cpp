@@ -12,10 +12,10 @@ namespace pushfactor::demos::families {
 
 namespace {
 
-constexpr int most_draws = 1000;  // until a member is small enough
+constexpr int most_draws = 1000;  // attempts to draw a member that is small enough
 
-// A seed of its own for each parameter of each family (FNV-1a and splitmix64), so that none depends on what is
-// drawn for another one.
+// A separate seed for each parameter of each family (FNV-1a and splitmix64), so that drawn values are independent
+// of each other.
 int seed_of(int seed, std::string_view family, std::string_view parameter, int attempt) {
     std::uint64_t z = 0xcbf29ce484222325U;
     for (const std::string_view text : {family, parameter}) {
@@ -28,7 +28,7 @@ int seed_of(int seed, std::string_view family, std::string_view parameter, int a
     return static_cast<int>((z ^ (z >> 31)) & 0x7fffffffU);
 }
 
-// To three digits, so that one can read it.
+// To three digits, for readability.
 double rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);

@@ -1,5 +1,5 @@
-// Families of scenes: a member is drawn at random within the ranges of its parameters and judged by properties, one
-// of them what mechanics says of how it ends.
+// Families of scenes: members are drawn at random within the ranges of the parameters and judged by properties,
+// among them the end that mechanics predicts.
 #pragma once
 
 #include "demos/scenes/named/random.h"
@@ -17,7 +17,7 @@ namespace pushfactor::demos::families {
 
 using scenes::Random;
 
-// How a member ends.
+// The end that mechanics predicts for a member.
 //   stands   no body leaves its place
 //   rests    everything comes to rest, somewhere
 //   slides   some bodies leave their places without falling over
@@ -27,44 +27,44 @@ std::string_view name_of(Ends ends);
 
 enum class Draw { evenly, by_decades };
 
-// `range.low` to `range.high` is what may be given, and what members are drawn from; small members, for tests, from
-// the narrower one.
+// A parameter: allowed and drawn values are `range.low` to `range.high`; small members, for tests, are drawn from
+// the narrower range.
 struct FamilyParameter {
     Parameter range;
     double small_low = 0.0, small_high = 0.0;
     Draw draw = Draw::evenly;
 };
 
-// What a member is, and what is expected of it.
+// The scene of a member and its expected end.
 struct Prospect {
     SceneDescription scene;
     Ends ends = Ends::stands;
     double rest_by = 3.0;                // s; the scene runs for another second
     std::vector<std::string> leaving{};  // bodies that slide or topple
-    bool stirred = false;                // balls roll about for as long as they like, and into what rests
+    bool stirred = false;                // rolling balls may go on for ever and hit resting bodies
 };
 
 struct Family {
     std::string_view name;
-    std::string_view sentence;  // what it is
-    std::string_view why;       // how it ends, and why
+    std::string_view sentence;  // description
+    std::string_view why;       // expected end, and why
     std::vector<FamilyParameter> parameters;
     Prospect (*describe)(const ParameterValues& values, Random& random);
 };
 
 std::span<const Family> families();
 
-// Null when there is no family of that name.
+// Null if there is no family of that name.
 const Family* find_family(std::string_view name);
 
-// A value that is given as text for a parameter.
+// Parameter values as texts, by name.
 using GivenValues = std::vector<std::pair<std::string, std::string>>;
 
 struct Choice {
     int seed = 1;
-    GivenValues given{};  // names that the family has, values that are allowed
+    GivenValues given{};  // names of the family's parameters, allowed values
     bool small = false;
-    std::optional<std::size_t> most_bodies{};  // drawn again until there are no more
+    std::optional<std::size_t> most_bodies{};  // redrawn until there are no more
 };
 
 struct Member {
@@ -73,10 +73,10 @@ struct Member {
     GivenValues values;  // of all parameters, in their order
     Prospect prospect;
 
-    std::string command() const;  // that prints its scene
+    std::string command() const;  // prints its scene
 };
 
-// The same choice gives the same member. A value that is given changes no other value. Throws std::invalid_argument
+// Draws a member, the same for equal choices. Given values do not change the others. Throws std::invalid_argument
 // for a value that the family does not allow.
 Member draw_member(const Family& family, const Choice& choice);
 

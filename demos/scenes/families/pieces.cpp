@@ -9,6 +9,10 @@ namespace pushfactor::demos::families {
 using engine::Quaternion;
 using engine::Vector3;
 
+FamilyParameter friction_of(double low, double high) {
+    return {{"friction", "MU", "friction coefficient", 0, low, high}, low, high};
+}
+
 SceneDescription on_ground(double friction) {
     SceneDescription scene;
     scene.gravity = Vector3(0, -gravity, 0);
@@ -36,14 +40,6 @@ Quaternion turned(double angle) {
 
 Quaternion inclined(double angle) {
     return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
-}
-
-Quaternion random_orientation(scenes::Random& random) {
-    Quaternion q;
-    do {
-        for (double& component : q.coeffs()) component = random.in(-1.0, 1.0);
-    } while (q.squaredNorm() > 1.0 || q.squaredNorm() < 0.01);
-    return q.normalized();
 }
 
 double rest_by(double height, double friction, double speed) {

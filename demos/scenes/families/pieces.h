@@ -1,6 +1,7 @@
-// What members of families are put together from. The ground is the plane y = 0.
+// Building blocks of family members. The ground is the plane y = 0.
 #pragma once
 
+#include "demos/scenes/families/family.h"
 #include "demos/scenes/named/random.h"
 #include "demos/scenes/scene_description.h"
 
@@ -9,6 +10,9 @@
 namespace pushfactor::demos::families {
 
 constexpr double gravity = 10.0;  // m/s^2
+
+// The parameter "friction", between `low` and `high`.
+FamilyParameter friction_of(double low, double high);
 
 // An empty scene with its ground.
 SceneDescription on_ground(double friction);
@@ -22,14 +26,13 @@ BodyDescription& add_ball(SceneDescription& scene, const std::string& name, doub
 engine::Quaternion turned(double angle);
 engine::Quaternion inclined(double angle);
 
-// Every orientation is as likely.
-engine::Quaternion random_orientation(scenes::Random& random);
+using scenes::random_orientation;
 
-// When what falls from `height` [m] rests [s]: what a heap takes to settle, twice the time to fall, and the time
-// that something slides that has got the speed of that fall and the `speed` [m/s] of what was thrown.
+// Time [s] after which bodies that fall from `height` [m] are at rest: time for a heap to settle, twice the time to
+// fall, and the sliding time of a body with the speed of that fall and the `speed` [m/s] at which it was thrown.
 double rest_by(double height, double friction, double speed = 0.0);
 
-// A camera that has all movable bodies in its picture.
+// Sets a camera with all movable bodies in the picture.
 void look_at_all(SceneDescription& scene);
 
 }  // namespace pushfactor::demos::families

@@ -1,4 +1,4 @@
-// Piles: what is dropped comes to rest somewhere, because every contact takes energy and none gives any.
+// Piles: dropped bodies come to rest somewhere, because every contact dissipates energy and none adds any.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 #include "demos/scenes/named/funnel.h"
@@ -12,12 +12,11 @@ namespace {
 
 using engine::Vector3;
 
-constexpr double pitch = 0.75;  // m between the centres of what is dropped; nothing in a pile is larger
+constexpr double pitch = 0.75;  // m between the centres of dropped bodies, none of which is larger
 constexpr double cube = 0.4;    // m
 
 const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, 10, 24, Draw::by_decades};
 const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}, 2, 4};
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.1, 1.0}, 0.1, 1.0};
 
 // Places layer by layer, the lowest centre 0.6 m above the ground.
 class Places {
@@ -63,7 +62,7 @@ Prospect dropped(SceneDescription scene, double rest_by) {
     return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rest_by};
 }
 
-// A body for each place, by what `add` makes of its number.
+// A pile of bodies, each added by `add`.
 template <typename Add>
 Prospect pile(const ParameterValues& values, const Add& add) {
     SceneDescription scene = on_ground(values.number("friction"));
@@ -97,7 +96,7 @@ Prospect describe_mixed(const ParameterValues& values, Random& random) {
     return prospect;
 }
 
-// Cubes below, and rods above them that come down with a speed.
+// Cubes below, and rods thrown down from above.
 Prospect describe_rods(const ParameterValues& values, Random& random) {
     const double mu = values.number("friction"), speed = values.number("speed");
     SceneDescription scene = on_ground(mu);
@@ -140,7 +139,7 @@ Family cubes() {
     return {"cubes",
             "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_cubes};
 }
 
@@ -148,7 +147,7 @@ Family boxes() {
     return {"boxes",
             "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_boxes};
 }
 
@@ -156,7 +155,7 @@ Family mixed() {
     return {"mixed",
             "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
             "Comes to rest but for balls, which may roll for ever and push boxes.",
-            {count, layers, friction},
+            {count, layers, friction_of(0.1, 1.0)},
             describe_mixed};
 }
 
@@ -168,7 +167,7 @@ Family rods() {
              layers,
              {{"rods", "N", "number of rods", 0, 3, 500, true}, 3, 8, Draw::by_decades},
              {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}, 0, 10},
-             friction},
+             friction_of(0.1, 1.0)},
             describe_rods};
 }
 
@@ -176,8 +175,7 @@ Family funnel() {
     return {"funnel",
             "Balls of 0.5 m fall into a funnel of four planes.",
             "Comes to rest: no ball can roll anywhere but down.",
-            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades},
-             {{"friction", "MU", "friction coefficient", 0, 0.2, 0.8}, 0.2, 0.8}},
+            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades}, friction_of(0.2, 0.8)},
             describe_funnel};
 }
 

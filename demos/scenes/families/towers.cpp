@@ -15,8 +15,6 @@ const Vector3 plank(1.2, 0.08, 0.24);  // m
 constexpr double plank_mass = 14.0;    // kg
 constexpr const char* upright = "Stands: each layer lies flat on the one below, under its own middle.";
 
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
-
 Prospect standing(SceneDescription scene) {
     look_at_all(scene);
     return {.scene = std::move(scene)};
@@ -82,18 +80,19 @@ Family round_tower() {
     return {"round-tower",
             "A round tower of planks, each ring turned by half a plank.",
             upright,
-            {{{"planks", "N", "planks a ring", 0, 8, 20, true}, 8, 10},
+            {{{"planks", "N", "planks per ring", 0, 8, 20, true}, 8, 10},
              {{"rings", "N", "number of rings", 0, 2, 60, true}, 2, 5, Draw::by_decades},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_round};
 }
 
 Family square_tower() {
-    return {"square-tower",
-            "A square tower of planks, four a storey, laid like logs.",
-            upright,
-            {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, 2, 8, Draw::by_decades}, friction},
-            describe_square};
+    return {
+        "square-tower",
+        "A square tower of planks, four per storey, laid like logs.",
+        upright,
+        {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, 2, 8, Draw::by_decades}, friction_of(0.3, 1.0)},
+        describe_square};
 }
 
 Family crossed() {
@@ -102,7 +101,7 @@ Family crossed() {
             upright,
             {{{"layers", "N", "number of layers", 0, 2, 60, true}, 2, 10, Draw::by_decades},
              {{"gap", "M", "space between the planks of a layer, m", 0, 0, 0.05}, 0, 0.05},
-             friction},
+             friction_of(0.3, 1.0)},
             describe_crossed};
 }
 

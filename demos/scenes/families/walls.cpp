@@ -16,7 +16,6 @@ constexpr double kg_per_metre = 2.0;   // of brick; a whole one has 1 kg
 const FamilyParameter rows{{"rows", "N", "number of rows", 0, 2, 40, true}, 2, 6, Draw::by_decades};
 const FamilyParameter columns{{"columns", "N", "bricks per row", 0, 2, 40, true}, 2, 5, Draw::by_decades};
 const FamilyParameter gap{{"gap", "M", "space between neighbours, m", 0, 0, 0.02}, 0, 0.02};
-const FamilyParameter friction{{"friction", "MU", "friction coefficient", 0, 0.3, 1.0}, 0.3, 1.0};
 
 // Every second row begins and ends with half a brick.
 SceneDescription bricks(const ParameterValues& values) {
@@ -63,7 +62,7 @@ Family wall() {
     return {"wall",
             "A wall of bricks in bond, with or without gaps between neighbours.",
             "Stands: every brick lies on two others, or on a half and another, under its own middle.",
-            {rows, columns, gap, friction},
+            {rows, columns, gap, friction_of(0.3, 1.0)},
             describe_wall};
 }
 
@@ -74,7 +73,7 @@ Family wall_hit() {
             {rows,
              columns,
              gap,
-             friction,
+             friction_of(0.3, 1.0),
              {{"mass", "KG", "of the ball, kg", 0, 5, 500}, 5, 500, Draw::by_decades},
              {{"speed", "M/S", "of the ball, m/s", 0, 5, 20}, 5, 20}},
             describe_wall_hit};

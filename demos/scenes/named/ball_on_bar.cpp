@@ -52,7 +52,7 @@ std::vector<double> crossings(const BallOnBar& pendulum, double amplitude, std::
         const Swing next = runge_kutta(pendulum, swing, h);
         const double next_angle = centre_angle(pendulum, next);
         if ((angle > 0.0) != (next_angle > 0.0)) {
-            // Within a step the angle is a straight line but for h^2; two refinements bring that below rounding.
+            // Within a step the angle is linear up to O(h^2); two refinements reach rounding.
             double share = angle / (angle - next_angle);
             for (int i = 0; i < 2; ++i) {
                 const double there = centre_angle(pendulum, runge_kutta(pendulum, swing, share * h));

@@ -1,5 +1,5 @@
-// The exact motion of a ball that hangs on a massless bar by a point of its surface: a double pendulum whose first
-// link has no mass. The reference of the pendulum wave.
+// The exact motion of a ball that hangs on a massless bar by a point of its surface: a double pendulum with a
+// massless first link. The reference for the pendulum wave.
 //
 //   l^2 a'' + l r cos(a-b) b'' + l r sin(a-b) b'^2 + g l sin a = 0
 //   (r^2 + k^2) b'' + l r cos(a-b) a'' - l r sin(a-b) a'^2 + g r sin b = 0,     k^2 = 2/5 r^2

@@ -1,5 +1,5 @@
-// Balls on bars of 1 m, one after the other from a point in space, released from the horizontal. Under a heavy end
-// the bars are stiff sideways, which a time step has to resolve.
+// A chain of balls on bars of 1 m, released from the horizontal. Under a heavy end it is stiff against sideways
+// motion, which the time step has to resolve.
 #include "demos/scenes/named/chain.h"
 
 #include "demos/scenes/named/view.h"
@@ -23,7 +23,7 @@ std::span<const Parameter> chain_parameters() {
 
 SceneDescription chain(const ParameterValues& parameters) {
     constexpr double length = 1.0;  // m
-    constexpr double radius = 0.2;  // m, to be seen; the bars hold the centres
+    constexpr double radius = 0.2;  // m, drawn only; the bars hold the centres
     const int links = parameters.whole("links");
     const double end_mass = parameters.number("end-mass");
     const double angle = parameters.number("angle") * std::numbers::pi / 180.0;

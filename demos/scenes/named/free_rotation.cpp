@@ -16,7 +16,7 @@ using engine::Vector3;
 
 namespace {
 
-// l' = l x I^-1 l, an axis at a time: l_i' = factor(i) l_j l_k.
+// l' = l x I^-1 l, per axis: l_i' = factor(i) l_j l_k.
 double euler_factor(const Vector3& inertia, Eigen::Index axis) {
     return 1.0 / inertia[(axis + 2) % 3] - 1.0 / inertia[(axis + 1) % 3];
 }
@@ -78,7 +78,7 @@ double FreeRotation::precession_rate(double time) const {
     return l.norm() * (a / inertia_[a_] + b / inertia_[b_]) / (a + b);
 }
 
-// In the body frame: the line of phi, what is across it and l, and l.
+// Axes in the body frame: the line of phi, l x that line, and l.
 Matrix3 FreeRotation::frame(const Vector3& l) const {
     Matrix3 axes;
     axes.col(2) = l.normalized();
@@ -88,7 +88,7 @@ Matrix3 FreeRotation::frame(const Vector3& l) const {
 }
 
 Quaternion FreeRotation::at(double time) {
-    // Gauss' rule with five points, in pieces so short that nothing but rounding is left.
+    // Gauss quadrature with five points, in intervals so short that only rounding is left.
     static constexpr std::array<std::pair<double, double>, 5> points{{{-0.9061798459386640, 0.2369268850561891},
                                                                       {-0.5384693101056831, 0.4786286704993665},
                                                                       {0.0, 0.5688888888888889},

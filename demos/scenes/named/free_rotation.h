@@ -1,6 +1,6 @@
-// The exact rotation of a body that nothing turns and whose three moments of inertia differ: Euler's equations,
-// solved by the elliptic functions of Jacobi (Landau & Lifshitz, Mechanics, section 37), and a precession about the
-// angular momentum. The reference of tumbling bodies.
+// The exact torque-free rotation of a body with three different moments of inertia: Euler's equations, solved by
+// Jacobi elliptic functions (Landau & Lifshitz, Mechanics, section 37), and a precession about the angular
+// momentum. The reference for tumbling bodies.
 //
 //   l_z = l_z(0) dn(w t, m),  l_a = l_a(0) cn(w t, m),  l_b = C sn(w t, m)
 //   phi' = L (l_a^2 / I_a + l_b^2 / I_b) / (l_a^2 + l_b^2)
@@ -23,11 +23,11 @@ struct FreeBody {
 
 class FreeRotation {
   public:
-    // The motions that the formulas leave out (no start in the plane of a and z, a turn about one axis alone, or
-    // the one that never comes back from b) throw engine::InvalidInput.
+    // Throws engine::InvalidInput for motions that the formulas do not cover: a start outside the plane of a and z,
+    // rotation about one axis alone, and the separatrix.
     explicit FreeRotation(const FreeBody& body);
 
-    // The orientation at `time` [s], which is not before that of the last call. Exact to about 1e-13.
+    // The orientation at `time` [s], not earlier than in the last call. Exact to about 1e-13.
     engine::Quaternion at(double time);
 
   private:

@@ -18,20 +18,9 @@ namespace {
 
 constexpr double radius = 0.5;  // m
 constexpr double friction = 0.3;
-constexpr double spacing = 1.1;      // m between balls at the start
+constexpr double spacing = 1.1;      // m between the balls of a tower at the start
 constexpr double first_layer = 4.0;  // m above the tip
 constexpr int in_the_tower = 20;     // more balls than this start in layers
-
-void add_planes(SceneDescription& scene) {
-    for (int k = 0; k < 4; ++k) {
-        const Quaternion turn(Eigen::AngleAxisd(0.5 * std::numbers::pi * k, Vector3::UnitY()));
-        const Quaternion tilt(Eigen::AngleAxisd(-0.25 * std::numbers::pi, Vector3::UnitZ()));
-        scene.bodies.push_back({.name = "plane " + std::to_string(k + 1),
-                                .shape = PlaneShape{},
-                                .orientation = turn * tilt,
-                                .friction = friction});
-    }
-}
 
 void add_ball(SceneDescription& scene, const Vector3& position) {
     BodyDescription ball{
@@ -49,24 +38,45 @@ void add_tower(SceneDescription& scene, int count, Random& random) {
     }
 }
 
-// Square layers as wide as the funnel at their height, each ball a little off its place.
-void add_layers(SceneDescription& scene, int count, Random& random) {
-    int left = count;
-    for (double height = first_layer; left > 0; height += spacing) {
-        // At 45 degrees a ball clears the plane while |x| <= height - radius sqrt(2).
-        const double reach = height - std::numbers::sqrt2 * radius - 0.1;
-        const int side = 1 + static_cast<int>(std::floor(2.0 * reach / spacing));
-        const double corner = -0.5 * spacing * (side - 1);
-        for (int cell = 0; cell < side * side && left > 0; ++cell, --left) {
-            const double x = corner + spacing * (cell % side) + random.in(-0.04, 0.04);
-            const int row = cell / side;
-            const double z = corner + spacing * row + random.in(-0.04, 0.04);
-            add_ball(scene, {x, height, z});
-        }
+}  // namespace
+
+void add_funnel_planes(SceneDescription& scene, double mu) {
+    for (int k = 0; k < 4; ++k) {
+        const Quaternion turn(Eigen::AngleAxisd(0.5 * std::numbers::pi * k, Vector3::UnitY()));
+        const Quaternion tilt(Eigen::AngleAxisd(-0.25 * std::numbers::pi, Vector3::UnitZ()));
+        scene.bodies.push_back({.name = "plane " + std::to_string(k + 1),
+                                .shape = PlaneShape{},
+                                .orientation = turn * tilt,
+                                .friction = mu});
     }
 }
 
-}  // namespace
+std::vector<Vector3> funnel_places(int count, double reach, Random& random) {
+    const double apart = 2.2 * reach, jitter = 0.08 * reach;
+    std::vector<Vector3> places;
+    int left = count;
+    for (double height = first_layer; left > 0; height += apart) {
+        // At 45 degrees a ball clears the plane while |x| <= height - reach sqrt(2).
+        const double widest = height - std::numbers::sqrt2 * reach - 0.1;
+        const int side = 1 + static_cast<int>(std::floor(2.0 * widest / apart));
+        const double corner = -0.5 * apart * (side - 1);
+        for (int cell = 0; cell < side * side && left > 0; ++cell, --left) {
+            const double x = corner + apart * (cell % side) + random.in(-jitter, jitter);
+            const int row = cell / side;
+            const double z = corner + apart * row + random.in(-jitter, jitter);
+            places.emplace_back(x, height, z);
+        }
+    }
+    return places;
+}
+
+View view_into_funnel(int count) {
+    // The bodies fill a pyramid: its volume 4/3 h^3 holds them at a packing of about 0.6.
+    const double heap = std::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
+    View view = view_of({0, 0.65 * heap, 0}, 1.4 * heap);
+    view.eye.y() += 0.6 * heap;
+    return view;
+}
 
 std::span<const Parameter> funnel_parameters() {
     static constexpr std::array table{
@@ -80,19 +90,16 @@ SceneDescription funnel(const ParameterValues& parameters) {
     SceneDescription scene;
     scene.name = "funnel";
     scene.contacts = true;
-    add_planes(scene);
+    add_funnel_planes(scene, friction);
 
     const int count = parameters.whole("count");
     Random random(parameters.whole("seed"));
     if (count <= in_the_tower) {
         add_tower(scene, count, random);
     } else {
-        add_layers(scene, count, random);
+        for (const Vector3& place : funnel_places(count, radius, random)) add_ball(scene, place);
     }
-    // The balls fill a pyramid: its volume 4/3 h^3 holds them at a packing of about 0.6.
-    const double heap = std::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
-    scene.view = view_of({0, 0.65 * heap, 0}, 1.4 * heap);
-    scene.view.eye.y() += 0.6 * heap;
+    scene.view = view_into_funnel(count);
     return scene;
 }
 

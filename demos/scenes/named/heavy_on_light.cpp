@@ -1,5 +1,5 @@
-// A tower of cubes of 1 m and 1 kg that touch, the topmost R times heavier. An iteration carries a share of the
-// weight down, so the number that it takes grows with R.
+// A tower of touching cubes of 1 m and 1 kg, the topmost R times heavier. Each iteration carries a share of the
+// weight down, so the number of iterations needed grows with R.
 #include "demos/scenes/named/heavy_on_light.h"
 
 #include "demos/scenes/named/cube_tower.h"

@@ -24,7 +24,7 @@ SceneDescription intersecting_stack(const ParameterValues& parameters) {
 
     SceneDescription scene = cube_tower(tower);
     scene.name = "intersecting-stack";
-    // The same view whatever the push does, so that pictures compare: twice the height of the stack at rest.
+    // The same view for every push, so that pictures are comparable: twice the height of the stack at rest.
     scene.view = view_of_height(2.0 * tower.count * tower.side);
     return scene;
 }

@@ -16,14 +16,14 @@ using engine::Vector3;
 
 namespace {
 
-constexpr double radius = 0.5;    // m, of a pendulum's ball
-constexpr double mass = 3.0;      // kg
-constexpr double spacing = 1.12;  // m between the pendulums
-constexpr double bar = 2.0;       // m, from the top of the ball to the point in space
+constexpr double ball_radius = 0.5;    // m, of a pendulum's ball
+constexpr double mass = 3.0;           // kg
+constexpr double grid_spacing = 1.12;  // m between the pendulums
+constexpr double bar = 2.0;            // m, from the top of the ball to the point in space
 constexpr double sphere_radius = 0.6;
 constexpr double ground = -4.0;  // m
 
-// How many of the objects are still above the middles of the pendulums.
+// Number of objects whose centres are above those of the pendulums.
 class OnTop : public SceneMeasure {
   public:
     OnTop(std::size_t first, std::size_t count) : first_(first), count_(count) {}
@@ -43,14 +43,14 @@ class OnTop : public SceneMeasure {
 void add_pendulums(SceneDescription& scene) {
     for (int i = 0; i < 5; ++i) {
         for (int j = 0; j < 5; ++j) {
-            const Vector3 centre((i - 2) * spacing, 0.0, (j - 2) * spacing);
+            const Vector3 centre((i - 2) * grid_spacing, 0.0, (j - 2) * grid_spacing);
             BodyDescription ball{.name = "pendulum " + std::to_string(i + 1) + "-" + std::to_string(j + 1),
-                                 .shape = SphereShape{radius},
+                                 .shape = SphereShape{ball_radius},
                                  .mass = mass,
                                  .position = centre};
             ball.colour = "blue";
-            scene.distances.push_back({.a = {"world", centre + Vector3(0, radius + bar, 0)},
-                                       .b = {ball.name, Vector3(0, radius, 0)},
+            scene.distances.push_back({.a = {"world", centre + Vector3(0, ball_radius + bar, 0)},
+                                       .b = {ball.name, Vector3(0, ball_radius, 0)},
                                        .length = bar});
             scene.bodies.push_back(ball);
         }
@@ -82,9 +82,9 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
     add_pendulums(scene);
 
     // A sphere in a pocket touches four balls: their middles are half a diagonal of the spacing away.
-    const double reach = radius + sphere_radius;
-    const double pocket = std::sqrt(reach * reach - 0.5 * spacing * spacing) + 0.02;
-    const double s = spacing;
+    const double reach = ball_radius + sphere_radius;
+    const double pocket = std::sqrt(reach * reach - 0.5 * grid_spacing * grid_spacing) + 0.02;
+    const double s = grid_spacing;
     const std::size_t first = scene.bodies.size();
     add_object(scene, "sphere 1", SphereShape{sphere_radius}, {-0.5 * s, pocket, -0.5 * s}, "vermilion");
     add_object(scene, "sphere 2", SphereShape{sphere_radius}, {1.5 * s, pocket, 1.5 * s}, "orange");
@@ -100,7 +100,7 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
     scene.measure = [first, count](const engine::World&, MomentaAt) {
         return std::make_unique<OnTop>(first, count);
     };
-    // From where the sphere that may be poked is not hidden by the others.
+    // The sphere that may be poked is not hidden by others in this view.
     scene.view = view_of({0, -0.6, 0}, 5.4);
     scene.view.eye =
         scene.view.target + (scene.view.eye - scene.view.target).norm() * Vector3(-1, 0.45, 0.4).normalized();

@@ -1,7 +1,7 @@
 // Paper section 10.3 and Figure 10: "50 balls with the top of each ball attached to a fixed point in the world with
 // a distance constraint. The varied length generates the wave like procession". The paper gives no numbers: here
 // ball k makes 40 + k swings in 120 s, so that all are in phase again after two minutes and form two, three and
-// four groups after 60, 40 and 30 s. The balls never touch, and the scene has nothing that would notice.
+// four groups after 60, 40 and 30 s. The balls never touch, and the scene has no collision detection.
 #include "demos/scenes/named/pendulum_wave.h"
 
 #include "demos/scenes/named/ball_on_bar.h"
@@ -19,13 +19,13 @@ using engine::Vector3;
 
 namespace {
 
-constexpr double radius = 0.1;     // m
-constexpr double spacing = 0.25;   // m
-constexpr double cycle = 120.0;    // s
-constexpr int fewest_swings = 40;  // in a cycle, of the longest
-constexpr double beam = 3.2;       // m, height of the points in space
+constexpr double bob_radius = 0.1;     // m
+constexpr double wave_spacing = 0.25;  // m
+constexpr double cycle = 120.0;        // s
+constexpr int fewest_swings = 40;      // in a cycle, of the longest
+constexpr double beam = 3.2;           // m, height of the points in space
 
-// What the balls do against what they should, angle by angle, and how much of their swing they lose.
+// Angle error of the balls against their exact motion, and energy loss of the swing.
 class WaveMeasure : public SceneMeasure {
   public:
     WaveMeasure(const engine::World& world, const Vector3& gravity, std::vector<BallOnBar> pendulums,
@@ -53,8 +53,8 @@ class WaveMeasure : public SceneMeasure {
         samples_ += static_cast<double>(pendulums_.size());
         time_ = world.time();
 
-        // Where the momenta belong half a step before the positions, the kinetic energy of two steps is averaged
-        // around the potential energy between them.
+        // If momenta are half a step before positions, the kinetic energies of two steps are averaged around the
+        // potential energy between them.
         const double kinetic = engine::kinetic_energy(world.bodies);
         const double potential = engine::potential_energy(world.bodies, gravity_);
         energy_ =
@@ -96,19 +96,20 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
     const int count = parameters.whole("count");
     std::vector<BallOnBar> pendulums;
     for (int k = 0; k < count; ++k) {
-        BallOnBar pendulum{.length = 0.0, .radius = radius, .gravity = -scene.gravity.y()};
+        BallOnBar pendulum{.length = 0.0, .radius = bob_radius, .gravity = -scene.gravity.y()};
         pendulum.length = length_for_period(pendulum, amplitude, cycle / (fewest_swings + k));
         pendulums.push_back(pendulum);
 
         // Bar and ball aligned at the amplitude, swinging in the y-z plane.
-        const Vector3 hook(spacing * (k - 0.5 * (count - 1)), beam, 0.0);
+        const Vector3 hook(wave_spacing * (k - 0.5 * (count - 1)), beam, 0.0);
         const Vector3 along(0.0, -std::cos(amplitude), std::sin(amplitude));
-        BodyDescription ball{.name = "ball " + std::to_string(k + 1), .shape = SphereShape{radius}, .mass = 1.0};
-        ball.position = hook + (pendulum.length + radius) * along;
+        BodyDescription ball{
+            .name = "ball " + std::to_string(k + 1), .shape = SphereShape{bob_radius}, .mass = 1.0};
+        ball.position = hook + (pendulum.length + bob_radius) * along;
         ball.orientation = Quaternion(Eigen::AngleAxisd(-amplitude, Vector3::UnitX()));
         scene.bodies.push_back(ball);
         scene.distances.push_back(
-            {.a = {"world", hook}, .b = {ball.name, Vector3(0, radius, 0)}, .length = pendulum.length});
+            {.a = {"world", hook}, .b = {ball.name, Vector3(0, bob_radius, 0)}, .length = pendulum.length});
     }
     scene.measure = [pendulums, amplitude, gravity = scene.gravity](const engine::World& world, MomentaAt momenta) {
         return std::make_unique<WaveMeasure>(world, gravity, pendulums, amplitude, momenta);

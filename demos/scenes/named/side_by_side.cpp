@@ -12,7 +12,10 @@ bool same_shape(const BodyDescription& a, const BodyDescription& b) {
         engine::Overloaded{
             [&](const BoxShape& box) { return box.size == std::get<BoxShape>(b.shape).size; },
             [&](const SphereShape& sphere) { return sphere.radius == std::get<SphereShape>(b.shape).radius; },
-            [](const PlaneShape&) { return true; }},
+            [](const PlaneShape&) { return true; },
+            [&](const PolyhedronShape& polyhedron) {
+                return std::ranges::equal(polyhedron.points(), std::get<PolyhedronShape>(b.shape).points());
+            }},
         a.shape);
 }
 
@@ -20,7 +23,7 @@ bool same_static_body(const BodyDescription& a, const BodyDescription& b) {
     return !a.mass && !b.mass && same_shape(a, b) && a.position == b.position &&
            a.orientation.coeffs() == b.orientation.coeffs() && a.friction == b.friction &&
            a.restitution == b.restitution && a.surface_velocity == b.surface_velocity &&
-           a.surface_from == b.surface_from;
+           a.surface_from == b.surface_from && a.material == b.material && a.group.empty() && b.group.empty();
 }
 
 class Together {
@@ -40,23 +43,39 @@ class Together {
             names_[body.name] = std::to_string(number_) + " " + body.name;
             all.bodies.push_back(body);
             all.bodies.back().name = names_[body.name];
+            std::string& group = all.bodies.back().group;
+            if (!group.empty()) group = std::to_string(number_) + " " + group;
         }
-        for (DistanceDescription distance : scene.distances) {
-            for (DistanceDescription::End* end : {&distance.a, &distance.b}) {
-                if (end->body != "world") end->body = names_.at(end->body);
-            }
-            all.distances.push_back(distance);
-        }
+        for (const DistanceDescription& distance : scene.distances) all.distances.push_back(renamed(distance));
+        for (const JointDescription& joint : scene.joints) all.joints.push_back(renamed(joint));
         for (ForceDescription force : scene.forces) {
             force.body = names_.at(force.body);
             all.forces.push_back(force);
         }
+        for (const auto& [a, b] : scene.no_contacts) all.no_contacts.emplace_back(names_.at(a), names_.at(b));
+        for (const MaterialPairDescription& pair : scene.materials) add(pair);
         all.contacts = all.contacts || scene.contacts;
     }
 
     SceneDescription all;
 
   private:
+    template <typename Described>
+    Described renamed(Described described) const {
+        for (DistanceDescription::End* end : {&described.a, &described.b}) {
+            if (end->body != "world") end->body = names_.at(end->body);
+        }
+        return described;
+    }
+
+    // A material is the same in all scenes; the first one to speak of a pair is heard.
+    void add(const MaterialPairDescription& pair) {
+        const bool known = std::any_of(all.materials.begin(), all.materials.end(), [&](const auto& other) {
+            return std::minmax(other.a, other.b) == std::minmax(pair.a, pair.b);
+        });
+        if (!known) all.materials.push_back(pair);
+    }
+
     int number_ = 0;
     std::map<std::string, std::string> names_;  // in the scene at hand, and in all
 };

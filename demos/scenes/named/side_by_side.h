@@ -7,10 +7,9 @@
 
 namespace pushfactor::demos::scenes {
 
-// The bodies, distances and forces of all `scenes`, in their order and where they are, under the gravity and with
-// the view of the first. Names get the number of their scene in front: "2 cube 1". A static body that several
-// scenes have alike (the ground) is there once. There are contacts when one of them has contacts; options, states
-// and measures are left out.
+// The bodies, distances and forces of all `scenes`, in order and in place, with gravity and view of the first.
+// Names are prefixed with the number of their scene: "2 cube 1". A static body that several scenes share (the
+// ground) exists once. Contacts exist if any scene has them; options, states and measures are left out.
 SceneDescription side_by_side(const std::string& name, std::span<const SceneDescription> scenes);
 
 }  // namespace pushfactor::demos::scenes

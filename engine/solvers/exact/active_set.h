@@ -14,6 +14,8 @@
 // (redundant contacts) and vanishes with y' - y, so that a few steps with the same matrix converge to rounding.
 // Everything is written in differences, so that large rho costs no digits. Without sliding the matrix is symmetric.
 //
+// For a soft row rho becomes rho / (1 + rho soft): its softness is a proximal term that stays.
+//
 // Both rows of a disc are free while a Jacobi step would leave them inside. On the circle the natural map is
 // linearised (Alart & Curnier 1991): a force along the sliding direction, which follows the leader, and a damper
 // across it.
@@ -69,6 +71,7 @@ class ActiveSet {
     void find_states(const UnitProblem& problem, const std::vector<double>& y);
     void find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, bool may_follow);
     double factor_of(const UnitProblem::Row& row, State state) const;
+    void set_rho(const UnitProblem& problem, double rho);
     bool change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                 SolveCount& count);
     void start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y);
@@ -82,6 +85,7 @@ class ActiveSet {
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // current, and of the factor
     double rho_ = 0.0;
+    std::vector<double> rhos_;   // by row
     std::vector<Slide> slides_;  // current, in row order
 };
 

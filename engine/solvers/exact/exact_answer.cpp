@@ -52,7 +52,7 @@ bool ExactAnswer::contradicts() {
     follow(problem_, y_, x_, r_);
     p_.resize(y_.size());
     x_.assign(problem_.bodies, Vector6::Zero());
-    double asked = 0.0, by_followers = 0.0;
+    double asked = 0.0, by_followers = 0.0, yielded = 0.0;
     for (std::size_t j = 0; j < y_.size(); ++j) {
         const UnitProblem::Row& row = problem_.rows[j];
         if (row.disc == Disc::first) continue;
@@ -61,11 +61,12 @@ bool ExactAnswer::contradicts() {
         if (row.leader >= 0) by_followers += change.squared();
         p_[j] = change.of_row;
         push(row, p_[j], x_);
+        yielded += row.soft * change.squared();
         if (row.disc == Disc::none) continue;
         p_[j - 1] = change.of_first;
         push(problem_.rows[j - 1], p_[j - 1], x_);
     }
-    double moved = by_followers;
+    double moved = by_followers + yielded;  // a soft row gives way to p even where no body does
     for (int i = 0; i < structure_->movable; ++i) moved += x_[static_cast<std::size_t>(i)].squaredNorm();
     return moved <= cancelled * cancelled * asked;
 }

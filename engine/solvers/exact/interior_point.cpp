@@ -216,7 +216,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         const bool in_discs = problem.has_discs && (point.low.is || point.high.is);
         const double delta = in_discs ? delta_discs : problem.bounds_follow ? delta_general : delta_symmetric;
         // This order of summation gives the mirrored problem, with exchanged bounds, the same bits.
-        point.w = 1.0 / (delta + (point.low.ratio() + point.high.ratio()));
+        point.w = 1.0 / ((delta + row.soft) + (point.low.ratio() + point.high.ratio()));
         point.c = 0.0;
         if (point.leader < 0) continue;
         const auto leader = static_cast<std::size_t>(point.leader);

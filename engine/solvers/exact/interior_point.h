@@ -10,8 +10,8 @@
 //   s_l z_l = s_h z_h = target         which goes to zero
 //   U x - t = z_l - z_h
 //
-// and with Theta = delta + z_l/s_l + z_h/s_h, W = 1/Theta, c_j = low z_l/s_l + high z_h/s_h, q the right-hand side
-// after elimination of s and z:
+// and with Theta = delta + soft + z_l/s_l + z_h/s_h, W = 1/Theta, c_j = low z_l/s_l + high z_h/s_h, q the
+// right-hand side after elimination of s and z:
 //
 //   dy_j = W_j (q_j - u_j . d + c_j dy_i)
 //   (I + sum_j W_j u_j u_j^T + sum_i sum_j W_i W_j c_j u_j u_i^T) d = sum_j dy_j(d = 0) u_j

@@ -1,7 +1,7 @@
 // One column of the system in unit rows (unit_rows.h), in the form for the exact methods. Internal to the solvers.
 //
 // Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
-// the residual of the rows.
+// the residual of the rows; of soft rows r = t - U x - soft y.
 #pragma once
 
 #include "engine/system/system_equation.h"
@@ -22,11 +22,13 @@ struct UnitProblem {
         int leader = -1;               // earlier row that its bounds follow, or -1
         Disc disc = Disc::none;
         double scale = 0.0;  // m/s of a row per unit of y; 0 for a row that cannot move anything
+        double soft = 0.0;   // share of its softness in A_jj
     };
     std::vector<Row> rows;
     std::size_t bodies = 0;
     bool bounds_follow = false;  // some row has a leader
     bool has_discs = false;
+    bool has_soft = false;
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
     // matrix to be factorised.
@@ -99,6 +101,8 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
     r.resize(y.size());
     for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+    if (!problem.has_soft) return;
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] -= problem.rows[j].soft * y[j];
 }
 
 // Change of a force by the natural map: of row `j`, or of both rows of a disc if `j` is its second.
@@ -129,9 +133,9 @@ inline double residual(const UnitProblem& problem, const std::vector<double>& y,
     return largest;
 }
 
-// q = 1/2 |x|^2 - t . y [J], which the solution minimises: the energy that the forces give the bodies beyond what
-// is asked for, less a rounding allowance. During the iteration the residual may be small while the forces do more
-// work than zero forces would.
+// q = 1/2 |x|^2 + 1/2 soft . y^2 - t . y [J], which the solution minimises: the energy that the forces give the
+// bodies beyond what is asked for, less a rounding allowance. During the iteration the residual may be small while
+// the forces do more work than zero forces would.
 inline double objective(const UnitProblem& problem, const std::vector<double>& y, const BodyVelocities& x) {
     double q = 0.0;
     for (const Vector6& velocity : x) q += 0.5 * velocity.squaredNorm();
@@ -139,6 +143,8 @@ inline double objective(const UnitProblem& problem, const std::vector<double>& y
         const double work = problem.rows[j].t * y[j];
         q -= work + 1e-13 * std::abs(work);
     }
+    if (!problem.has_soft) return q;
+    for (std::size_t j = 0; j < y.size(); ++j) q += 0.5 * problem.rows[j].soft * y[j] * y[j];
     return q;
 }
 

@@ -17,7 +17,7 @@ struct Tag {
     std::map<std::string, std::string> attributes{};
 };
 
-// A tag or a text between two tags, and in which elements it is, outermost first.
+// A tag or a text between two tags, and the elements around it, outermost first.
 struct Piece {
     bool is_tag = false;
     Tag tag{};
@@ -42,7 +42,7 @@ bool is_void(const std::string& name) {
     return name == "DOCTYPE" || name == "meta" || name == "img";
 }
 
-// Of a page that is whole; elsewhere it fails the test that asks.
+// Of a well-formed page; otherwise the calling test fails.
 std::vector<Piece> pieces_of(const std::string& page) {
     std::vector<Piece> pieces;
     std::vector<std::string> open;

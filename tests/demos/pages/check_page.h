@@ -1,4 +1,4 @@
-// What has to be true of every page that the program writes.
+// The claims about every page that the program writes.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pushfactor::tests {
 
-// Checks that the page is whole (tags balanced, texts escaped, ids unique, links within it lead somewhere), needs
-// nothing from elsewhere, has a language, a title and, with more than three sections, contents that lead to each;
+// Checks that the page is well-formed (tags balanced, texts escaped, ids unique, targets of inner links exist),
+// loads nothing external, has a language, a title and, with more than three sections, contents that lead to each;
 // that each command is folded and has a button that copies it; that no number in a cell has more than five
 // significant digits and no text has a "-0.0".
 void check_page(const std::string& page);

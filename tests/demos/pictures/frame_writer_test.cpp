@@ -1,4 +1,4 @@
-// Frames are written in order, whole, by several threads; the first thing that goes wrong ends it.
+// Frames are written in order, whole, by several threads; the first error ends it.
 #include "demos/pictures/frame_writer.h"
 
 #include "demos/text/errors.h"
@@ -63,7 +63,7 @@ TEST_CASE("while frames are written those that are there are the first ones") {
     for (int i = 0; i < 60; ++i) {
         writer.write(name(i), frame(i));
         bool before = true;
-        // From the last to the first, as more may come while one looks.
+        // From the last to the first, as more may be written meanwhile.
         bool later = false;
         for (int k = i; k >= 0; --k) {
             const bool there = std::filesystem::exists(folder / name(k));

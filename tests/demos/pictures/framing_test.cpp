@@ -22,7 +22,7 @@ std::vector<Ball> random_balls(int count) {
     return balls;
 }
 
-// The largest |x| and |y| of the balls' outlines in the picture, of 1 at its edges; brute force over directions.
+// The largest |x| and |y| of the balls' outlines in the picture, 1 at its edges; brute force over directions.
 Reach outline(const View& view, const std::vector<Ball>& balls, double aspect) {
     Reach most;
     for (const Ball& ball : balls) {

@@ -1,4 +1,4 @@
-// The camera of scene files that name none.
+// The default camera of scene files.
 #include "demos/pictures/overview.h"
 
 #include "demos/pictures/framing.h"

@@ -1,4 +1,4 @@
-// Videos, with a shell script in the place of ffmpeg: what is tested is what goes into it and how its end is taken.
+// Videos, with a shell script instead of ffmpeg: tests its input and the handling of its exit.
 #include "demos/pictures/video.h"
 
 #include "demos/text/errors.h"
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
 
-// PATH as long as the object lives.
+// Sets PATH for the life of the object.
 class Path {
   public:
     explicit Path(const std::string& value) : before_(std::getenv("PATH")) { setenv("PATH", value.c_str(), 1); }
@@ -36,7 +36,7 @@ class Path {
 };
 
 // A folder with a script of that body as the first ffmpeg on PATH. The body finds the name of the video in
-// $video, and its folder in $here, where "arguments" holds one argument a line.
+// $video, and its folder in $here, where "arguments" holds one argument per line.
 class FakeFfmpeg {
   public:
     explicit FakeFfmpeg(const std::string& body = "cat >\"$video\"")
@@ -51,13 +51,13 @@ class FakeFfmpeg {
         fs::permissions(folder_ / "ffmpeg", fs::perms::owner_all);
     }
 
-    // Space before, between and after.
+    // Spaces before, between and after.
     std::string arguments() const {
         std::string text = " " + folder_.read("arguments");
         std::replace(text.begin(), text.end(), '\n', ' ');
         return text;
     }
-    // Waits until the script has come to write it, 10 s at most.
+    // Waits until the script has written it, 10 s at most.
     pid_t process() const {
         for (int i = 0; i < 1000 && !folder_.read("process").ends_with('\n'); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -99,7 +99,7 @@ std::string arguments_for(const std::string& name, const Rational& fps, int colu
     return ffmpeg.arguments();
 }
 
-// What the OutputError says that `act` must throw.
+// The text of the OutputError that `act` must throw.
 std::string error_of(const std::function<void()>& act) {
     try {
         act();
@@ -130,7 +130,7 @@ TEST_CASE("ffmpeg is told the size, the rate and the codec of each kind of video
     const std::string mp4 = arguments_for("film.mp4", {30000, 1001}, 64, 36);
     CHECK_THAT(mp4,
                Catch::Contains(" -f rawvideo -pixel_format rgb24 -video_size 64x36 -framerate 30000/1001 -i "));
-    // Or a disk that fills up would not be a failure.
+    // Otherwise a full disk would not be a failure.
     CHECK_THAT(mp4, Catch::Contains(" -xerror "));
     CHECK_THAT(mp4, Catch::Contains(" -c:v libx264 ") && Catch::Contains(" -pix_fmt yuv420p ") &&
                         Catch::Contains(" -movflags +faststart "));
@@ -176,7 +176,7 @@ TEST_CASE("what ffmpeg says when it fails is in the error, and nothing is left")
         const FakeFfmpeg ffmpeg("kill -KILL $$");
         CHECK_THAT(error_of(film), Catch::Contains("ffmpeg was ended by signal 9"));
     }
-    // Nobody reads the frames then, which must not end the program.
+    // Nobody reads the frames then, which must not kill the program.
     SECTION("before the first frame") {
         const FakeFfmpeg ffmpeg(unknown_encoder);
         CHECK_THAT(error_of([&] {
@@ -254,7 +254,7 @@ TEST_CASE("two videos at once do not keep each other from ending") {
     Video second(folder / "second.gif", width, height, {30, 1});
     first.add(picture(1));
     second.add(picture(2));
-    first.finish();  // would wait for ever if the second ffmpeg held the first one's input open
+    first.finish();  // would hang if the second ffmpeg held the first one's input open
     second.finish();
     CHECK(folder.read("first.mp4") == bytes(picture(1)));
     CHECK(folder.read("second.gif") == bytes(picture(2)));

@@ -1,4 +1,4 @@
-// Memory: that it is counted, and that settled steps take none.
+// Allocations: they are counted, and settled steps make none.
 #include "demos/reports/cost/ledger.h"
 #include "engine/base/math.h"
 #include "tests/catch.h"
@@ -15,7 +15,7 @@ using namespace pushfactor::tests;
 
 namespace {
 
-// What `act` took.
+// The allocations of `act`.
 template <typename Act>
 Allocations taken_by(Act act) {
     const Allocations before = allocations();
@@ -26,7 +26,7 @@ Allocations taken_by(Act act) {
 }  // namespace
 
 TEST_CASE("memory is counted whoever asks for it, thread by thread") {
-    if (!allocations_are_counted()) return;  // sanitizers bring a malloc of their own
+    if (!allocations_are_counted()) return;  // sanitizers have their own malloc
     std::vector<double> standard;
     const Allocations of_standard = taken_by([&] { standard.resize(100); });
     CHECK(of_standard.count == 1);
@@ -50,21 +50,21 @@ TEST_CASE("memory is counted whoever asks for it, thread by thread") {
 }
 
 TEST_CASE("a settled step allocates nothing") {
-    if (!allocations_are_counted()) return;  // sanitizers bring a malloc of their own
+    if (!allocations_are_counted()) return;  // sanitizers have their own malloc
     for (const CostCase& one : cost_cases(true)) {
         if (one.name.ends_with("falling")) continue;
-        // Several threads share their work by means that take memory.
+        // Sharing work between threads allocates.
         const auto choices = demos::run_of(one.scene, one.options).on_one_thread();
         const MeasuredState moment = moment_at(choices, one.start, [] {});
         const Counts counts = count_steps(moment);
         Walk walk(moment);
         const Allocations taken = taken_by([&] { walk.go(Walk::steps_counted); });
         INFO(one.name);
-        // Kept forces take no memory; the first exact solve after a rest makes its own, once.
+        // Kept forces allocate nothing; the first exact solve after a rest allocates once.
         double exact = 0.0;
         for (const auto& islands : counts.islands) exact += islands.exact;
         if (exact > 0.0 && exact < 0.1) continue;
-        // Pendulums that hold bodies by friction never settle: rows come and go, and their memory grows now and
+        // Pendulums that hold bodies by friction never settle: rows come and go, and their buffers grow now and
         // then.
         const double most = counts.sweeps > 0.0 ? 6.0 * Walk::steps_counted : 0.0;
         CHECK(static_cast<double>(taken.count) <= most);

@@ -1,4 +1,4 @@
-// What the maps of the atlas have to show, whatever the engine becomes: orderings and closed forms.
+// What the maps of the atlas must show with any version of the engine: orderings and closed forms.
 #include "demos/reports/atlas/cells.h"
 #include "demos/reports/atlas/outcomes.h"
 #include "demos/reports/atlas/plot.h"

@@ -1,4 +1,4 @@
-// The stability atlas as a whole: one command, all files; stopped and continued; each command of its table again.
+// The stability atlas command: all files; interrupted and resumed; each command of its table repeated.
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
@@ -19,7 +19,7 @@ std::string quick_csv() {
     return folder.read("atlas.csv");
 }
 
-// Four rows, and the fifth as far as a run wrote it that was killed.
+// Four rows, and the fifth as a killed run left it.
 std::string cut_short(const std::string& csv) {
     std::size_t end = 0;
     for (int line = 0; line < 6; ++line) end = csv.find('\n', end) + 1;
@@ -97,7 +97,7 @@ TEST_CASE("an interrupted atlas ends with status 1 and whole lines, from which i
                       "while [ \"$(wc -l <atlas.csv)\" -lt 9 ]; do sleep 0.05; done; kill -INT $!; wait $!");
     INFO(ended.err);
     CHECK(ended.status == 1);
-    CHECK(ended.err.find("the same command goes on from there") != std::string::npos);
+    CHECK(ended.err.find("the same command resumes from there") != std::string::npos);
     CHECK(folder.files() == std::vector<std::string>{"atlas.csv"});
     const std::string csv = folder.read("atlas.csv");
     CHECK(csv.ends_with("\n"));

@@ -1,4 +1,4 @@
-// The error report as a whole: one command, all files, the same work twice, and what is refused.
+// The error report command: all files, the same work twice, and what is refused.
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

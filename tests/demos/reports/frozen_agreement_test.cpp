@@ -57,7 +57,7 @@ TEST_CASE("each solver that converges on a frozen problem gives the acceleration
         const Answer warm = answer(problem, "direct", true, 100), cold = answer(problem, "direct", false, 100);
         const Answer& direct = warm.residual < cold.residual ? warm : cold;
         CHECK(direct.residual < converged);
-        // Forces of boxes are not unique; what they do to the bodies is, and the force error sees nothing else.
+        // Forces of boxes are not unique; their effect on the bodies is, and the force error measures only that.
         for (const engine::solvers::SolverEntry& entry : engine::solvers::solver_table()) {
             if (entry.name == "dense" && problem.system().row_count() > 100) continue;
             for (const bool from_guess : {false, true}) {

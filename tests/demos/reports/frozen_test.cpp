@@ -1,4 +1,4 @@
-// Frozen problems: what is written reads back as the same problem.
+// Frozen problems: a written problem reads back unchanged.
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/text/errors.h"
 #include "engine/solvers/solver.h"
@@ -82,7 +82,7 @@ TEST_CASE("a frozen problem that is wrong is refused with the file, the place an
         REQUIRE(at != std::string::npos);
         return text.replace(at, from.size(), to);
     };
-    CHECK(complaint(folder, "{").find("is no JSON") != std::string::npos);
+    CHECK(complaint(folder, "{").find("is not JSON") != std::string::npos);
     CHECK(complaint(folder, changed("\"version\": 1", "\"version\": 2")).find("version 2: must be 1") !=
           std::string::npos);
     CHECK(complaint(folder, changed("\"dt_s\": 0.0", "\"dt_s\": -0.0")).find("dt_s") != std::string::npos);

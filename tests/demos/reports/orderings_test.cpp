@@ -1,5 +1,5 @@
 // Which solver to choose, as the README says: orderings of errors by work, which is counted in multiply-adds and
-// the same on every machine. The measured numbers stand beside; times are in no test.
+// the same on every machine. The measured numbers are in comments; no test depends on times.
 #include "demos/reports/error/experiments.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "engine/solvers/solver.h"
@@ -42,7 +42,7 @@ FrozenMoment moment_of(const std::string& name) {
     return {};
 }
 
-// The residual after that many iterations and no fewer.
+// The residual after exactly that many iterations.
 Cost solve(const FrozenProblem& problem, std::string_view solver, bool warm, int iterations) {
     engine::Columns lambda = warm ? problem.guess() : problem.zero();
     const auto count = engine::solvers::make_solver(solver)->solve(
@@ -138,7 +138,7 @@ TEST_CASE("swinging bars: the step decides and not the solver, and composed step
     const Cost finest = swing("1/960", {});
     CHECK(fourth.error < finest.error);
     CHECK(fourth.work < finest.work);
-    // Where few digits are enough a composed step is too much.
+    // Where few digits suffice a composed step does not pay.
     CHECK(coarse.work < 0.2 * fourth.work);
 }
 

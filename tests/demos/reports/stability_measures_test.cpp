@@ -1,4 +1,4 @@
-// The measures of the stability report, on motions that are known.
+// The measures of the stability report on known motions.
 #include "demos/reports/stability/measures/measures.h"
 #include "demos/reports/stability/measures/slab_slide.h"
 #include "demos/reports/stability/scenes/scenes.h"
@@ -22,10 +22,10 @@ struct Pose {
     Quaternion orientation = Quaternion::Identity();
 };
 
-// What a body is like at a time [s].
+// The state of a body at a time [s].
 using Motion = std::function<Pose(double time)>;
 
-// The trajectory of bodies with these motions, `moments` long at steps of `dt` [s].
+// The trajectory of bodies with these motions: `moments` states at intervals of `dt` [s].
 Evidence moved(const SceneDescription& scene, const std::vector<Motion>& motions, int moments, double dt) {
     Evidence evidence{.scene = &scene};
     Columns& columns = evidence.outputs["trajectory"];
@@ -79,7 +79,7 @@ TEST_CASE("measures of a thrown ball follow its parabola") {
 }
 
 TEST_CASE("slides are measured level, to the end and at most, and beside the first direction") {
-    // Along 3/4/5 for 2 s, out to 10 m and half of it back, on an arch that leads 0.3 m aside and up.
+    // Along 3/4/5 for 2 s, out to 10 m and half of it back, on an arch that goes 0.3 m sideways and up.
     const Motion there_and_back = [](double time) {
         const double way = time <= 1.0 ? 10.0 * time : 10.0 - 5.0 * (time - 1.0);
         const double arch = 0.3 * std::sin(std::numbers::pi * time / 2.0);

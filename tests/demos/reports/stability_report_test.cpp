@@ -1,5 +1,4 @@
-// The stability report as a whole: one command, a table that holds, thumbnails, commands that show the same; and
-// how a case is judged.
+// The stability report command: its table, thumbnails, commands that show the same; and how a case is judged.
 #include "demos/reports/stability/scenes/scenes.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
@@ -86,7 +85,7 @@ TEST_CASE("the quick stability report holds, shows every end, and its commands s
 
 TEST_CASE("a run that fails is exit 3 and named, and the others are judged all the same") {
     const Folder folder;
-    std::filesystem::create_directories(folder / "runs/bouncing-ball-exact.json");  // where its summary should go
+    std::filesystem::create_directories(folder / "runs/bouncing-ball-exact.json");  // in place of its summary
     const Ended ended = shell(folder, "pushfactor report stability --quick --only bounces,turning --out .");
     CHECK(ended.status == 3);
     INFO(ended.err);

@@ -1,5 +1,5 @@
 // The scenes of the stability report's chapters on friction, floors, thin bodies and ball joints, and their files
-// in tests/scenes. `tests "[scene-files-update]"` writes the files anew.
+// in tests/scenes. `tests "[scene-files-update]"` regenerates the files.
 #include "demos/platform/output_file.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes/scenes.h"
@@ -52,7 +52,7 @@ void check_same(const Json& file, const Json& scene) {
     }
 }
 
-// How far the bodies of a scene are in each other at its start, m.
+// The deepest overlap of a scene's bodies at its start, m.
 double penetration_of(const SceneDescription& scene) {
     const Settings settings = preset_settings("default");
     return Simulation(build_scene(scene, settings), settings).sample().penetration.max;

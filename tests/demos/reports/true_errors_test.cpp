@@ -1,4 +1,4 @@
-// The errors of the reports: zero for what is exact, known for what is wrong by a known amount.
+// The errors of the reports: zero for exact results, known for known deviations.
 #include "demos/reports/error/true_errors.h"
 
 #include "demos/reports/error/converged_forces.h"
@@ -164,7 +164,7 @@ TEST_CASE("free bodies: half a kick makes the flight exact, and each rotation ha
         CHECK(std::log2(coarse.at("angle_rms_deg") / fine.at("angle_rms_deg")) == Approx(order).margin(0.1));
         CHECK(coarse.at("corners_rms_m") > 0.1 * coarse.at("angle_rms_deg") * 3.14159 / 180);
     }
-    // Without the kick v is late by half a step, and the way by g t dt / 2: 10 m/s^2, RMS over 2 s, 1/60 s.
+    // Without the kick v lags by half a step, and the position by g t dt / 2: 10 m/s^2, RMS over 2 s, 1/60 s.
     CHECK(errors("splitting", "1/60", "off").at("flight_rms_m") ==
           Approx(10.0 / 120.0 * 2.0 / std::sqrt(3.0)).epsilon(0.02));
     CHECK(errors("splitting", "1/240", "on").at("turning_energy_max") < 0.01);
@@ -177,7 +177,7 @@ TEST_CASE("only methods that this build has are compared") {
     CHECK(!available({.name = "c", .differs = {{"no-option", "1"}}, .knob = "iterations", .colour = "blue"}));
     for (Experiment sweep : error_experiments(false)) {
         INFO(sweep.scene);
-        // To find the lengths of all fifty pendulums takes long.
+        // Finding the lengths of all fifty pendulums takes long.
         if (sweep.scene == "pendulum-wave") sweep.common.emplace_back("count", "1");
         std::set<std::string> names;
         for (const Method& method : sweep.methods) {

@@ -1,4 +1,4 @@
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
@@ -126,10 +126,10 @@ TEST_CASE("boxes touch exactly when no axis of the brute-force oracle separates 
         REQUIRE((manifold.count > 0) == (separation < 0.0));
         if (manifold.count == 0) continue;
         ++touching;
-        // The axis that was chosen is the best one but for the preference, 5e-4 of the size at most twice.
+        // The chosen axis is the best one up to the preference, at most twice 5e-4 of the size.
         REQUIRE(manifold.normal.norm() == Approx(1.0));
         REQUIRE(deepest(manifold) == Approx(-separation).margin(2e-3));
-        // Moved apart by the depth along the normal (and the preference), they no longer touch.
+        // Moved apart along the normal by the depth (and the preference), they no longer touch.
         const Pose apart{pose_b.position + manifold.normal * (deepest(manifold) + 1e-9), pose_b.rotation};
         REQUIRE(collide_boxes(a, pose_a, b, apart).count == 0);
     }

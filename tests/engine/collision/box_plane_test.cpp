@@ -1,12 +1,14 @@
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
+#include "tests/engine/dense_algebra.h"
 
 #include <numbers>
 
 using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
 using pushfactor::tests::at;
+using pushfactor::tests::rotation_between;
 
 namespace {
 
@@ -43,7 +45,7 @@ TEST_CASE("a cube on its corner touches in one point, on its edge in two") {
     const double edge = std::sqrt(2.0);
     Manifold manifold;
     // The body diagonal turned to the vertical.
-    const Quaternion on_corner = Quaternion::FromTwoVectors(Vector3::Ones(), Vector3::UnitY());
+    const Quaternion on_corner = rotation_between(Vector3::Ones(), Vector3::UnitY());
     collide(plane, at(Vector3::Zero()), cube, at({0, corner - 0.01, 0}, on_corner), 0.0, manifold);
     CHECK(manifold.count == 1);
     const Quaternion on_edge(Eigen::AngleAxisd(std::numbers::pi / 4, Vector3::UnitX()));

@@ -53,7 +53,7 @@ bool reaches_plane(const Crowd& crowd, std::size_t i) {
     return up.dot(crowd.bodies[i].position - crowd.bodies[0].position) < up.cwiseAbs().dot(reach);
 }
 
-// Each with each.
+// All pairs.
 std::vector<Pair> by_comparing(const Crowd& scene) {
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < scene.colliders.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a step brings together by itself.
+// Which bodies meet within a step by their own motion.
 #include "engine/collision/detector.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"

@@ -1,6 +1,6 @@
-#include "engine/collision/sphere_pairs.h"
+#include "engine/collision/pairs/sphere_pairs.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"
@@ -91,7 +91,7 @@ TEST_CASE("a sphere that lies where four boxes meet touches all of their faces, 
         CHECK((m.normal - Vector3::UnitY()).norm() < 1e-14);
         CHECK(std::isinf(m.other_gap));
     }
-    // Beside them by more the edge's normal leans.
+    // Farther to the side the edge's normal leans.
     const Manifold m = touch(box, at(Vector3::Zero()), sphere, at({0.5 + 1e-5, 0.9, 0.5}), 0.01);
     CHECK(m.normal.x() == Approx(1e-5 / 0.4).epsilon(1e-6));
 }

@@ -1,6 +1,6 @@
 #include "engine/collision/time_of_impact.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double dt = 1.0 / 60.0;
 
-// The first of many moments in which the shapes overlap; `dt` if there is none.
+// The first of many sampled times at which the shapes overlap; `dt` if there is none.
 double first_overlap(const Moving& a, const Moving& b, int moments) {
     for (int i = 0; i < moments; ++i) {
         const double time = dt * i / moments;
@@ -90,16 +90,16 @@ TEST_CASE("random shapes meet when a search in small steps says so, and only the
         const Moving b = random_moving(random, shape_b, 150, i % 4 > 1 ? 60 : 0);
         const int moments = 1000;
         const double found_by_search = first_overlap(a, b, moments);
-        if (found_by_search == 0.0) continue;  // no meeting, but a start in each other
+        if (found_by_search == 0.0) continue;  // no meeting, but an overlap at the start
         const auto meeting = find_meeting(a, b, dt, 1e-4, 0.01);
         INFO("case " << i << ", found in steps " << found_by_search << ", found "
                      << (meeting ? meeting->time : -1));
         if (found_by_search < dt) {
             ++meetings;
-            // Nothing but a graze of less than one small step may be missed: none is.
+            // Only a graze shorter than one small step may be missed: none is.
             REQUIRE(meeting);
             CHECK(meeting->time <= found_by_search + 1e-9);
-            // What comes within the tolerance may take a while to touch.
+            // From within the tolerance to the touch may take a while.
             Manifold near;
             collide(shape_a, pose_at(a, meeting->time), shape_b, pose_at(b, meeting->time), 1e-3, near);
             CHECK(near.count > 0);

@@ -1,4 +1,4 @@
-// Errata of paper section 3, of equation 6.1.6 and of the table of symbols: what the text gives, and what is right.
+// Errata of paper section 3, of equation 6.1.6 and of the table of symbols: the printed version and the right one.
 #include "engine/bodies/body.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/bodies/integrator.h"
@@ -17,13 +17,13 @@ double energy(const Matrix3& inertia, const Vector3& omega) {
     return 0.5 * omega.dot(inertia * omega);
 }
 
-// Three moments of inertia that some distribution of mass has: none is larger than the sum of the others.
+// Three possible moments of inertia: none is larger than the sum of the others.
 bool fits_a_shape(Vector3 moments) {
     std::sort(moments.begin(), moments.end());
     return moments[2] <= (moments[0] + moments[1]) * (1.0 + 1e-12);
 }
 
-// Masses of 1 kg at these distances to both sides along each axis.
+// Masses of 1 kg on both sides at these distances along each axis.
 struct Cross {
     Vector3 arm{0.3, 1.0, 2.0};
 

@@ -1,4 +1,4 @@
-// Errata of paper section 5: what the text gives, and what is right.
+// Errata of paper section 5: the printed version and the right one.
 #include "engine/constraints/contact_row.h"
 #include "engine/constraints/distance_constraints.h"
 #include "engine/constraints/friction_row.h"
@@ -20,12 +20,12 @@ namespace {
 constexpr double dt = 1.0 / 60.0;
 const Vector3 gravity(0, -10, 0);
 
-// A ball `length` [m] away from a point that is fixed, without gravity.
+// A ball `length` [m] away from a fixed point, without gravity.
 std::vector<Body> ball_at(double length) {
     return {static_body(Vector3::Zero()), ball_body(2.0, 0.1, {length, 0, 0})};
 }
 
-// What is left of the length error after a step with a bar of this axis and push, as a share of it.
+// The remaining share of the length error after a step with a bar of this axis and push.
 double error_left(double length, double error, const Vector3& axis, double push) {
     const Literal step = step_with(ball_at(length + error), std::vector{row_along(axis, push)}, dt);
     return ((step.bodies[1].position - step.bodies[0].position).norm() - length) / error;

@@ -1,4 +1,4 @@
-// Errata of paper section 8: what the text gives, and what is right.
+// Errata of paper section 8: the printed version and the right one.
 #include "engine/constraints/contact_constraints.h"
 #include "engine/constraints/restitution.h"
 #include "engine/forces/gravity.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double dt = 0.1;
 
-// The cube of Figure 5 above a floor, without gravity: at 3 m/s it comes to lie 0.28 m deep in the first step.
+// The cube of Figure 5 above a floor, without gravity: at 3 m/s it is 0.28 m deep after the first step.
 World falling_cube(const Correction& correction) {
     World world;
     world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.52, 0})};

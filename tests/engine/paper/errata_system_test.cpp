@@ -1,6 +1,7 @@
-// Errata of paper sections 6, 7, 9, 10 and 12.3: what the text gives, and what is right.
+// Errata of paper sections 6, 7, 9, 10 and 12.3: the printed version and the right one.
 #include "engine/constraints/contact_row.h"
 #include "tests/catch.h"
+#include "tests/engine/dense_algebra.h"
 #include "tests/engine/paper/literal.h"
 #include "tests/engine/random_rows.h"
 #include "tests/engine/solvers/problems.h"
@@ -12,6 +13,7 @@ using namespace pushfactor;
 using namespace pushfactor::engine;
 using tests::Frozen;
 using tests::Literal;
+using tests::pseudo_inverse;
 using tests::row_along;
 using tests::step_with;
 
@@ -19,7 +21,7 @@ namespace {
 
 constexpr double dt = 1.0 / 60.0;
 
-// J as 6.1.2 means it: a line a row, six columns a body.
+// J as 6.1.2 means it: one line per row, six columns per body.
 MatrixX jacobian_of(const Frozen& frozen) {
     const auto bodies = static_cast<Eigen::Index>(frozen.system.inverse_mass.size());
     MatrixX jacobian = MatrixX::Zero(frozen.system.row_count(), 6 * bodies);
@@ -58,7 +60,7 @@ VectorX solve_as_printed(const Frozen& frozen, int iterations) {
     return solve_as_printed(tests::dense_matrix(frozen.system), frozen.system.b.col(0), c_min, c_max, iterations);
 }
 
-// A ball of 2 kg that flies at `velocity` beside a fixed point.
+// A ball of 2 kg that flies at `velocity` past a fixed point.
 std::vector<Body> flying(const Vector3& velocity) {
     std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(2.0, 0.1, {1, 0, 0})};
     bodies[1].linear_momentum = 2.0 * velocity;
@@ -88,7 +90,7 @@ TEST_CASE("6.1.2: J has a line for each row and six columns for each body; nothi
         CHECK(Jv[j] == Approx(row.jacobian.a.dot(v.segment<6>(6 * row.body_a)) +
                               row.jacobian.b.dot(v.segment<6>(6 * row.body_b))));
     }
-    // A line that stands first, and twelve columns for each body, have other numbers of columns than v has lines.
+    // A leading line, and twelve columns per body, give a number of columns other than v's number of lines.
     CHECK(J.transpose().cols() != v.size());
     CHECK(12 * n != v.size());
 }
@@ -165,7 +167,7 @@ TEST_CASE("6.2.9: within bounds A lambda - b is not zero but points out of them"
             }
         }
     }
-    // The equation as it is printed would pull at a body that flies away.
+    // The printed equation would pull at a body that flies away.
     const Frozen leaving(flying({3, 0, 0}), std::vector{row_along(Vector3::UnitX(), 0.0)}, dt);
     CHECK(leaving.system.b(0, 0) / leaving.system.diagonal[0] == Approx(-3.0 * 2.0 / dt));
 }
@@ -254,9 +256,6 @@ TEST_CASE("10.1: the order of the rows decides what 25 sweeps leave, and nothing
 TEST_CASE("12.3.2: J has no inverse: v2 is not J^-1 v, and where rows are redundant J J^-1 is not 1 either") {
     std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(2.0, 0.1, {1, 0, 0})};
     bodies[1].linear_momentum = {-6, 2, 0};
-    const auto pseudo_inverse = [](const MatrixX& J) {
-        return MatrixX(J.completeOrthogonalDecomposition().pseudoInverse());
-    };
     const tests::Literal step = tests::step_with(bodies, std::vector{row_along(Vector3::UnitX(), 0.5)}, 0.1);
     MatrixX J(1, 6);
     J.row(0) = step.frozen.rows[0].jacobian.b.transpose();

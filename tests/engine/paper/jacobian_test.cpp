@@ -1,8 +1,8 @@
-// Paper section 5: j_c of every kind of row against finite differences of what it is the derivative of, in all
-// twelve directions in which two bodies can move, at random poses. Bars, ropes and struts have c = |p_ab| - l, and
-// RATTLE has their rows; contacts have c = -d, the gap; rows across the normal have no c (5.4), they are the rates
-// at which the material points of the bodies slide over each other.
-#include "engine/collision/pair_table.h"
+// Paper section 5: j_c of every kind of row against finite differences of its primitive, in all twelve directions
+// in which two bodies can move, at random poses. Bars, ropes and struts have c = |p_ab| - l, and RATTLE has their
+// rows; contacts have c = -d, the gap; rows across the normal have no c (5.4), they are the rates at which the
+// material points of the bodies slide over each other.
+#include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/time_of_impact.h"
 #include "engine/constraints/contact_constraints.h"
 #include "engine/constraints/distance_constraints.h"
@@ -27,7 +27,7 @@ constexpr double dt = 1.0 / 60.0;
 // m. Rounding adds 1e-16 / h.
 constexpr double h = 1e-4;  // m or rad
 constexpr double tolerance = 100.0 * h * h / 6.0;
-// What has to be noticed.
+// The error that must be detected.
 constexpr double wrong = 1000.0 * tolerance;
 
 // `body` moved along (0..2) or turned about (3..5) an axis of the world, about its centre of mass.
@@ -40,8 +40,8 @@ Body moved(Body body, int direction, double by) {
     return body;
 }
 
-// The largest difference between j_c and the derivative of `c`, a function of both bodies. None where c is not
-// there after a small motion. The half of a static body has to be zero (5.3).
+// The largest difference between j_c and the derivative of `c`, a function of both bodies. Empty where c is
+// undefined after a small motion. The half of a static body has to be zero (5.3).
 template <class C>
 std::optional<double> error_of(const Jacobian& j, const Body& a, const Body& b, const C& c) {
     double squares = 0.0;
@@ -63,7 +63,8 @@ std::optional<double> error_of(const Jacobian& j, const Body& a, const Body& b, 
     return there ? std::optional(std::sqrt(squares)) : std::nullopt;
 }
 
-// The part of p_b - p_a along a direction, p_a and p_b being the material points of the bodies that are at `point`.
+// The component of p_b - p_a along a direction, p_a and p_b being the material points of the bodies that are at
+// `point`.
 auto parting(const Body& a, const Body& b, const Vector3& point, const Vector3& direction) {
     const Vector3 on_a = a.orientation.conjugate() * (point - a.position);
     const Vector3 on_b = b.orientation.conjugate() * (point - b.position);
@@ -107,7 +108,7 @@ TEST_CASE("every row's j_c is the derivative of its c: bars, ropes and struts") 
         std::vector<ConstraintRow> rows = pushfactor::tests::rows_of(
             DistanceConstraints({distance}, {PushKind::persistent, 1.0}, false), {bodies, dt});
         REQUIRE(error_of(rows[0].jacobian, bodies[0], bodies[1], c).value() < tolerance);
-        // What RATTLE takes the push for.
+        // What RATTLE uses in place of the push.
         REQUIRE(rows[0].push.lasting * dt == Approx(-c(bodies[0], bodies[1]).value()).margin(1e-14));
         if (bodies[1].is_static()) continue;
         const Jacobian slip = with_wrong_arm(rows[0].jacobian, p_a - bodies[0].position, (p_b - p_a).normalized());
@@ -164,7 +165,7 @@ std::array<Body, 2> random_pair(const ShapePair& shapes, double gap, Random& ran
     return bodies;
 }
 
-// How many coordinates of a point lie on the faces of a box: 3 for a corner, 2 for an edge.
+// The number of a point's coordinates that lie on the faces of a box: 3 for a corner, 2 for an edge.
 int faces_at(const Box& box, const Body& body, const Vector3& point) {
     const Vector3 local = body.orientation.conjugate() * (point - body.position);
     int faces = 0;
@@ -172,9 +173,9 @@ int faces_at(const Box& box, const Body& body, const Vector3& point) {
     return faces;
 }
 
-// Whether the gap at a point follows the motion of the bodies alone: at the corner of a box, where two edges cross,
-// and wherever a sphere takes part. A corner that was cut by the side of a face slides along its own edge as well,
-// which the tilt of the faces turns into gap.
+// Whether the gap at a point follows from the motion of the bodies alone: at the corner of a box, where two edges
+// cross, and wherever a sphere takes part. A corner that was cut by the side of a face slides along its own edge as
+// well, which the tilt of the faces turns into gap.
 bool has_gap_of_its_own(const ShapePair& shapes, const Body& a, const Body& b, const ContactSite& site,
                         double gap) {
     const auto* box_a = std::get_if<Box>(&shapes.a);
@@ -185,7 +186,7 @@ bool has_gap_of_its_own(const ShapePair& shapes, const Body& a, const Body& b, c
     return on_a == 3 || on_b == 3 || (on_a == 2 && on_b == 2);
 }
 
-// The points of a pair whose gap was compared, and those of them that were apart.
+// The number of points of a pair whose gap was compared, and of those that were apart.
 struct Compared {
     int gaps = 0;
     int margin = 0;
@@ -280,7 +281,7 @@ TEST_CASE("every row's j_c is the derivative of its c where fast bodies meet wit
             REQUIRE(rows.size() >= 3);
             REQUIRE(stage.sites()[0].swept);
 
-            // Their rows belong to the moment of meeting, turned and all.
+            // Their rows belong to the time of impact, including the rotation.
             const double size = std::min(size_of(shapes.a), size_of(shapes.b));
             const std::optional<Meeting> meeting =
                 find_meeting({shapes.a, pose_of(bodies[0]), motion_of(bodies[0])},

@@ -1,5 +1,4 @@
-// What a reading of the paper's text leads to: one step with rows that are written out by hand, so that the printed
-// reading and the right one can stand side by side.
+// One step with rows written out by hand, to compare the printed reading of the paper with the right one.
 #pragma once
 
 #include "engine/bodies/integrator.h"
@@ -11,7 +10,7 @@
 
 namespace pushfactor::tests {
 
-// What a step of dt did to the bodies.
+// The effect of a step of dt on the bodies.
 struct Literal {
     Frozen frozen;
     engine::Columns lambda;               // N
@@ -31,7 +30,7 @@ struct Literal {
     }
 };
 
-// Solves by sweeps until nothing changes, then takes all that lambda is for both momenta and positions.
+// Solves by sweeps until nothing changes, then applies the whole lambda to both momenta and positions.
 inline Literal step_with(std::span<const engine::Body> bodies, std::span<const engine::ConstraintRow> rows,
                          double dt) {
     Literal step{.frozen = Frozen(bodies, rows, dt),

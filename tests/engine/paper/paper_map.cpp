@@ -49,7 +49,7 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-// What stands between backticks.
+// The text between backticks.
 std::vector<std::string> quoted(const std::string& text) {
     std::vector<std::string> found;
     for (std::size_t open = text.find('`'); open != std::string::npos; open = text.find('`', open)) {
@@ -196,7 +196,7 @@ std::set<std::string> test_names(const Sources& sources) {
     for (const auto& [path, text] : sources) {
         if (!path.starts_with("tests/") || !path.ends_with(".cpp")) continue;
         for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {
-            // String literals that follow each other are one.
+            // Adjacent string literals are one.
             std::string name;
             std::size_t i = text.find_first_not_of(" \n", at + opening.size());
             while (i < text.size() && text[i] == '"') {
@@ -222,7 +222,7 @@ std::vector<MapEntry> map_entries(const std::string& map) {
             table_lines = 0;
             continue;
         }
-        if (++table_lines <= 2) continue;  // the heads of the columns, and the line below them
+        if (++table_lines <= 2) continue;  // the header and the line below it
         const std::vector<std::string> cells = cells_of(line);
         entries.push_back(cells.size() == 5
                               ? MapEntry{cells[0], cells[1], cells[2], cells[3], cells[4]}

@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every equation that has a number in the paper; 12.3.3 is cited in section 9.2 and stands in section 12.3.1.
-// Every figure.
+// Every equation that has a number in the paper; 12.3.3 is cited in section 9.2 and is in section 12.3.1. Every
+// figure.
 std::vector<std::string> places_of_the_paper() {
     std::vector<std::string> places{
         "(3.2.1)", "(3.2.2)", "(3.2.3)",  "(3.2.4)",  "(5.1.1)",  "(5.1.2)",  "(5.1.3)",  "(5.2.1)",  "(5.2.2)",

@@ -15,7 +15,7 @@ using pushfactor::tests::Random;
 
 namespace {
 
-// 12.4.1 as it stands, in the order [w, x, y, z] of the text.
+// 12.4.1 as printed, in the order [w, x, y, z] of the text.
 Quaternion axis_angle(double a, const Vector3& b) {
     const Vector3 vector = std::sin(0.5 * a) * b;
     return {std::cos(0.5 * a), vector.x(), vector.y(), vector.z()};
@@ -78,7 +78,7 @@ TEST_CASE("12.4.1: the quaternion's derivative and its limit") {
         REQUIRE((forward_quotient(q, w, 0.5 * h) - exact).norm() == Approx(0.5 * error).epsilon(0.01));
 
         // Row by row as at the end of the limit. [-z, w, x] is missing from the list before it, where [y, -x, w]
-        // stands twice.
+        // appears twice.
         const double s = q.w(), x = q.x(), y = q.y(), z = q.z();
         REQUIRE(exact.w() == Approx(-0.5 * w.dot(Vector3(x, y, z))).margin(1e-14));
         REQUIRE(exact.x() == Approx(0.5 * w.dot(Vector3(s, z, -y))).margin(1e-14));
@@ -136,7 +136,7 @@ TEST_CASE("12.4.1 in the engine has the limit of no rotation, where the formula 
     const Quaternion q = Quaternion(0.5, 0.1, -0.7, 0.5).normalized();
     const Body cube = cube_at(q);
     CHECK(rotate_exponential(cube, Vector3::Zero(), 1.0).coeffs() == q.normalized().coeffs());
-    // On both sides of where the engine leaves the formula for its series (1e-6 rad).
+    // On both sides of 1e-6 rad, where the engine changes from the formula to its series.
     for (const double angle : {1e-12, 1e-9, 0.999e-6, 1.001e-6, 1e-5}) {
         const Vector3 w(0.6 * angle, 0.0, -0.8 * angle);
         const Eigen::Vector4d change = rotate_exponential(cube, w, 1.0).coeffs() - q.coeffs();

@@ -9,8 +9,10 @@
 #include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
+#include "tests/engine/dense_algebra.h"
 #include "tests/engine/paper/whole_system.h"
 #include "tests/engine/rows.h"
+#include "tests/random.h"
 
 #include <cmath>
 #include <numbers>
@@ -31,7 +33,7 @@ VectorX random_numbers(Random& random, Eigen::Index count) {
     return numbers;
 }
 
-// |difference| against the larger of both.
+// |difference| relative to the larger of both.
 double relative_error(const MatrixX& value, const MatrixX& expected) {
     return (value - expected).norm() / std::max(value.norm(), expected.norm());
 }
@@ -44,7 +46,7 @@ TEST_CASE("12.1: the derivative of a length is along it") {
     for (const Eigen::Index dimensions : {2, 3, 12}) {
         const VectorX v = random_numbers(random, dimensions), rate = random_numbers(random, dimensions);
         const auto squared = [&](double t) { return (v + t * rate).squaredNorm(); };
-        // Of a square the central difference is exact.
+        // For a square the central difference is exact.
         CHECK((squared(0.5) - squared(-0.5)) / 1.0 == Approx(2.0 * v.dot(rate)).epsilon(1e-13));
         // What is across v does not change the length.
         const VectorX across = rate - v * (v.dot(rate) / v.squaredNorm());
@@ -68,12 +70,12 @@ TEST_CASE("12.2: products with J are those of Figure 11") {
     const double angle_a = 30.0 * std::numbers::pi / 180.0, angle_b = 50.0 * std::numbers::pi / 180.0;
     const Vector3 a(std::sin(angle_a), std::cos(angle_a), 0), b(-std::sin(angle_b), std::cos(angle_b), 0);
     const auto plane = [](const Vector3& normal) {
-        return static_body(Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitY(), normal));
+        return static_body(Vector3::Zero(), rotation_between(Vector3::UnitY(), normal));
     };
     // At r from both planes: a x = b x = r.
     Eigen::Matrix2d normals;
     normals << a.head<2>().transpose(), b.head<2>().transpose();
-    const Eigen::Vector2d centre = normals.inverse() * Eigen::Vector2d(0.5, 0.5);
+    const Eigen::Vector2d centre = solution(normals, Eigen::Vector2d(0.5, 0.5));
     std::vector<Body> bodies{plane(a), plane(b), ball_body(2.0, 0.5, {centre.x(), centre.y(), 0})};
     bodies[2].force = {0, -20, 0};
     ContactConstraints stage({{.body = 0, .shape = collision::Plane{}},
@@ -103,7 +105,7 @@ TEST_CASE("12.2: products with J are those of Figure 11") {
     constraint_forces(frozen.system, lambda, 0, forces);
     CHECK((forces[2].head<3>() - (7.0 * a + 11.0 * b)).norm() < 1e-14);
     // At rest the two carry the weight: the law of sines in the triangle of forces.
-    const VectorX resting = whole.A().partialPivLu().solve(whole.b());
+    const VectorX resting = solution(whole.A(), whole.b());
     CHECK(resting[0] == Approx(20.0 * std::sin(angle_b) / std::sin(angle_a + angle_b)));
     CHECK(resting[1] == Approx(20.0 * std::sin(angle_a) / std::sin(angle_a + angle_b)));
 }
@@ -181,7 +183,7 @@ TEST_CASE("12.3: v2 from momenta satisfies 6.2.2, both ways") {
         const Whole whole(boxes.bodies, boxes.rows);
         const MatrixX& J = whole.J;
         const Frozen frozen(boxes.bodies, boxes.rows, dt);
-        const VectorX lambda = whole.A().ldlt().solve(whole.b());
+        const VectorX lambda = solution(whole.A(), whole.b());
         const VectorX v2 = velocity_after_step(frozen.system, boxes.bodies, lambda);
         CHECK((J * v2).norm() < 1e-13);
         CHECK((J * whole.v1).norm() > 0.1);
@@ -202,7 +204,7 @@ TEST_CASE("12.3: v2 from momenta satisfies 6.2.2, both ways") {
             CHECK(by_bodies == Approx(0.0).margin(1e-11));
             CHECK(by_rows == Approx(0.0).margin(1e-11));
         }
-        // The velocity before the step is worked on.
+        // Work is done on the velocity before the step.
         CHECK(std::abs(lambda.dot(J * whole.v1)) > 1.0);
     }
 }
@@ -212,7 +214,7 @@ TEST_CASE("12.3: 6.2.2 is for rows without push and not at a bound") {
     const HangingBoxes boxes(6, persistent, 4);
     const Whole whole(boxes.bodies, boxes.rows);
     const Frozen frozen(boxes.bodies, boxes.rows, dt);
-    const VectorX lambda = whole.A().ldlt().solve(whole.b());
+    const VectorX lambda = solution(whole.A(), whole.b());
     const VectorX v2 = velocity_after_step(frozen.system, boxes.bodies, lambda);
     CHECK((whole.J.transpose() * lambda).dot(v2) == Approx(lambda.dot(whole.push)));
     CHECK(std::abs(lambda.dot(whole.push)) > 1.0);
@@ -234,16 +236,16 @@ TEST_CASE("12.3: 6.2.2 is for rows without push and not at a bound") {
 TEST_CASE("12.3.1: the second derivation gives the same lambda") {
     const HangingBoxes boxes(5, persistent, 7);
     const Whole whole(boxes.bodies, boxes.rows);
-    const MatrixX &J = whole.J, M = whole.inverse_mass.inverse();
+    const MatrixX &J = whole.J, M = inverse(whole.inverse_mass);
     const Eigen::Index rows = J.rows(), columns = J.cols();
-    const VectorX lambda = whole.A().ldlt().solve(whole.b());  // 6.2.9
+    const VectorX lambda = solution(whole.A(), whole.b());  // 6.2.9
 
     // 12.3.1 and J v2 = v (12.3.2) together, solved for v2 and lambda at once: no inverse of J is needed.
     MatrixX both = MatrixX::Zero(columns + rows, columns + rows);
     both << M, -dt * J.transpose(), J, MatrixX::Zero(rows, rows);
     VectorX right(columns + rows);
     right << M * whole.v1 + dt * whole.f_ext, whole.push;
-    const VectorX solved = both.fullPivLu().solve(right);
+    const VectorX solved = solution(both, right);
     CHECK(relative_error(solved.tail(rows), lambda) < 1e-12);
     CHECK(relative_error(solved.head(columns), whole.v2(lambda)) < 1e-12);
 
@@ -251,15 +253,15 @@ TEST_CASE("12.3.1: the second derivation gives the same lambda") {
     // J^-1 the second line of 12.3.2 and all that follows is wrong, up to the multiplication by J in front, which
     // asks of K no more than J K = 1: what it leaves is 6.2.9.
     REQUIRE(rows < columns);
-    const MatrixX shortest = J.transpose() * (J * J.transpose()).inverse();
-    const MatrixX lightest = whole.inverse_mass * J.transpose() * whole.A().inverse();
+    const MatrixX shortest = product(J.transpose(), inverse(product(J, J.transpose())));
+    const MatrixX lightest = product(product(whole.inverse_mass, J.transpose()), inverse(whole.A()));
     CHECK(relative_error(shortest, lightest) > 0.1);
     for (const MatrixX& K : {shortest, lightest}) {
-        CHECK(relative_error(J * K, MatrixX::Identity(rows, rows)) < 1e-12);
-        CHECK(relative_error(K * J, MatrixX::Identity(columns, columns)) > 0.1);
+        CHECK(relative_error(product(J, K), MatrixX::Identity(rows, rows)) < 1e-12);
+        CHECK(relative_error(product(K, J), MatrixX::Identity(columns, columns)) > 0.1);
         CHECK(relative_error(K * whole.push, whole.v2(lambda)) > 0.1);
         const VectorX acceleration = (K * whole.push - whole.v1) / dt - whole.inverse_mass * whole.f_ext;
-        CHECK(relative_error(acceleration, whole.inverse_mass * J.transpose() * lambda) > 0.1);
+        CHECK(relative_error(acceleration, whole.inverse_mass * (J.transpose() * lambda)) > 0.1);
         CHECK(relative_error(J * acceleration, whole.A() * lambda) < 1e-12);
         CHECK(relative_error(J * acceleration, whole.b()) < 1e-12);
     }
@@ -271,10 +273,10 @@ TEST_CASE("12.3.1: with rows that stand twice there is no K with J K = 1, but th
     twice.insert(twice.end(), boxes.rows.begin(), boxes.rows.end());
     const Whole once(boxes.bodies, boxes.rows), doubled(boxes.bodies, twice);
     CHECK(doubled.J.rows() == 8);
-    CHECK(doubled.J.fullPivLu().rank() == 4);
+    CHECK(rank(doubled.J) == 4);
 
-    const VectorX lambda = once.A().ldlt().solve(once.b());
-    const VectorX shared = doubled.A().completeOrthogonalDecomposition().solve(doubled.b());
+    const VectorX lambda = solution(once.A(), once.b());
+    const VectorX shared = pseudo_inverse(doubled.A()) * doubled.b();
     VectorX lopsided = VectorX::Zero(8);
     lopsided << 3.0 * lambda, -2.0 * lambda;
     for (const VectorX& answer : {shared, lopsided}) {

@@ -1,10 +1,10 @@
-// Paper section 9, line by line and in its order. Every line is checked while this file is compiled; a line that
-// is wrong in the paper stands beside the right one.
+// Paper section 9, line by line and in its order. Every line is checked while this file is compiled; a line that is
+// wrong in the paper is followed by the right one.
 //
 // Symbols: J axes of the rows, v velocities, M masses, f forces, lambda, v (here: push) push factors, A and b of
 // 6.2.9; _lin and _ang are the linear and the angular part. The tables of 9.2 for 6.2.7, 12.3.1 and the left sides
-// of 12.3.3 are not in the text (12.3.3 is the line before b = A lambda in 12.3.1): here they are what the
-// equations make them.
+// of 12.3.3 are not in the text (12.3.3 is the line before b = A lambda in 12.3.1): here they follow from the
+// equations.
 #include "tests/engine/paper/units.h"
 
 #include "engine/constraints/distance_constraints.h"
@@ -19,7 +19,7 @@ namespace engine = pushfactor::engine;
 
 namespace {
 
-// What sections 3 and 6.1 define before the question of units comes up.
+// Definitions of sections 3 and 6.1, before the question of units.
 constexpr Second dt{};
 constexpr Kilogram mass{};
 constexpr Quantity<1, 2, 0> inertia{};
@@ -47,7 +47,7 @@ struct Last {
     static constexpr MetrePerSecond push{};
 };
 
-// 5.2.1 with p_b - p_a as it is, and the push that belongs to it.
+// 5.2.1 with p_b - p_a as printed, and the push that belongs to it.
 struct Unnormalised {
     static constexpr Metre j_lin{};
     static constexpr Quantity<0, 2, 0> j_ang{};
@@ -60,7 +60,7 @@ struct AsPrinted : Unnormalised {
     static constexpr MetrePerSecond push{};
 };
 
-// 6.2.7 and 12.3.3: every sum adds what can be added, and the right side can be taken from the left.
+// 6.2.7 and 12.3.3: every sum is of equal units, and both sides have the same unit.
 template <class Units>
 concept closes = requires(Units u) {
     mass* vdot_lin - (u.j_lin * u.lambda + f_lin);
@@ -89,8 +89,8 @@ TEST_CASE("section 9.1: the paper's first unit system, line by line") {
     STATIC_REQUIRE(is<Quantity<1, 1, -1>>(Work{} / v_lin));
     STATIC_REQUIRE(is<Quantity<1, 2, -1>>(Work{} / v_ang));
 
-    // "M is kg for the linear part and kg m^2 for the angular part". 6.1.3 applies M^-1 to the velocities, which is
-    // nothing; the accelerations that it speaks of come from the forces.
+    // "M is kg for the linear part and kg m^2 for the angular part". 6.1.3 applies M^-1 to the velocities, which
+    // has no meaning; the accelerations that it speaks of come from the forces.
     STATIC_REQUIRE(is<Quantity<-1, 1, -1>>(v_lin / mass));
     STATIC_REQUIRE(is<MetrePerSecond2>(f_lin / mass));
     STATIC_REQUIRE(is<Quantity<0, 0, -2>>(f_ang / inertia));
@@ -166,7 +166,7 @@ TEST_CASE("section 9.2: lambda is a force, and the units close") {
 
 namespace {
 
-// A bar between two boxes as it looks to one whose kilogram, metre and second are these parts of ours.
+// A bar between two boxes in units of these fractions of kilogram, metre and second.
 pushfactor::tests::Frozen measured_in(double kilogram, double metre, double second) {
     const double newton = kilogram * metre / (second * second);
     std::vector<engine::Body> bodies;

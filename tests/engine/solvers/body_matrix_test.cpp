@@ -1,10 +1,9 @@
-// The factorisation against a dense one, and its plan against what fill-in must be.
+// The factorisation against a dense one, and its plan against the expected fill-in.
 #include "engine/solvers/exact/body_matrix.h"
 
 #include "tests/catch.h"
+#include "tests/engine/dense_algebra.h"
 #include "tests/random.h"
-
-#include <Eigen/LU>
 
 using namespace pushfactor;
 using namespace pushfactor::engine;
@@ -54,7 +53,7 @@ double difference_from_dense(int bodies, const Pairs& pairs, bool symmetric, std
     for (int i = 0; i < bodies; ++i) right.segment<6>(6 * i) = x[static_cast<std::size_t>(i)] = random_axis(random);
     matrix.factor();
     matrix.solve(x);
-    const VectorX expected = dense.fullPivLu().solve(right);
+    const VectorX expected = tests::solution(dense, right);
     double largest = 0.0;
     for (int i = 0; i < bodies; ++i) {
         largest = std::max(largest, (x[static_cast<std::size_t>(i)] - expected.segment<6>(6 * i)).norm());

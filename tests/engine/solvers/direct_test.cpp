@@ -1,4 +1,4 @@
-// The exact answer on problems where others fail, and where there is more than one.
+// The exact solution of problems where other solvers fail, and where it is not unique.
 #include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
@@ -149,10 +149,10 @@ TEST_CASE("auto sweeps once where no two rows share a body, is exact on threads,
     const demos::Sample wave = of_step("pendulum-wave", "auto", 0.5);
     CHECK(wave.count.sweeps == 1);
     CHECK(wave.residual < 1e-12);
-    // A stack while it lands, which 25 sweeps leave far from the answer.
+    // A landing stack, which 25 sweeps leave far from the solution.
     CHECK(of_step("stack", "auto", 0.55).residual < 1e-9);
     CHECK(of_step("stack", "pgs", 0.55).residual > 1e-4);
-    // A heap is swept, in small steps, and what is spent on top is bounded.
+    // A heap is solved by sweeps in small steps, and the additional cost is bounded.
     const demos::Sample heap = of_step("funnel", "auto", 3.0);
     CHECK(heap.count.islands_in_small_steps > 0);
     CHECK(heap.count.multiply_adds <= 5.0 * of_step("funnel", "pgs", 3.0).count.multiply_adds);

@@ -1,4 +1,4 @@
-// The two exact methods by themselves, on problems that are harder than those of scenes.
+// The two exact methods separately, on problems that are harder than those of scenes.
 #include "engine/solvers/exact/interior_point.h"
 
 #include "engine/solvers/exact/active_set.h"

@@ -46,7 +46,7 @@ TEST_CASE("jacobi is 7.1.1 for all rows at once on the dense A, relaxed") {
         INFO(problem.name);
         for (const int iterations : {1, 2, 25}) {
             Columns dense = dense_jacobi(frozen.system, jacobi_weight, iterations);
-            // A bound that follows another row is kept once more when the answer is stored.
+            // A bound that follows another row is applied again when the solution is stored.
             for (Eigen::Index j = 0; j < dense.rows(); ++j) {
                 const auto [low, high] = bounds_of(frozen.rows[static_cast<std::size_t>(j)], dense, 0);
                 dense(j, 0) = std::max(std::min(dense(j, 0), high), low);

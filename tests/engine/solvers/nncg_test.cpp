@@ -1,4 +1,4 @@
-// The conjugate sweeps against the published method on the dense A, and what `nncg` promises beyond it.
+// The conjugate sweeps against the published method on the dense A, and the additional guarantees of `nncg`.
 #include "tests/catch.h"
 #include "tests/engine/solvers/problems.h"
 
@@ -7,8 +7,8 @@ using namespace pushfactor::tests;
 
 namespace {
 
-// The method as it is published, with A and A_jj as they are and directions in lambda sqrt(A_jj). For systems of
-// one column. `restarts` counts how often beta was above 1.
+// The published method, with A and A_jj as they are and directions in lambda sqrt(A_jj). For systems of one column.
+// `restarts` counts how often beta was above 1.
 Columns dense_nncg(const SystemEquation& system, int iterations, int& restarts) {
     const MatrixX A = dense_matrix(system);
     const VectorX scale = system.diagonal.cwiseSqrt();

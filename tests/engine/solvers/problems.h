@@ -1,4 +1,4 @@
-// Frozen problems for solvers, and A and the residual worked out the long way.
+// Frozen problems for solvers, and A and the residual computed by definition.
 #pragma once
 
 #include "engine/constraints/contact_constraints.h"
@@ -48,7 +48,7 @@ inline Problem chain_problem(int count) {
     return chain;
 }
 
-// What the engine makes of the contacts of these bodies under gravity 10.
+// The engine's problem of these bodies' contacts under gravity 10.
 inline Problem contact_problem(std::string name, std::vector<engine::Body> bodies,
                                std::vector<engine::collision::Collider> colliders,
                                std::unique_ptr<engine::FrictionRule> friction,
@@ -82,9 +82,8 @@ inline std::unique_ptr<engine::FrictionRule> cone_friction() {
     return std::make_unique<engine::ConeFriction>();
 }
 
-// Cubes of 1 m and 1 kg on a plane and on each other, overlapping by a centimetre, each turned by `turn` against
-// the one below: faces that meet in four points when aligned and in eight at 45 degrees. They move
-// down and sideways.
+// Cubes of 1 m and 1 kg stacked on a plane, overlapping by a centimetre, each turned by `turn` against the one
+// below: faces that meet in four points when aligned and in eight at 45 degrees. They move down and sideways.
 inline Problem tower_problem(std::string name, int count, double turn,
                              std::unique_ptr<engine::FrictionRule> friction,
                              const engine::ContactChoices& choices) {
@@ -122,7 +121,7 @@ inline Problem gutter_problem(std::unique_ptr<engine::FrictionRule> friction) {
     return contact_problem("gutter", std::move(bodies), std::move(colliders), std::move(friction), choices);
 }
 
-// Problems that all sweeping solvers get to the end of.
+// Problems on which all sweeping solvers converge.
 inline std::vector<Problem> solvable_problems() {
     std::vector<Problem> problems;
     problems.push_back(column_problem(5));
@@ -160,7 +159,7 @@ inline engine::Columns solve(const char* solver, const engine::SystemEquation& s
     return lambda;
 }
 
-// A = J M^-1 J^T, column after column from unit forces (6.2.1).
+// A = J M^-1 J^T, column by column from unit forces (6.2.1).
 inline engine::MatrixX dense_matrix(const engine::SystemEquation& system) {
     engine::MatrixX A(system.row_count(), system.row_count());
     std::vector<engine::Vector6> forces;

@@ -1,5 +1,5 @@
-// The exact answer over families of random problems: not that one is solved, but how many are and at what cost, and
-// that what is not solved is said.
+// The exact solvers over families of random problems: how many are solved and at what cost, and that failures are
+// reported.
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/engine/random_contacts.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr solvers::Termination to_1e10{.iterations = 1000, .tolerance_high = 1e-10, .tolerance_low = 1e-10};
 
-// Problems of a family. More with PUSHFACTOR_RANDOM_PROBLEMS=1000, as the README has them.
+// Problems per family. More with PUSHFACTOR_RANDOM_PROBLEMS=1000, as in the README.
 int family_size() {
     const char* const asked = std::getenv("PUSHFACTOR_RANDOM_PROBLEMS");
     return asked ? std::max(1, std::atoi(asked)) : 150;
@@ -38,7 +38,7 @@ Answer solve(const char* solver, const Frozen& frozen, const solvers::Terminatio
 }  // namespace
 
 TEST_CASE("every random problem with fixed bounds is solved to 1e-10 m/s within 40 factorisations") {
-    // Mass ratios to 1e6, redundant points, bounds thinner than rounding.
+    // Mass ratios to 1e6, redundant points, bounds narrower than rounding.
     int most = 0;
     double worst = 0.0;
     for (int seed = 1; seed <= family_size(); ++seed) {

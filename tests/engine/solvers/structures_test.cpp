@@ -1,4 +1,4 @@
-// Plans of factorisations that islands share and keep.
+// Cached factorisation plans, shared by islands.
 #include "engine/solvers/exact/structures.h"
 
 #include "tests/catch.h"
@@ -8,7 +8,7 @@ using namespace pushfactor::engine::solvers;
 
 namespace {
 
-// Bodies on a string that hangs from a static one, as an island.
+// An island: a chain of bodies that hangs from a static one.
 struct String {
     explicit String(int count) {
         island.body_count = count + 1;
@@ -39,7 +39,7 @@ TEST_CASE("islands that are connected alike share their structure, others have t
     CHECK(&structures.of(same.island) == first);
     CHECK(structures.of(same.island).order.symmetric_work() == work);
 
-    // The order of rows is none of the structure.
+    // The order of rows is not part of the structure.
     String reversed(5);
     std::reverse(reversed.runs.begin(), reversed.runs.end());
     CHECK(&structures.of(reversed.island) == first);

@@ -1,4 +1,4 @@
-// What `nncg` and `jacobi` have in common with `pgs`: the same answers, the same contract (paper section 7).
+// Claims that `nncg` and `jacobi` share with `pgs`: the same solutions, the same contract (paper section 7).
 #include "tests/catch.h"
 #include "tests/engine/solvers/problems.h"
 
@@ -147,7 +147,7 @@ TEST_CASE("work is the same for equal runs, and every iteration but the first co
         CHECK(work(25) == work(25));
         CHECK(work(101) - work(100) == work(2) - work(1));
         CHECK(work(100) - work(1) == 99 * (work(2) - work(1)));
-        // 24 a row for the sweep; what nncg adds is two thirds of another at most.
+        // 24 per row for the sweep; nncg adds at most two thirds of another.
         const double sweep = 24.0 * static_cast<double>(frozen.system.row_count() * frozen.system.column_count());
         CHECK(work(1) == sweep);
         CHECK(work(2) - work(1) >= sweep);

@@ -23,7 +23,7 @@ struct State {
 };
 using States = std::vector<State>;
 
-// Of each movable body, in the order of the scene, at every moment of the trajectory.
+// States of each movable body, in the order of the scene, at all times of the trajectory.
 std::vector<States> tracks(const Evidence& evidence) {
     const auto& bodies = evidence.scene->bodies;
     const auto movable = std::count_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.mass; });
@@ -44,7 +44,7 @@ double step_of(const States& states) {
     return states[1].time - states[0].time;
 }
 
-// kg m^2 in the body frame, of a box; of a ball all its edges are those with the same inertia.
+// Principal moments in the body frame [kg m^2].
 Vector3 inertia_of(const BodyDescription& body) {
     const auto* sphere = std::get_if<SphereShape>(&body.shape);
     if (sphere) return Vector3::Constant(0.4 * *body.mass * sphere->radius * sphere->radius);
@@ -56,7 +56,8 @@ Vector3 turning(const State& state) {
     return state.orientation.conjugate() * state.w;
 }
 
-// The momenta belong half a step earlier than the positions; with both at one time free flight keeps it exactly.
+// Energy [J] with the momenta moved half a step forward, to the time of the positions: free flight then conserves
+// it exactly.
 double centred_energy(const State& state, const BodyDescription& body, const Vector3& gravity, double step) {
     const Vector3 v = state.v + 0.5 * step * gravity;
     const double moving = 0.5 * *body.mass * (v.squaredNorm() - 2.0 * gravity.dot(state.x));
@@ -74,7 +75,7 @@ double level_distance(const State& from, const State& to) {
     return std::hypot(to.x.x() - from.x.x(), to.x.z() - from.x.z());
 }
 
-// Angle that it turned in all, from one moment to the next by less than half a turn [rad].
+// Total angle of rotation [rad]; less than half a turn per step.
 double turned_angle(const States& states) {
     Vector3 sum = Vector3::Zero();
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -85,7 +86,7 @@ double turned_angle(const States& states) {
     return sum.norm();
 }
 
-// Over the last second [m/s^2].
+// Mean over the last second [m/s^2].
 std::optional<double> acceleration(const States& states) {
     const auto second = static_cast<std::size_t>(std::lround(1.0 / step_of(states)));
     if (states.size() <= second) return std::nullopt;
@@ -94,8 +95,8 @@ std::optional<double> acceleration(const States& states) {
     return (last.v - before.v).norm() / (last.time - before.time);
 }
 
-// Time of a swing to and fro, from the first to the last passage of its centre through x = 0 in the direction of +x
-// [s]. Nothing below two passages.
+// Period [s], averaged from the first to the last passage of the centre through x = 0 in the direction of +x. None
+// with fewer than two passages.
 std::optional<double> swing_period(const States& states) {
     std::vector<double> passages;  // s
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -109,7 +110,7 @@ std::optional<double> swing_period(const States& states) {
     return (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
 }
 
-// Between the tops of the first five flights after a bounce, from the parabolas through the positions.
+// Spread of the apexes of the first five flights after a bounce, from the parabolas through the positions [m].
 std::optional<double> apex_spread(const States& all, const SceneDescription& scene) {
     const double g = scene.gravity.norm();
     std::vector<double> apexes;
@@ -133,7 +134,7 @@ std::optional<double> energy_change(const States& all, const SceneDescription& s
     return largest_of(all, [&](const State& state) { return std::abs(energy(state) - start); }) / std::abs(start);
 }
 
-// About the body's x axis, and about those across it together, whichever changed more; of the start's.
+// Relative change of the spin about the body's x axis or of that about the other two together, whichever is larger.
 std::optional<double> spin_change(const States& all, const SceneDescription&) {
     const auto along = [](const State& state) { return std::abs(turning(state).x()); };
     const auto across = [](const State& state) { return turning(state).tail<2>().norm(); };
@@ -155,7 +156,7 @@ std::optional<double> angular_momentum_change(const States& all, const SceneDesc
 using Values = std::vector<double>;
 using Take = std::function<Values(const Evidence& evidence)>;
 
-// A number of each movable body; nothing where one of them does not have it.
+// One number per movable body; empty if one of them has none.
 Take each(std::function<std::optional<double>(const States& states)> one) {
     return [one](const Evidence& evidence) {
         Values values;
@@ -168,14 +169,14 @@ Take each(std::function<std::optional<double>(const States& states)> one) {
     };
 }
 
-// A number of each movable body: the largest that one of its states has, compared with its first one.
+// One number per movable body: the largest `value` of its states, given the first one.
 Take largest(double (*value)(const State& state, const State& start)) {
     return each([value](const States& states) {
         return largest_of(states, [&](const State& state) { return value(state, states.front()); });
     });
 }
 
-// A number of the movable body that the scene names last.
+// A number of the last movable body of the scene.
 Take last(std::optional<double> (*one)(const States& states, const SceneDescription& scene)) {
     return [one](const Evidence& evidence) {
         const std::optional<double> value = one(tracks(evidence).back(), *evidence.scene);
@@ -183,8 +184,8 @@ Take last(std::optional<double> (*one)(const States& states, const SceneDescript
     };
 }
 
-// Twins are the first half of a scene's movable bodies and, in the same order, the second half: the largest
-// difference of what `value` says of them, one number per pair.
+// Twins are bodies of the first and, in the same order, the second half of a scene's movable bodies. One number per
+// pair: the largest difference of `value`.
 Take twins(Vector3 (*value)(const State& state, const State& start)) {
     return [value](const Evidence& evidence) {
         const std::vector<States> all = tracks(evidence);
@@ -208,7 +209,7 @@ const std::vector<Measure> measures{
     {"slide_m", "trajectory",
      each([](const States& states) { return level_distance(states.front(), states.back()); })},
     {"farthest_m", "trajectory", largest(level_distance)},
-    // From the vertical plane through its start along its first velocity.
+    // Distance from the vertical plane through the start along the first velocity.
     {"sideways_m", "trajectory", largest([](const State& state, const State& start) {
          return std::abs(start.v.cross(Vector3::UnitY()).normalized().dot(state.x - start.x));
      })},
@@ -224,7 +225,7 @@ const std::vector<Measure> measures{
     {"twin_distance_m", "trajectory",
      twins([](const State& state, const State& start) -> Vector3 { return state.x - start.x; })},
     {"twin_velocity_m_per_s", "trajectory", twins([](const State& state, const State&) { return state.v; })},
-    // Of the centre below height 0.
+    // Depth of the centre below height 0.
     {"depth_m", "trajectory", last([](const States& states, const SceneDescription&) {
          return std::optional(largest_of(states, [](const State& state) { return -state.x.y(); }));
      })},

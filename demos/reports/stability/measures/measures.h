@@ -1,4 +1,4 @@
-// The numbers by which cases are judged, from what the program writes about a run.
+// The measures by which cases are judged, computed from the output files of a run.
 //
 // Symbols: x position [m], v velocity [m/s], w angular velocity [rad/s], R orientation, I inertia in the body frame
 // [kg m^2], g gravity [m/s^2], h step [s].
@@ -14,22 +14,22 @@
 
 namespace pushfactor::demos::reports::stability {
 
-// A CSV file of numbers, by column; what is no number is NaN.
+// A CSV file of numbers, by column; other text is NaN.
 using Columns = std::map<std::string, std::vector<double>, std::less<>>;
 
 Columns read_columns(const std::filesystem::path& file);
 
-// What there is to measure of one run.
+// Output of one run.
 struct Evidence {
     const SceneDescription* scene = nullptr;
     Json summary{};
     std::map<std::string, Columns> outputs{};  // by option: "csv", "trajectory", "rows"
 };
 
-// The option that writes what `measure` is taken from beside the summary; empty for none.
+// The output option that `measure` needs besides the summary; empty for none.
 std::string output_for(const std::string& measure);
 
-// One number, or one for each body that is judged by itself; none where the run does not have it.
+// The measured value, or one per body; empty if the run does not have it.
 std::vector<double> take(const std::string& measure, const Evidence& evidence);
 
 }  // namespace pushfactor::demos::reports::stability

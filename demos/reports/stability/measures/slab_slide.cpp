@@ -53,7 +53,7 @@ double slide_of(const Slab& slab, double speed, double spin) {
     Moving now;
     now << 0, 0, 0, speed, 0, spin;
     const double start = energy_of(slab, now);
-    // RK4. Both speeds end together and steps shrink with them.
+    // RK4. Both speeds vanish at the same time, and steps shrink with them.
     for (double left = 1.0; left > 1e-5; left = std::sqrt(energy_of(slab, now) / start)) {
         const double h = 1e-3 * std::max(left, 1e-3);  // s
         const Moving k1 = rate_of(slab, now);

@@ -1,4 +1,4 @@
-// What scenes of the stress list are put together from.
+// Building blocks of scenes of the stress list.
 #pragma once
 
 #include "demos/reports/stability/scenes/scenes.h"
@@ -41,7 +41,8 @@ inline engine::Vector3 rolling(const engine::Vector3& velocity, double radius) {
     return engine::Vector3::UnitY().cross(velocity) / radius;
 }
 
-// Looks at the origin from the right, as much from above as `height` says; pictures find their own distance.
+// A view of the origin from the right; `height` is the upward component of the direction. Pictures find their own
+// distance.
 inline View seen_from(double height) {
     return {.eye = 20.0 * engine::Vector3(0.45, height, 1.0).normalized(), .target = engine::Vector3::Zero()};
 }

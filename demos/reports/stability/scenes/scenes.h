@@ -1,5 +1,5 @@
-// Scenes of the stress list that the catalogue has no use for. Bodies that do not touch each other share a scene.
-// Cubes have 1 m and bodies 1 kg where nothing else is said; speeds are in m/s, angles in rad.
+// Scenes of the stress list that are not in the catalogue. Bodies that do not touch each other share a scene.
+// Unless stated otherwise cubes have 1 m and bodies 1 kg; speeds are in m/s, angles in rad.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
@@ -22,7 +22,7 @@ SceneDescription free_box();             // 1 x 4 x 9 m, turns by 3 rad/s, most 
 SceneDescription tumbling_box();         // 1 x 0.4 x 0.2 m, tumbles and bounces without friction, restitution 1
 SceneDescription bouncing_ball();        // radius 0.1 m, dropped by 2 m, restitution 1
 
-// Cubes on each other, each by a ten thousandth of its side in the one below and a little beside it, so that no
+// Stacked cubes, each overlapping the one below by a ten-thousandth of its side and slightly offset, so that no
 // symmetry helps.
 struct Pile {
     int count = 5;
@@ -32,11 +32,11 @@ struct Pile {
 };
 SceneDescription pile(const Pile& pile);
 
-// Two cubes on the ground, the upper one in the lower one by `overlap` [m], up to 1: the same centre.
+// Two cubes on the ground that overlap by `overlap` [m], up to 1: the same centre.
 SceneDescription overlapping(double overlap);
 // A ball of 2 kg that hangs at `depth` [m] on bars of these lengths [m], all between the same two points.
 SceneDescription hanging(const std::vector<double>& lengths, double depth);
-// Two static boxes in each other, and nothing that moves but a ball far from them.
+// Two overlapping static boxes, and a ball far from them as the only movable body.
 SceneDescription overlapping_walls();
 
 // Thin bodies, and rods on ball joints.
@@ -61,11 +61,11 @@ double rod_pendulum_period(double angle);  // s, by the elliptic integral
 SceneDescription ball_joint_chain(double angle);
 double ball_joint_chain_swing(double angle);  // J, from there to straight down
 
-// Friction, whose outcome mechanics knows.
+// Friction problems with known results.
 
-// 16 cubes in a ring that slide outwards, each in another direction relative to its edges, on a plane or on a box.
+// 16 cubes in a ring that slide outwards, each in a different direction relative to its edges, on a plane or a box.
 SceneDescription cubes_in_16_directions(double speed, double friction, bool on_box);
-// 16 cubes in a field that slide in the same direction, each turned by another angle about the vertical.
+// 16 cubes in a grid that slide in the same direction, each turned by a different angle about the vertical.
 SceneDescription cubes_turned_16_ways(double speed, double friction);
 // 16 balls of radius 0.5 m in a ring that slide outwards without turning.
 SceneDescription balls_in_16_directions(double speed, double friction);
@@ -73,7 +73,7 @@ SceneDescription balls_in_16_directions(double speed, double friction);
 SceneDescription spinning_slab(double speed, double spin, double friction);
 // Cubes that turn on the spot about the vertical by `spin` [rad/s], some one way and some the other.
 SceneDescription spinning_cubes(double spin, double friction);
-// Cubes on an inclined plane, each turned by another angle about its normal, friction 0.5: the ground is level,
+// Cubes on an inclined plane, each turned by a different angle about its normal, friction 0.5: the ground is level,
 // gravity is inclined by `angle` towards +x.
 SceneDescription slope(double angle);
 // Balls of radius 0.5 m, of 1 kg and of 10 kg, at rest on such a slope, and where `across` is not zero one that
@@ -82,28 +82,28 @@ SceneDescription balls_on_slope(double angle, double across);
 // Cubes in steady motion at 1 m/s, a few millimetres above a plane; a force holds their weight.
 SceneDescription hovering_cubes();
 
-// Floors of flush boxes, which should be one floor to the bodies on them.
+// Floors of flush boxes, which should behave like a single box.
 
 struct Ride {
     double speed = 4.0;   // m/s
-    double angle = 0.0;   // rad, about the vertical, between the way and the rows of boxes
+    double angle = 0.0;   // rad, about the vertical, between the direction of motion and the rows of boxes
     double uneven = 0.0;  // m, by which every other box lies lower
 };
 
-// A cube and a plank 2 x 0.2 x 0.2 m, which slide without friction, and on an even floor a ball of radius 0.5 m,
-// which rolls: on a floor of boxes, and the same bodies again on a single box behind it. Of an uneven floor the
-// higher boxes carry, so that mechanics knows no difference.
+// A cube and a plank 2 x 0.2 x 0.2 m, which slide without friction, and on an even floor a rolling ball of radius
+// 0.5 m: on a floor of boxes, and the same bodies again on a single box behind it. The higher boxes of an uneven
+// floor carry the bodies, so that both should move alike.
 SceneDescription seam_floor(const Ride& ride);
 
 constexpr double way_to_stop = 0.5;  // m, of the bodies that are stopped
 
 // A cube that slides without friction along flush boxes into a wall.
 SceneDescription stopped_by_wall(double speed);
-// A cube that slides, friction 0.3, into a box of the floor which is 0.05 m higher than the others. There it tips
-// by what is left of its speed, and falls back.
+// A cube that slides, friction 0.3, into a box of the floor that is 0.05 m higher than the others. There its
+// remaining speed tips it, and it falls back.
 SceneDescription cube_stopped_by_step(double speed);
-// A slab 1 x 0.1 x 1 m that slides without friction into such a step, which is as high as its centre: nothing tips
-// it.
+// A slab 1 x 0.1 x 1 m that slides without friction into such a step, which is as high as its centre, so that it
+// does not tip.
 SceneDescription slab_stopped_by_step(double speed);
 
 }  // namespace pushfactor::demos::reports::stability

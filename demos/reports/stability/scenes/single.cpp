@@ -21,7 +21,7 @@ SceneDescription weightless(const std::string& name, BodyDescription body, const
     return scene;
 }
 
-constexpr double height = 0.6;  // m, of a card that stands
+constexpr double height = 0.6;  // m, of a standing card
 constexpr double rod_length = 1.0;
 constexpr double rod_thickness = 0.04;
 constexpr int links = 5;
@@ -32,8 +32,8 @@ Quaternion inclined(double angle) {
     return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
 }
 
-// Standing on its long edge, leaning by `angle` towards +x (-x where it is negative): its lower edge is on the
-// ground, and `at` [m] is the x coordinate of the farthest point of its upper end.
+// A card on its long edge, leaning by `angle` towards +x (-x if negative): its lower edge is on the ground, and
+// `at` [m] is the x coordinate of the farthest point of its upper end.
 BodyDescription leaning_card(const std::string& name, double angle, double at) {
     const double sine = std::sin(std::abs(angle));
     const double cosine = std::cos(angle);
@@ -45,7 +45,7 @@ BodyDescription leaning_card(const std::string& name, double angle, double at) {
     return card;
 }
 
-// Of a rod whose upper end hangs at the origin, in the plane z = 0.
+// Direction of a rod that hangs from the origin in the plane z = 0, `angle` [rad] from the vertical.
 Vector3 down_along(double angle) {
     return {std::sin(angle), -std::cos(angle), 0};
 }
@@ -146,7 +146,7 @@ SceneDescription card_upright() {
 SceneDescription card_leaning(double angle) {
     SceneDescription scene = touching(
         "card-leaning", {ground(), wall("box", {0.4, 0.4, 1.2}, {0.2, 0.2, 0}), leaning_card("card", angle, 0.0)});
-    // Until its face is at the edge of the box: there its surface is this far from the plane of symmetry.
+    // Moved along x until its face touches the edge of the box.
     BodyDescription& card = scene.bodies.back();
     const Vector3 face = card.orientation * Vector3::UnitX();
     const Vector3 point = card.position + 0.5 * card_thickness * face;
@@ -187,7 +187,7 @@ SceneDescription rod_pendulum(double angle) {
 }
 
 double rod_pendulum_period(double angle) {
-    // Of a mass of 1 kg: g l / 2 over the moment of inertia about the end.
+    // Squared rate of small swings: m g l / 2 over the moment of inertia about the end; m = 1 kg.
     const double inertia = rod_length * rod_length / 3.0 + rod_thickness * rod_thickness / 12.0;  // m^2
     const double rate = std::sqrt(usual_gravity * 0.5 * rod_length / inertia);                    // rad/s
     return 4.0 * std::comp_ellint_1(std::sin(0.5 * angle)) / rate;

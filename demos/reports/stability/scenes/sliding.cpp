@@ -27,10 +27,10 @@ double direction(int i) {
 }
 
 constexpr double thickness = 0.5;  // m, of a floor
-constexpr double behind = 8.0;     // m, from a floor back to the one of the twins
+constexpr double behind = 8.0;     // m, distance back to the floor of the twins
 
 struct Floor {
-    Vector3 corner;  // m, of its top, where x and z are least
+    Vector3 corner;  // m, corner of its top with the smallest x and z
     int rows = 8;    // along x
     int lanes = 8;   // along z
     double side = 0.75;
@@ -53,12 +53,12 @@ std::vector<BodyDescription> riders(const Ride& ride) {
     BodyDescription plank = box("plank", {2, 0.2, 0.2}, {0, 0.1, ride.uneven == 0.0 ? 1.55 : 0.8});
     cube.friction = plank.friction = 0.0;
     std::vector<BodyDescription> found{cube, plank};
-    // It would fall into the lower boxes.
+    // A ball would fall into the lower boxes.
     if (ride.uneven == 0.0) found.push_back(ball(0.5, {0.15, 0.5, 0}));
     for (BodyDescription& one : found) {
         one.velocity = along(ride.angle, ride.speed);
         one.orientation = turned(ride.angle);
-        one.position.z() += 1.6 * std::sin(ride.angle);  // so that it ends as far aside as it began
+        one.position.z() += 1.6 * std::sin(ride.angle);  // so that the path is centred on the floor
     }
     if (ride.uneven == 0.0) found.back().angular_velocity = rolling(found.back().velocity, 0.5);
     return found;

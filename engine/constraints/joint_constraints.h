@@ -1,0 +1,98 @@
+// Joints, paper section 5.1 (constraints in general) and 8.1 (motors). A ball joint holds point p_a of body a and
+// point p_b of body b together; a hinge also holds an axis u of a along an axis of b, and may have a motor and
+// limits of its angle.
+//
+//   point, k = 1..3   c_k = p_ab . e_k          j_c = [-e_k, -r_a x e_k, e_k, r_b x e_k]   as in 5.2 with l = 0
+//   axis, k = 1, 2    c_k = L theta . t_k       j_c = L [0, -t_k, 0, t_k]
+//   motor             v = L omega               j_c = L [0, -u, 0, u],   -T / L <= lambda <= T / L
+//   limits            c = L (phi - low) >= 0    j_c = L [0, -u, 0, u],   lambda >= 0
+//                     c = L (high - phi) >= 0   j_c = L [0, u, 0, -u],   lambda >= 0
+//
+// Symbols: p_ab = p_b - p_a [m]; r_i lever arms to the point in the middle [m]; e_k the world's axes; u unit
+// length; t_k two unit vectors across u, fixed in a; theta the rotation from u to the axis of b, along u x axis
+// [rad]; phi angle of b about u, from where b is at angle 0 [rad]; omega speed of the motor [rad/s]; T its largest
+// torque [N m]; v push factor, lambda force. L is a lever [m], the smaller radius of gyration of the bodies: with
+// it rows that turn are in m/s and N like all others, and tolerances mean the same.
+//
+// The motor is one of the "constant speed motors" of 8.1: its push lasts. It is the bounds that make it stall.
+// Limits are one-sided rows like contacts: open ones may close within the step, closed ones are corrected. Two
+// equal limits are one row that acts both ways: the bodies are welded.
+#pragma once
+
+#include "engine/constraints/constraint_source.h"
+#include "engine/constraints/distance_constraints.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace pushfactor::engine {
+
+struct Motor {
+    double speed = 0.0;                                           // rad/s, of b about the axis relative to a
+    double max_torque = std::numeric_limits<double>::infinity();  // N m, > 0
+};
+
+struct AngleLimits {
+    double low = 0.0, high = 0.0;  // rad, low <= high, at most a turn apart
+};
+
+struct Hinge {
+    Vector3 axis = Vector3::UnitZ();           // u, unit length, frame of a
+    Quaternion zero = Quaternion::Identity();  // orientation of b in the frame of a at angle 0
+    std::optional<Motor> motor{};
+    std::optional<AngleLimits> limits{};
+};
+
+struct Joint {
+    int body_a = 0;  // indices into the bodies of the world; a static body represents the world itself
+    int body_b = 0;
+    Vector3 point_a = Vector3::Zero();  // m, body frame, from the centre of mass
+    Vector3 point_b = Vector3::Zero();
+    std::optional<Hinge> hinge{};  // without: a ball joint
+};
+
+// The two points in the world frame [m].
+Span span_of(const Joint& joint, std::span<const Body> bodies);
+
+// Angle of a hinge in (-pi, pi] [rad].
+double angle_of(const Joint& joint, std::span<const Body> bodies);
+
+// Rows of a joint, in their order: three of the point, two of the axis, motor, lower and upper limit.
+inline constexpr std::size_t most_joint_rows = 8;
+std::size_t row_count(const Joint& joint);
+
+// Solution of each row of a joint [N], zero for those that it does not have.
+using JointForce = std::array<Lambda, most_joint_rows>;
+
+class JointConstraints : public ConstraintSource {
+  public:
+    // `cached`: warm start from the forces of the previous step (6.2.3).
+    JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached);
+
+    void append_rows(const StepStart& step, RowList& rows) override;
+    void remember(std::span<const Lambda> answers) override;
+    bool turns_unseen(int body) const override;
+    bool can_leave_out() const override { return true; }
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+
+    std::span<const Joint> joints() const { return joints_; }
+    // Indices of the joints that have rows, in row order; those of resting bodies have none.
+    std::span<const std::size_t> acting() const { return acting_; }
+
+    // Solution of the last step, one per joint; zero before the first. Set when a run is restored.
+    const std::vector<JointForce>& forces() const { return forces_; }
+    void set_forces(std::vector<JointForce> forces);
+
+  private:
+    void append_hinge(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) const;
+
+    std::vector<Joint> joints_;
+    Correction correction_;
+    bool cached_;
+    std::vector<JointForce> forces_;
+    std::vector<std::size_t> acting_;
+};
+
+}  // namespace pushfactor::engine
