@@ -2,6 +2,7 @@
 
 #include "demos/pictures/plane_outline.h"
 #include "demos/pictures/to_glm.h"
+#include "engine/collision/polyhedron.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,7 @@
 #include "demos/runs/obstacles.h"
 
 #include "engine/base/overloaded.h"
+#include "engine/collision/polyhedron.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "demos/scenes/convex_hull.h"
 #include "demos/scenes/scene_description.h"
 #include "engine/bodies/solid.h"
+#include "engine/collision/polyhedron.h"
 
 #include <cmath>
 
@@ -22,6 +23,14 @@ double length_of(std::span<const Vector3> points) {
 }
 
 }  // namespace
+
+std::span<const Vector3> PolyhedronShape::points() const {
+    return mesh->hull().vertices;
+}
+
+double PolyhedronShape::radius() const {
+    return std::sqrt(mesh->squared_radius());
+}
 
 FramedPolyhedron make_polyhedron(std::span<const Vector3> points) {
     // Moved points are rounded, and their hull may have lost a corner: again until nothing changes.

@@ -1,11 +1,14 @@
 // Polyhedra of a scene: the hull of points, as the engine wants it.
 #pragma once
 
-#include "engine/collision/polyhedron.h"
+#include "engine/base/math.h"
 
-#include <cmath>
 #include <memory>
 #include <span>
+
+namespace pushfactor::engine::collision {
+class PolyhedronMesh;
+}
 
 namespace pushfactor::demos {
 
@@ -15,8 +18,8 @@ struct PolyhedronShape {
     engine::Vector3 moments = engine::Vector3::Ones();                // m^2, principal moments per unit of mass
     double volume = 0.0;                                              // m^3
 
-    std::span<const engine::Vector3> points() const { return mesh->hull().vertices; }  // m
-    double radius() const { return std::sqrt(mesh->squared_radius()); }                // m, of the farthest corner
+    std::span<const engine::Vector3> points() const;  // m
+    double radius() const;                            // m, of the farthest corner
 };
 
 // A shape, and where its body frame is in the frame of the points that it was made of.

@@ -65,11 +65,12 @@ Separation closest(const Placed& pair) {
     return {nearest.normal, gap};
 }
 
-// Calls `visit` with the separations that matter: the largest, and those of a gap above `least` [m].
-template <typename Visit>
-void visit_separations(const Placed& pair, double least, const Visit& visit) {
+// Calls `visit` with the separations that matter: the largest, and those of a gap above `least` [m]; of polyhedra
+// those of faces alone if they are `enough()`.
+template <typename Visit, typename Enough>
+void visit_separations(const Placed& pair, double least, const Visit& visit, const Enough& enough) {
     const auto visit_hulls = [&](const auto& a, const auto& b) {
-        visit_separations(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b), least, visit);
+        visit_separations(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b), least, visit, enough);
     };
     std::visit(Overloaded{[&](const Box& a, const Box& b) {
                               const Separations separations(a, pair.pose_a, b, pair.pose_b);
@@ -110,16 +111,20 @@ struct Wait {
     double fastest = 0.0;  // m/s, over these directions
 };
 
-// `permitted`: overlap [m] up to which they still count as separated.
-Wait wait_of(const Placed& pair, double permitted) {
+// `permitted`: overlap [m] up to which they still count as separated. `enough`: a wait [s] and a gap [m] beyond
+// which longer ones do not matter.
+Wait wait_of(const Placed& pair, double permitted, const Wait& enough) {
     Wait wait;
-    visit_separations(pair, -permitted, [&](const Separation& separation) {
-        const Reach reach = closing(pair, separation.normal);
-        const double gap = separation.gap + permitted;
-        wait.time = std::max(wait.time, time_to_close(gap, reach));
-        wait.gap = std::max(wait.gap, gap);
-        wait.fastest = std::max(wait.fastest, reach.speed);
-    });
+    visit_separations(
+        pair, -permitted,
+        [&](const Separation& separation) {
+            const Reach reach = closing(pair, separation.normal);
+            const double gap = separation.gap + permitted;
+            wait.time = std::max(wait.time, time_to_close(gap, reach));
+            wait.gap = std::max(wait.gap, gap);
+            wait.fastest = std::max(wait.fastest, reach.speed);
+        },
+        [&] { return wait.time > enough.time && wait.gap > enough.gap; });
     return wait;
 }
 
@@ -161,7 +166,7 @@ Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearn
     int i = 0;
     for (; i < most_waits && time < dt; ++i) {
         const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
-        Wait wait = wait_of(pair, overlap);
+        Wait wait = wait_of(pair, overlap, {.time = dt - time, .gap = tolerance});
         if (wait.gap <= tolerance) {
             const Manifold manifold = manifold_of(pair, dt - time, std::max(nearness.margin, 2.0 * tolerance));
             const bool grazes = manifold.count > 0 && overlap < nearness.permitted &&

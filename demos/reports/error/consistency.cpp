@@ -13,8 +13,12 @@ using Bodies = std::vector<engine::Body>;
 double length_of(const SceneDescription& scene) {
     for (const BodyDescription& body : scene.bodies) {
         if (!body.mass) continue;
-        if (const auto* box = std::get_if<BoxShape>(&body.shape)) return box->size.minCoeff();
-        if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) return 2.0 * sphere->radius;
+        return std::visit(
+            engine::Overloaded{[](const BoxShape& box) { return box.size.minCoeff(); },
+                               [](const SphereShape& sphere) { return 2.0 * sphere.radius; },
+                               [](const PlaneShape&) { return 1.0; },
+                               [](const PolyhedronShape& polyhedron) { return 2.0 * polyhedron.radius(); }},
+            body.shape);
     }
     return 1.0;
 }

@@ -21,14 +21,22 @@ constexpr float letters = 11.0f;  // pixels
 
 // Boxes by their corners: a ball around a floor or a card would be mostly empty.
 void add_balls(const BodyDescription& body, std::vector<pictures::Ball>& balls) {
-    if (const auto* sphere = std::get_if<SphereShape>(&body.shape)) {
-        balls.push_back({body.position, sphere->radius});
-    } else if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vector3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-            balls.push_back({body.position + body.orientation * (0.5 * signs.cwiseProduct(box->size)), 0.0});
-        }
-    }
+    const auto add = [&](const Vector3& point) {
+        balls.push_back({body.position + body.orientation * point, 0.0});
+    };
+    std::visit(engine::Overloaded{
+                   [&](const BoxShape& box) {
+                       for (int corner = 0; corner < 8; ++corner) {
+                           const Vector3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+                           add(0.5 * signs.cwiseProduct(box.size));
+                       }
+                   },
+                   [&](const SphereShape& sphere) {
+                       balls.push_back({body.position, sphere.radius});
+                   },
+                   [](const PlaneShape&) {},
+                   [&](const PolyhedronShape& polyhedron) { std::ranges::for_each(polyhedron.points(), add); }},
+               body.shape);
 }
 
 // The start of a scene: all finite bodies, and the fixed points of its distances.
