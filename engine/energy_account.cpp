@@ -48,7 +48,8 @@ double work_of_drives(const World& world, std::span<const Body> before) {
                 const double force = lambda(j, lambda.cols() - 1);
                 if (row.label.kind == RowKind::friction) work += force * row.push.lasting;
                 if (row.label.kind == RowKind::motor && row.push.lasting != 0.0) {
-                    work += 0.5 * force * (rate_of(row, before) + rate_of(row, world.bodies));
+                    const double rate = 0.5 * (rate_of(row, before) + rate_of(row, world.bodies));
+                    work += force * (rate - world.system().carried_by(static_cast<std::size_t>(j)));
                 }
             }
         }
@@ -111,9 +112,31 @@ double EnergyAccount::work_of_removing(const World& world) {
     return work;
 }
 
+// Work of moved bodies on those that they touch or hold [J].
+double EnergyAccount::work_of_moved(const World& world) const {
+    const Columns& lambda = world.lambda();
+    double work = 0.0;
+    for (std::size_t j = 0; j < world.rows().size(); ++j) {
+        const ConstraintRow& row = world.rows()[j];
+        const auto along = [&](int moved, int other, const Vector6& axis) {
+            const auto s = static_cast<std::size_t>(moved);
+            const Motion &before = before_[s].prescribed, &now = world.bodies[s].prescribed;
+            const Vector3 spin = 0.5 * (before.angular_velocity + now.angular_velocity);
+            const Vector3 lever = before_[static_cast<std::size_t>(other)].position - before_[s].position;
+            return axis.dot(stacked(0.5 * (before.velocity + now.velocity) + spin.cross(lever), spin));
+        };
+        const auto is_static = [&](int body) { return before_[static_cast<std::size_t>(body)].is_static(); };
+        const double force = lambda(static_cast<Eigen::Index>(j), lambda.cols() - 1);
+        if (is_static(row.body_a)) work += force * along(row.body_a, row.body_b, row.jacobian.b);
+        if (is_static(row.body_b)) work += force * along(row.body_b, row.body_a, row.jacobian.a);
+    }
+    return work * world.system().dt;
+}
+
 // With the mean velocity of the step, which matches the momenta.
 double EnergyAccount::external_work_of(const World& world, double dt) const {
     double work = world.rows().empty() ? 0.0 : work_of_drives(world, before_);
+    if (world.moves_any()) work += work_of_moved(world);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body &before = before_[i], &after = world.bodies[i];
         if (before.is_static()) continue;

@@ -1,13 +1,16 @@
 // Energy balance of a run. Energy that was neither there at the start nor added from outside is an error of the
 // simulation, and no solver error excuses it.
 //
-// Added from outside: work of external forces other than gravity, work of running belts and motors, and work of the
-// push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and is
-// credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
+// Added from outside: work of external forces other than gravity, of running belts, motors and moved bodies, and of
+// the push on overlaps of the start. The push moves bodies without giving them momenta (8.1), against gravity, and
+// is credited with the work that removing the overlap needs, the contact's lasting force times the distance. Later
 // overlaps are positions from which bodies have fallen; lifting those back adds nothing.
 //
 // Semi-implicit Euler (3.2) has its momenta half a step before its positions: a rising body has the potential
 // energy of a time at which its kinetic energy is already lower. A rise is therefore measured half a step back.
+//
+// The force of a moved body acts at the beginning of the step, between its velocities in the last step and in this
+// one: its work is that at the mean of both.
 #pragma once
 
 #include "engine/world.h"
@@ -31,7 +34,7 @@ class EnergyAccount {
     // J, in excess of the start and the external work; negative for losses. For the state before the last step,
     // because only the rows of a step tell how deep its bodies were at its beginning.
     double gain() const { return gain_; }
-    // J, of all steps: forces other than gravity, belts and motors.
+    // J, of all steps: forces other than gravity, belts, motors, moved bodies.
     double external_work() const { return external_; }
     double push_work() const { return push_; }  // J, of all steps, for removing overlaps of the start
 
@@ -45,6 +48,7 @@ class EnergyAccount {
 
     double energy(std::span<const Body> bodies, double dt) const;
     double external_work_of(const World& world, double dt) const;
+    double work_of_moved(const World& world) const;
     void note_overlaps(const World& world);
     double work_of_removing(const World& world);
 

@@ -40,6 +40,7 @@ class RattleStep {
     // Takes the rows and their warm start at the beginning of the step.
     void begin(double dt) {
         // Each step solves for its positions from scratch, so that no error accumulates in kept forces.
+        if (world_.moves_any()) throw InvalidInput("bodies with a path", "some", "none: RATTLE moves none");
         world_.find_awake();
         world_.island_solver_.set_memory({});
         world_.island_solver_.begin(world_.bodies.size(), world_.awake_.members());

@@ -4,6 +4,8 @@
 // lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
 #include "engine/world.h"
 
+#include "engine/constraints/carried.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -49,6 +51,7 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
         if (observer) observer->phase_ended(phase);
     };
     SolveWork work;
+    begin_paths(dt);  // of moved bodies
     do {
         find_awake();  // all, unless some are at rest
         add_forces();  // 3.1
@@ -66,9 +69,41 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
     ended(Phase::remember);
     integrate(dt);  // 3.2, 8.1
     time_ += dt;
+    follow_paths();
     if (rest) settle(dt);
     ended(Phase::integrate);
     return count(work);
+}
+
+void World::move(int body, std::unique_ptr<const Path> path) {
+    assert(bodies[static_cast<std::size_t>(body)].is_static());
+    moved_.push_back({static_cast<std::size_t>(body), std::move(path)});
+    follow_paths();
+}
+
+// Velocities of the moved bodies in the coming step. What rests on them, or in their way, wakes.
+void World::begin_paths(double dt) {
+    bool any = false;
+    for (const Moved& own : moved_) {
+        Body& body = bodies[own.body];
+        body.prescribed = own.path->mean(time_, time_ + dt);
+        any = any || body.is_moved();
+    }
+    if (!any || !rest || rest->count() == 0) return;
+    for (const auto& source : constraints) wake(source->met_by_moved(start_of(dt)));
+}
+
+void World::follow_paths() {
+    for (const Moved& own : moved_) {
+        const Place place = own.path->at(time_);
+        bodies[own.body].position = place.position;
+        bodies[own.body].orientation = place.orientation;
+    }
+}
+
+void World::wake(const SomeBodies& some) {
+    if (some.all) rest->wake_all();
+    for (const int body : some.some) rest->wake(body);
 }
 
 void World::find_awake() {
@@ -118,6 +153,8 @@ void World::append_rows(double dt) {
         constraints[s]->append_rows(step, rows_);
         appended_.push_back({s, begin, rows_.size()});
     }
+    system_.carried.clear();
+    carry_rows(dt);
 }
 
 void World::append_unforeseen(double dt) {
@@ -127,6 +164,12 @@ void World::append_unforeseen(double dt) {
         constraints[s]->append_unforeseen(step, forces_.moving, changed_, rows_);
         if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
     }
+    carry_rows(dt);
+}
+
+// Moved bodies take the others along: their part of J v1.
+void World::carry_rows(double dt) {
+    if (!moved_.empty()) carried_speeds(bodies, dt, rows_, system_.carried);
 }
 
 SolveWork World::solve_and_look(double dt) {
@@ -297,10 +340,12 @@ double World::stored_energy() const {
 
 void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
+    follow_paths();
     island_solver_.set_memory(memory);
 }
 
 void World::prepare(double dt) {
+    begin_paths(dt);
     find_awake();
     add_forces();
     append_rows(dt);
@@ -394,10 +439,6 @@ void World::settle(double dt) {
         Body& own = bodies[static_cast<std::size_t>(body)];
         own.orientation = rotate(own, own.angular_momentum, dt);
     }
-    const auto wake = [this](const SomeBodies& changed) {
-        if (changed.all) rest->wake_all();
-        for (const int body : changed.some) rest->wake(body);
-    };
     for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
     for (const auto& source : constraints) wake(source->changed_anew(time_ - dt, time_));
     const auto forbid = [&](const Appended& part) {

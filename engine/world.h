@@ -3,6 +3,7 @@
 
 #include "engine/base/threads.h"
 #include "engine/bodies/integrator.h"
+#include "engine/bodies/path.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/forces/force_source.h"
 #include "engine/solvers/solver.h"
@@ -62,6 +63,9 @@ class World {
     std::unique_ptr<Threads> threads;         // share a step; null: one thread. Results are bit-identical
     OrientationStep rotate = rotate_splitting;
 
+    // Lets the static body move along `path` from now on. Not for RATTLE.
+    void move(int body, std::unique_ptr<const Path> path);
+
     // Advances by `dt` > 0 [s].
     StepCount step(double dt, PhaseObserver* observer = nullptr);
 
@@ -76,6 +80,8 @@ class World {
 
     // The threads, if the last step was large enough to share; null: one thread is faster.
     Threads* threads_worth_calling() const;
+
+    bool moves_any() const { return !moved_.empty(); }  // whether any body has a path
 
     double time() const { return time_; }  // s, sum of all steps
     double stored_energy() const;          // J, in springs
@@ -105,6 +111,9 @@ class World {
   private:
     friend class RattleStep;  // another step, made of the same phases (rattle.h)
 
+    void begin_paths(double dt);
+    void follow_paths();
+    void wake(const SomeBodies& some);
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);
@@ -112,6 +121,7 @@ class World {
     StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
     void append_unforeseen(double dt);
+    void carry_rows(double dt);
     void guess(std::size_t first_row, Columns& lambda) const;
     SolveWork solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
     // Selects the islands that satisfy `predicate`.
@@ -143,12 +153,19 @@ class World {
     void settle(double dt);
     StepCount count(const SolveWork& work) const;
 
+    // A static body with a path.
+    struct Moved {
+        std::size_t body;
+        std::unique_ptr<const Path> path;
+    };
+
     // Consecutive rows appended by one source.
     struct Appended {
         std::size_t source, begin, end;
     };
 
     double time_ = 0.0;
+    std::vector<Moved> moved_;
     Threads* sharing_ = nullptr;      // in this step; null: too small, or no threads
     double shareable_work_ = 0.0;     // multiply-adds of the last step
     Awake awake_;                     // bodies

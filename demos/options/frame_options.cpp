@@ -130,8 +130,10 @@ const std::array frame_table{
     FrameOption{
         "overlay", "WHAT",
         "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
-        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; several with commas",
-        "some of contacts, forces, push, velocities, islands, rest with commas, forces, push and velocities also "
+        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; thrust: where contact "
+        "forces act as a whole; several with commas",
+        "some of contacts, forces, push, velocities, islands, rest, thrust with commas, forces, push and "
+        "velocities also "
         "with a scale like forces:50",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",

@@ -9,7 +9,8 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"contacts", "forces", "push", "velocities", "islands", "rest"};
+constexpr std::array<std::string_view, 7> names{"contacts", "forces", "push",  "velocities",
+                                                "islands",  "rest",   "thrust"};
 
 }  // namespace
 

@@ -15,6 +15,7 @@ enum class OverlayKind {
     velocities,  // m/s, of the centres of mass, from the stored momenta
     islands,     // colours of the bodies: one per island
     rest,        // colours of the bodies: at rest, still, or moving (which keeps their island awake)
+    thrust,      // centres of pressure of touching pairs, joined within bodies that have two: the line of thrust
 };
 
 struct OverlayItem {
@@ -34,7 +35,7 @@ inline bool colours_bodies(OverlayKind kind) {
 
 // Whether the overlay has arrows, and so a scale.
 inline bool has_arrows(OverlayKind kind) {
-    return kind != OverlayKind::contacts && !colours_bodies(kind);
+    return kind != OverlayKind::contacts && kind != OverlayKind::thrust && !colours_bodies(kind);
 }
 
 }  // namespace pushfactor::demos

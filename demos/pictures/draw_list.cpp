@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace pushfactor::demos::pictures {
 
@@ -104,6 +105,22 @@ void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
     }
 }
 
+using Shapes = std::map<const engine::collision::PolyhedronMesh*, std::shared_ptr<const renderer::ConvexShape>>;
+
+// The shape of a polyhedron; bodies that share a mesh share it.
+std::shared_ptr<const renderer::ConvexShape> shape_of(const PolyhedronShape& polyhedron, Shapes& shapes) {
+    std::shared_ptr<const renderer::ConvexShape>& known = shapes[polyhedron.mesh.get()];
+    if (known) return known;
+    renderer::ConvexShape shape;
+    const engine::collision::Hull& hull = polyhedron.mesh->hull();
+    for (const Vector3& vertex : hull.vertices) shape.corners.push_back(to_glm(vertex));
+    for (const engine::collision::HullFace& face : hull.faces) {
+        std::vector<int>& loop = shape.faces.emplace_back();
+        for (const auto& corner : hull.corners_of(face)) loop.push_back(corner.vertex);
+    }
+    return known = std::make_shared<const renderer::ConvexShape>(std::move(shape));
+}
+
 }  // namespace
 
 renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
@@ -114,6 +131,7 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     if (view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*view.floor)};
     if (scene.view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*scene.view.floor)};
     std::size_t movable = 0;
+    Shapes shapes;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& described = scene.bodies[i];
         const engine::Body& body = scene.world.bodies[i];
@@ -129,7 +147,11 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
                     const auto radius = static_cast<float>(sphere.radius);
                     picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
                 },
-                [&](const PlaneShape&) { add_plane(scene, body, picture); }},
+                [&](const PlaneShape&) { add_plane(scene, body, picture); },
+                [&](const PolyhedronShape& polyhedron) {
+                    picture.polyhedra.push_back(
+                        {position, orientation, shape_of(polyhedron, shapes), colour_of(described, movable)});
+                }},
             described.shape);
     }
     add_bars(scene, picture);

@@ -1,5 +1,6 @@
 #include "demos/pictures/overlay.h"
 
+#include "demos/pictures/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 
@@ -206,12 +207,14 @@ template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
     auto box = picture.boxes.begin();
     auto sphere = picture.spheres.begin();
+    auto polyhedron = picture.polyhedra.begin();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         glm::vec3* const colour =
             std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
                                           [&](const SphereShape&) { return &(sphere++)->colour; },
-                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; }},
+                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; },
+                                          [&](const PolyhedronShape&) { return &(polyhedron++)->colour; }},
                        body.shape);
         if (!body.mass) continue;
         *colour = colour_of(scene, i);
@@ -239,6 +242,8 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
             return {{"at rest", colour("green"), ""},
                     {"still, but held by what is not", colour(colour_of_none), ""},
                     {"moves, or did a moment ago", colour("vermilion"), ""}};
+        case OverlayKind::thrust:
+            return {{"line of thrust, through the centres of pressure", colour("violet"), ""}};
         case OverlayKind::velocities:
             break;
     }
@@ -252,6 +257,9 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (kind == OverlayKind::rest) add_rest(scene, found);
     if (scene.world.rows().empty()) return found;
     if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
+    if (scene.contacts && kind == OverlayKind::thrust) {
+        for (const PressureCentre& centre : pressure_centres(scene)) found.push_back({.place = centre.place});
+    }
     if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
     if (scene.contacts && kind == OverlayKind::push) add_contact_push(scene, found);
     if (scene.distances && kind == OverlayKind::forces) add_distance_forces(scene, found);
@@ -266,8 +274,9 @@ void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& over
         if (item.kind == OverlayKind::rest && !scene.world.rest) {
             throw UsageError("--overlay rest: nothing rests without --rest on");
         }
+        const bool of_contacts_only = item.kind == OverlayKind::contacts || item.kind == OverlayKind::thrust;
         const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
-                         ((scene.distances || scene.joints) && item.kind != OverlayKind::contacts);
+                         ((scene.distances || scene.joints) && !of_contacts_only);
         if (any) continue;
         throw UsageError(fmt::format(
             "--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind), scene.name,
@@ -282,12 +291,17 @@ void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre
     for (const Quantity& quantity : quantities(scene, kind)) {
         const glm::vec3 colour = to_glm(entries[quantity.kind].colour);
         const glm::vec3 place = to_glm(quantity.place);
-        if (kind == OverlayKind::contacts) {
+        if (kind == OverlayKind::contacts || kind == OverlayKind::thrust) {
             picture.dots.push_back({.position = place, .colour = colour});
         } else {
             const glm::vec3 end = to_glm(quantity.place + quantity.value / units_a_metre);
             picture.arrows.push_back({.from = place, .to = end, .colour = colour});
         }
+    }
+    if (kind != OverlayKind::thrust || scene.world.rows().empty()) return;
+    for (const auto& [from, to] : line_of_thrust(pressure_centres(scene), scene)) {
+        picture.arrows.push_back(
+            {.from = to_glm(from), .to = to_glm(to), .colour = to_glm(entries[0].colour), .head = false});
     }
 }
 

@@ -41,7 +41,7 @@ bool reaches(Simulation& simulation, long step) {
 std::vector<Ball> movable_balls(const BuiltScene& scene) {
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (!scene.bodies[i].mass) continue;
+        if (!goes_about(scene.bodies[i])) continue;
         balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
     }
     const auto add_ends = [&](const auto& held) {
@@ -64,7 +64,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
         for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {
             for (std::size_t i = 0; i < places.size(); ++i) {
-                if (scene.bodies[i].mass) places[i].extend(scene.world.bodies[i].position);
+                if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
             }
             for (const OverlayItem& item : choices.frames.overlay) {
                 double most = 0.0;

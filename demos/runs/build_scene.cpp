@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace pushfactor::demos {
 
@@ -35,6 +36,9 @@ Body make_body(const BodyDescription& described) {
             [&](const PlaneShape&) -> Body {
                 throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
                                            "left out: a plane is static");
+            },
+            [&](const PolyhedronShape& polyhedron) {
+                return engine::solid_body(*described.mass, polyhedron.moments, described.position, orientation);
             }},
         described.shape);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
@@ -43,12 +47,54 @@ Body make_body(const BodyDescription& described) {
     return body;
 }
 
+std::unique_ptr<const engine::Path> make_path(const BodyDescription& described) {
+    engine::Place start{described.position, described.orientation};
+    const MotionDescription& motion = *described.motion;
+    engine::PathTimes times{.from = motion.from};
+    if (motion.until) times.until = *motion.until;
+    return std::visit(
+        engine::Overloaded{
+            [&](const SteadyMotion& steady) -> std::unique_ptr<const engine::Path> {
+                return std::make_unique<engine::SteadyPath>(
+                    start, engine::Motion{steady.velocity, steady.angular_velocity}, times);
+            },
+            [&](const ShakingMotion& shaking) -> std::unique_ptr<const engine::Path> {
+                return std::make_unique<engine::Oscillation>(
+                    start, shaking.amplitude * shaking.direction.normalized(), shaking.frequency,
+                    shaking.phase * std::numbers::pi / 180.0, times);
+            },
+            [&](const std::vector<TimedPose>& poses) -> std::unique_ptr<const engine::Path> {
+                std::vector<engine::PlaceTable::Entry> entries;
+                engine::Place place = start;
+                for (const TimedPose& pose : poses) {
+                    place = {pose.position.value_or(place.position), pose.orientation.value_or(place.orientation)};
+                    entries.push_back({pose.time, place});
+                }
+                return std::make_unique<engine::PlaceTable>(start, entries);
+            }},
+        motion.kind);
+}
+
+void add_paths(BuiltScene& scene, const SceneDescription& description) {
+    for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+        const BodyDescription& body = description.bodies[i];
+        if (!body.motion) continue;
+        if (body.mass) {
+            throw engine::InvalidInput("motion of " + body.name, "given", "left out of a body with a mass");
+        }
+        scene.world.move(static_cast<int>(i), make_path(body));
+    }
+}
+
 collision::Shape make_shape(const BodyDescription& described) {
     return std::visit(
         engine::Overloaded{
             [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
             [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
-            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; }},
+            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; },
+            [](const PolyhedronShape& polyhedron) -> collision::Shape {
+                return collision::Polyhedron{polyhedron.mesh};
+            }},
         described.shape);
 }
 
@@ -325,6 +371,9 @@ void require_bars_alone(const SceneDescription& description, const Settings& set
     };
     if (description.contacts) refuse("contacts");
     if (!description.joints.empty()) refuse("joints");
+    for (const BodyDescription& body : description.bodies) {
+        if (body.motion) refuse("moved bodies");
+    }
     for (const DistanceDescription& distance : description.distances) {
         if (distance.acts != engine::Distance::Acts::both) refuse("ropes or struts");
         if (distance.max_force) refuse("bars that yield");
@@ -388,6 +437,7 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     scene.standing = description.standing;
     for (const BodyDescription& body : description.bodies) scene.world.bodies.push_back(make_body(body));
     require_finite(scene);
+    add_paths(scene, description);
     add_forces(scene, description);
     std::optional<int> world;
     add_distances(scene, description, settings, world);

@@ -20,6 +20,7 @@ SceneDescription resumed(SceneDescription description, const BuiltScene& scene, 
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
         const engine::Body& body = checkpoint.bodies[i];
         BodyDescription& described = description.bodies[i];
+        if (described.motion) continue;  // its pose is where its path begins
         described.position = body.position;
         described.orientation = body.orientation;
         if (body.is_static()) continue;

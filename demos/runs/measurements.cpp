@@ -53,7 +53,8 @@ double judged_speed(const BuiltScene& scene, double size) {
 double corner_distance(const BodyDescription& body) {
     return std::visit(
         engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
-                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; }},
+                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; },
+                           [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
         body.shape);
 }
 
@@ -190,6 +191,7 @@ void AtRest::add(const Sample& sample, bool all) {
 void Measurements::observe(const Simulation& simulation) {
     const Sample& sample = simulation.sample();
     const Positions before = std::exchange(latest_, positions_of(simulation.scene().world));
+    obstacles_.follow(simulation.scene());
     for (std::size_t i = 0; i < latest_.size() && !passed_; ++i)
         passed_ = obstacles_.is_passed(before[i], latest_[i]);
 

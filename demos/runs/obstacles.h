@@ -9,31 +9,49 @@ namespace pushfactor::demos {
 
 class Obstacles {
   public:
-    explicit Obstacles(const BuiltScene& scene);  // static bodies stay where they are
+    explicit Obstacles(const BuiltScene& scene);
+
+    // After each step, if any body has a path.
+    void follow(const BuiltScene& scene);
 
     // Whether a centre is on the wrong side of a plane. Positions in m, world frame.
     bool is_behind_plane(const engine::Vector3& centre) const;
 
-    // Whether a centre that moves straight from one place to the other crosses a middle plane of a box inside it,
-    // or comes within half the radius of a sphere's centre. Ordinary contacts come nowhere near that.
+    // Whether a centre that moves straight from one place to the other gets to the other side of a box between its
+    // faces, or as deep as half its radius into a sphere, or into the inner half of a polyhedron: bodies that touch
+    // and roll off come nowhere near that. `from` belongs to the step before; relative to an obstacle that has
+    // moved since.
     bool is_passed(const engine::Vector3& from, const engine::Vector3& to) const;
 
   private:
     struct Plane {
         engine::Vector3 point, normal;
     };
+    struct Pose {
+        engine::Vector3 centre;
+        engine::Quaternion from_world;
+
+        engine::Vector3 in_frame(const engine::Vector3& point) const { return from_world * (point - centre); }
+    };
     struct Box {
-        engine::Vector3 centre, half_size;
-        engine::Quaternion to_box;  // from the world frame
+        Pose before, now;
+        engine::Vector3 half_size;
     };
     struct Sphere {
-        engine::Vector3 centre;
+        Pose before, now;
         double radius = 0.0;  // m
     };
+    struct Polyhedron {
+        Pose before, now;
+        std::shared_ptr<const engine::collision::PolyhedronMesh> mesh;
+    };
+
+    void list(const BuiltScene& scene);
 
     std::vector<Plane> planes_;
     std::vector<Box> boxes_;
     std::vector<Sphere> spheres_;
+    std::vector<Polyhedron> polyhedra_;
 };
 
 }  // namespace pushfactor::demos

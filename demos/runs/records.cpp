@@ -76,7 +76,8 @@ class TrajectoryRecord : public CsvRecord {
         const auto& bodies = simulation.scene().world.bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const Body& body = bodies[i];
-            if (body.is_static()) continue;
+            const auto& described = simulation.scene().bodies;
+            if (body.is_static() && !(i < described.size() && described[i].motion)) continue;
             const Vector3 v = velocity(body);
             const Vector3 w = angular_velocity(body);
             line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", simulation.sample().time, i, body.position.x(),

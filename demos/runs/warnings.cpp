@@ -20,6 +20,25 @@ std::string bodies_of(const UnsolvedSteps::Place& place, const BuiltScene& scene
                        body_name(scene, place.bodies->b));
 }
 
+// Steps per period below which a sinusoid is no longer one.
+constexpr double few_steps = 12.0;
+
+// Of the first body that is shaken too fast for the steps.
+std::string shaken_too_fast(const std::string& name, const Simulation& simulation) {
+    for (const BodyDescription& body : simulation.scene().bodies) {
+        const auto* shaking = body.motion ? std::get_if<ShakingMotion>(&body.motion->kind) : nullptr;
+        if (!shaking) continue;
+        const double steps =
+            simulation.settings().substeps.value_or(1) / (shaking->frequency * simulation.settings().dt.value());
+        if (steps >= few_steps) continue;
+        return fmt::format(
+            "pushfactor: warning: {}: '{}' is shaken at {} Hz, {:.3g} steps per period; try --dt "
+            "below {:.2g}\n",
+            name, body.name, shaking->frequency, steps, 1.0 / (few_steps * shaking->frequency));
+    }
+    return "";
+}
+
 // Limits for warnings: the swing of a chain with too long steps visibly grows at 2 %, and its bars are visibly
 // wrong at 10 %. The residual is relative to the largest speed.
 constexpr double much_gain = 0.02;
@@ -64,7 +83,7 @@ std::vector<std::string> faults_of(const Measurements& measured) {
 std::string warning_text(const std::string& name, const Simulation& simulation, const Measurements& measured) {
     const UnsolvedSteps& steps = measured.unsolved();
     const BuiltScene& scene = simulation.scene();
-    std::string text;
+    std::string text = shaken_too_fast(name, simulation);
     if (steps.first) {
         text += fmt::format("pushfactor: warning: {}: {} of {} steps {} not solved to {} m/s, the first is {}",
                             name, steps.count, steps.of, steps.count == 1 ? "is" : "are",

@@ -2,6 +2,7 @@
 // description does not mention are absent.
 #pragma once
 
+#include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
 #include "engine/constraints/distance_constraints.h"
@@ -31,10 +32,33 @@ struct SphereShape {
 };
 struct PlaneShape {};  // infinite, normal along the body's y axis; static only
 
+// How a body without mass is moved (engine/bodies/path.h), from its own pose on.
+struct SteadyMotion {
+    engine::Vector3 velocity = engine::Vector3::Zero();          // m/s, world frame
+    engine::Vector3 angular_velocity = engine::Vector3::Zero();  // rad/s, world frame, about the body's centre
+};
+struct ShakingMotion {       // amplitude (sin(2 pi frequency t + phase) - sin(phase)) along the direction
+    double amplitude = 0.0;  // m
+    engine::Vector3 direction = engine::Vector3::UnitY();  // of any length
+    double frequency = 1.0;                                // 1/s
+    double phase = 0.0;                                    // degrees; -90 begins at the lowest point
+};
+struct TimedPose {
+    double time = 0.0;                                // s, above 0 and above that of the pose before
+    std::optional<engine::Vector3> position{};        // m; as before without
+    std::optional<engine::Quaternion> orientation{};  // as before without
+};
+struct MotionDescription {
+    std::variant<SteadyMotion, ShakingMotion, std::vector<TimedPose>> kind{};
+    double from = 0.0;              // s; of poses: not used
+    std::optional<double> until{};  // s
+};
+
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape> shape{};
+    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
     std::optional<double> mass{};                        // kg; static without
+    std::optional<MotionDescription> motion{};           // of a static body
     engine::Vector3 position = engine::Vector3::Zero();  // m
     engine::Quaternion orientation = engine::Quaternion::Identity();
     engine::Vector3 velocity = engine::Vector3::Zero();          // m/s, world frame
@@ -54,9 +78,19 @@ struct BodyDescription {
 inline double bounding_radius(const BodyDescription& body) {
     return std::visit(engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
                                          [](const SphereShape& sphere) { return sphere.radius; },
-                                         [](const PlaneShape&) { return 0.0; }},
+                                         [](const PlaneShape&) { return 0.0; },
+                                         [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
                       body.shape);
 }
+
+// Whether it has mass or motion, and a size: what a camera has to follow.
+inline bool goes_about(const BodyDescription& body) {
+    return body.mass || (body.motion && !std::holds_alternative<PlaneShape>(body.shape));
+}
+
+// Gives the body the hull of points [m] in its frame, and moves its frame to the centre of mass and the principal
+// axes; velocities stay those of the centre of mass.
+void give_polyhedron(BodyDescription& body, const FramedPolyhedron& polyhedron);
 
 struct DistanceDescription {
     struct End {

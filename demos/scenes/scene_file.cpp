@@ -1,6 +1,9 @@
 #include "demos/scenes/scene_file.h"
 
 #include "demos/scenes/camera_file.h"
+#include "demos/scenes/convex_hull.h"
+#include "demos/scenes/motion_file.h"
+#include "demos/scenes/obj_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
 #include "demos/text/errors.h"
@@ -31,8 +34,12 @@ const Keys body_keys{"name",
                      "shape",
                      "size_m",
                      "radius_m",
+                     "points_m",
+                     "obj_file",
                      "mass_kg",
+                     "density_kg_per_m3",
                      "static",
+                     "motion",
                      "position_m",
                      "orientation_wxyz",
                      "velocity_m_per_s",
@@ -57,12 +64,100 @@ double read_length(const JsonReader& json) {
     return json.number(engine::least_length, engine::greatest_length);
 }
 
+// The polyhedra of a file, each made once: bodies with the same points share them.
+struct Polyhedra {
+    std::filesystem::path folder;  // of the scene file
+    std::map<std::vector<double>, FramedPolyhedron> by_points{};
+    std::map<std::string, FramedPolyhedron> by_body{};
+
+    // Null for a body that is none.
+    const FramedPolyhedron* of(const std::string& body) const {
+        const auto found = by_body.find(body);
+        return found == by_body.end() ? nullptr : &found->second;
+    }
+};
+
+// From the frame of the points, which the file speaks of, to the body frame.
+void to_body_frame(DistanceDescription::End& end, const Polyhedra& polyhedra) {
+    if (const FramedPolyhedron* const polyhedron = polyhedra.of(end.body))
+        end.point = polyhedron->to_body(end.point);
+}
+
+DistanceDescription to_body_frames(DistanceDescription distance, const Polyhedra& polyhedra) {
+    to_body_frame(distance.a, polyhedra);
+    to_body_frame(distance.b, polyhedra);
+    return distance;
+}
+
+JointDescription to_body_frames(JointDescription joint, const Polyhedra& polyhedra) {
+    to_body_frame(joint.a, polyhedra);
+    to_body_frame(joint.b, polyhedra);
+    if (!joint.hinge) return joint;
+    if (const FramedPolyhedron* const a = polyhedra.of(joint.a.body)) {
+        joint.hinge->axis = a->axes.conjugate() * joint.hinge->axis;
+        if (joint.hinge->zero) joint.hinge->zero = a->axes.conjugate() * *joint.hinge->zero;
+    }
+    const FramedPolyhedron* const b = polyhedra.of(joint.b.body);
+    if (b && joint.hinge->zero) joint.hinge->zero = *joint.hinge->zero * b->axes;
+    return joint;
+}
+
+ForceDescription to_body_frame(ForceDescription force, bool has_point, const Polyhedra& polyhedra) {
+    const FramedPolyhedron* const polyhedron = polyhedra.of(force.body);
+    if (!polyhedron) return force;
+    // Without a point a force acts at the centre of mass.
+    if (has_point) force.point = polyhedron->to_body(force.point);
+    if (force.frame == engine::Poke::Frame::body) {
+        force.force = polyhedron->axes.conjugate() * force.force;
+        force.torque = polyhedron->axes.conjugate() * force.torque;
+    }
+    return force;
+}
+
+std::vector<Vector3> read_points(const JsonReader& json) {
+    std::vector<Vector3> points;
+    std::map<std::array<double, 3>, std::size_t> known;
+    for (const JsonReader& element : json.elements()) {
+        const Vector3 point = element.vector();
+        const auto [at, is_new] = known.emplace(std::array{point.x(), point.y(), point.z()}, points.size());
+        if (!is_new) element.refuse(fmt::format("another point than number {}", at->second));
+        points.push_back(point);
+    }
+    return points;
+}
+
+std::vector<Vector3> read_obj(const JsonReader& json, const std::filesystem::path& folder) {
+    try {
+        return read_obj_points(folder / json.string());
+    } catch (const engine::InvalidInput&) {
+        json.refuse("a Wavefront OBJ file with vertices, by its path from the folder of this file");
+    }
+}
+
+FramedPolyhedron read_polyhedron(const JsonReader& body, Polyhedra& polyhedra) {
+    if (body.has("obj_file") && body.has("points_m"))
+        body.at("points_m").refuse("left out where obj_file is given");
+    const JsonReader source = body.at(body.has("obj_file") ? "obj_file" : "points_m");
+    const std::vector<Vector3> points =
+        body.has("obj_file") ? read_obj(source, polyhedra.folder) : read_points(source);
+    std::vector<double> key;
+    for (const Vector3& point : points) key.insert(key.end(), point.begin(), point.end());
+    const auto known = polyhedra.by_points.find(key);
+    if (known != polyhedra.by_points.end()) return known->second;
+    try {
+        return polyhedra.by_points[key] = make_polyhedron(points);
+    } catch (const NoPolyhedron& found) {
+        source.refuse(fmt::format("{}, and these are {}", found.allowed, found.found));
+    }
+}
+
 decltype(BodyDescription::shape) read_shape(const JsonReader& body) {
     const JsonReader shape = body.at("shape");
     const std::string name = shape.string();
     if (name == "plane") return PlaneShape{};
+    if (name == "polyhedron") return PolyhedronShape{};  // read_body() gives it its points
     if (name == "sphere") return SphereShape{read_length(body.at("radius_m"))};
-    if (name != "box") shape.refuse("one of box, sphere, plane");
+    if (name != "box") shape.refuse("one of box, sphere, plane, polyhedron");
     const JsonReader size = body.at("size_m");
     const std::vector<JsonReader> edges = size.elements();
     if (edges.size() != 3) size.refuse("three numbers [x, y, z]");
@@ -80,17 +175,28 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
     const bool plane = std::holds_alternative<PlaneShape>(body.shape);
     std::visit(
         engine::Overloaded{
-            [&](const BoxShape&) { refuse_if_given(json, {"radius_m"}, "left out: a box has size_m"); },
-            [&](const SphereShape&) { refuse_if_given(json, {"size_m"}, "left out: a sphere has radius_m"); },
+            [&](const BoxShape&) {
+                refuse_if_given(json, {"radius_m", "points_m", "obj_file"}, "left out: a box has size_m");
+            },
+            [&](const SphereShape&) {
+                refuse_if_given(json, {"size_m", "points_m", "obj_file"}, "left out: a sphere has radius_m");
+            },
             [&](const PlaneShape&) {
-                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a plane has no size");
+                refuse_if_given(json, {"size_m", "radius_m", "points_m", "obj_file"},
+                                "left out: a plane has no size");
+            },
+            [&](const PolyhedronShape&) {
+                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a polyhedron has points_m or obj_file");
             }},
         body.shape);
-    if (plane) refuse_if_given(json, {"mass_kg"}, "left out: a plane is static");
+    if (plane) refuse_if_given(json, {"mass_kg", "density_kg_per_m3"}, "left out: a plane is static");
+    if (json.has("mass_kg")) {
+        refuse_if_given(json, {"density_kg_per_m3"}, "left out where mass_kg is given");
+    }
     if (plane || fixed) {
         refuse_if_given(json,
-                        {"mass_kg", "velocity_m_per_s", "angular_velocity_rad_per_s", "linear_momentum_kg_m_per_s",
-                         "angular_momentum_kg_m2_per_s"},
+                        {"mass_kg", "density_kg_per_m3", "velocity_m_per_s", "angular_velocity_rad_per_s",
+                         "linear_momentum_kg_m_per_s", "angular_momentum_kg_m2_per_s"},
                         "left out of a static body");
     }
     if (json.has("linear_momentum_kg_m_per_s")) {
@@ -119,13 +225,41 @@ auto read_word(const JsonReader& json, const Names& names) {
     json.refuse(allowed);
 }
 
-BodyDescription read_body(const JsonReader& json) {
+double read_mass(const JsonReader& json, const BodyDescription& body) {
+    if (!json.has("density_kg_per_m3")) return json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    const JsonReader density = json.at("density_kg_per_m3");
+    const double volume = std::visit(
+        engine::Overloaded{
+            [](const BoxShape& box) { return box.size.prod(); },
+            [](const SphereShape& sphere) { return 4.0 / 3.0 * std::numbers::pi * std::pow(sphere.radius, 3); },
+            [](const PlaneShape&) { return 0.0; },
+            [](const PolyhedronShape& polyhedron) { return polyhedron.volume; }},
+        body.shape);
+    const double mass = density.positive() * volume;
+    if (!(mass >= engine::least_mass && mass <= engine::greatest_mass)) {
+        density.refuse(
+            fmt::format("such that the mass is from {:g} to {:g} kg", engine::least_mass, engine::greatest_mass));
+    }
+    return mass;
+}
+
+BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
     json.require_object(body_keys);
     BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
     const bool fixed = json.has("static") && json.at("static").boolean();
     refuse_foreign_keys(json, body, fixed);
-    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) {
-        body.mass = json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
+    const bool is_polyhedron = std::holds_alternative<PolyhedronShape>(body.shape);
+    FramedPolyhedron polyhedron;
+    if (is_polyhedron) {
+        polyhedron = read_polyhedron(json, polyhedra);
+        body.shape = polyhedron.shape;
+    }
+    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
+
+    if (json.has("motion")) {
+        if (body.mass)
+            json.at("motion").refuse("left out of a body with a mass; \"static\": true makes it one without");
+        body.motion = read_motion(json.at("motion"));
     }
 
     const auto vector = [&json](const char* key, Vector3& into) {
@@ -145,6 +279,10 @@ BodyDescription read_body(const JsonReader& json) {
     if (json.has("restitution")) body.restitution = json.at("restitution").number(0.0, 1.0);
     if (json.has("material")) body.material = read_name(json.at("material"));
     if (json.has("group")) body.group = read_name(json.at("group"));
+    if (is_polyhedron) {
+        give_polyhedron(body, polyhedron);
+        polyhedra.by_body[body.name] = polyhedron;
+    }
     return body;
 }
 
@@ -286,11 +424,11 @@ void read_material_pairs(const JsonReader& json, SceneDescription& scene) {
     }
 }
 
-void read_bodies(const JsonReader& json, SceneDescription& scene, Names& names) {
+void read_bodies(const JsonReader& json, SceneDescription& scene, Names& names, Polyhedra& polyhedra) {
     const std::vector<JsonReader> bodies = json.elements();
     if (bodies.size() > most_bodies) json.refuse(fmt::format("at most {} bodies", most_bodies));
     for (const JsonReader& body : bodies) {
-        scene.bodies.push_back(read_body(body));
+        scene.bodies.push_back(read_body(body, polyhedra));
         const std::string& name = scene.bodies.back().name;
         if (name.empty() || name == "world") body.at("name").refuse("a name other than world");
         if (!names.emplace(name, !scene.bodies.back().mass).second)
@@ -331,19 +469,20 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     scene.gravity = json.has("gravity_m_per_s2") ? json.at("gravity_m_per_s2").vector() : Vector3::Zero();
 
     Names names;
-    read_bodies(json.at("bodies"), scene, names);
+    Polyhedra polyhedra{.folder = file.parent_path()};
+    read_bodies(json.at("bodies"), scene, names, polyhedra);
     if (json.has("distance_constraints")) {
         for (const JsonReader& entry : json.at("distance_constraints").elements()) {
-            scene.distances.push_back(read_distance(entry, names));
+            scene.distances.push_back(to_body_frames(read_distance(entry, names), polyhedra));
         }
     }
     if (json.has("joints")) {
         for (const JsonReader& entry : json.at("joints").elements())
-            scene.joints.push_back(read_joint(entry, names));
+            scene.joints.push_back(to_body_frames(read_joint(entry, names), polyhedra));
     }
     if (json.has("forces")) {
         for (const JsonReader& entry : json.at("forces").elements())
-            scene.forces.push_back(read_force(entry, names));
+            scene.forces.push_back(to_body_frame(read_force(entry, names), entry.has("point_m"), polyhedra));
     }
     scene.contacts = json.has("contacts") && json.at("contacts").boolean();
     if (json.has("no_contacts")) {
@@ -364,6 +503,7 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
 const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
     static const std::map<std::string, std::vector<std::string>> keys = [] {
         std::map<std::string, std::vector<std::string>> all = state_file_keys();
+        all.insert(motion_file_keys().begin(), motion_file_keys().end());
         all.insert({
             {"scene", scene_keys},
             {"body", body_keys},

@@ -1,4 +1,5 @@
 #include "demos/scenes/camera_file.h"
+#include "demos/scenes/motion_file.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
@@ -25,7 +26,13 @@ Json to_json(const BodyDescription& body) {
                                       json["shape"] = "sphere";
                                       json["radius_m"] = sphere.radius;
                                   },
-                                  [&](const PlaneShape&) { json["shape"] = "plane"; }},
+                                  [&](const PlaneShape&) { json["shape"] = "plane"; },
+                                  [&](const PolyhedronShape& polyhedron) {
+                                      json["shape"] = "polyhedron";
+                                      for (const Vector3& point : polyhedron.points()) {
+                                          json["points_m"].push_back(to_json(point));
+                                      }
+                                  }},
                body.shape);
     if (body.mass) {
         json["mass_kg"] = *body.mass;
@@ -40,6 +47,7 @@ Json to_json(const BodyDescription& body) {
     if (body.linear_momentum) json["linear_momentum_kg_m_per_s"] = to_json(*body.linear_momentum);
     if (body.angular_momentum) json["angular_momentum_kg_m2_per_s"] = to_json(*body.angular_momentum);
     json["friction"] = body.friction;
+    if (body.motion) json["motion"] = motion_json(*body.motion);
     if (body.restitution != 0.0) json["restitution"] = body.restitution;
     if (!body.material.empty()) json["material"] = body.material;
     if (!body.group.empty()) json["group"] = body.group;

@@ -60,12 +60,20 @@ Body ball_body(double mass, double radius, const Vector3& position, const Quater
     return movable_body(mass, Vector3::Constant(0.4 * mass * radius * radius), position, orientation);
 }
 
+Body solid_body(double mass, const Vector3& moments, const Vector3& position, const Quaternion& orientation) {
+    require_mass(mass);
+    const double least = least_length * least_length, greatest = greatest_length * greatest_length;
+    for (int axis = 0; axis < 3; ++axis) require_within("moment of inertia / mass", moments[axis], least, greatest);
+    return movable_body(mass, mass * moments, position, orientation);
+}
+
 Vector3 velocity(const Body& body) {
+    if (body.is_static()) return body.prescribed.velocity;
     return body.inverse_mass * body.linear_momentum;
 }
 
 Vector3 angular_velocity(const Body& body) {
-    if (body.is_static()) return Vector3::Zero();
+    if (body.is_static()) return body.prescribed.angular_velocity;
     const Vector3 in_body = body.orientation.conjugate() * body.angular_momentum;
     return body.orientation * body.inverse_inertia.cwiseProduct(in_body).eval();
 }

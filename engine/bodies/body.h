@@ -14,8 +14,15 @@
 
 namespace pushfactor::engine {
 
+struct Motion {
+    Vector3 velocity = Vector3::Zero();          // m/s, world frame
+    Vector3 angular_velocity = Vector3::Zero();  // rad/s, world frame
+
+    bool is_none() const { return velocity.isZero(0.0) && angular_velocity.isZero(0.0); }
+};
+
 struct Body {
-    // Constants. A static body has both inverses zero and never moves.
+    // Constants. A static body has both inverses zero: no force moves it.
     double inverse_mass = 0.0;                  // 1/kg
     Vector3 inverse_inertia = Vector3::Zero();  // 1/(kg m^2), principal moments, body frame
 
@@ -29,7 +36,11 @@ struct Body {
     Vector3 force = Vector3::Zero();   // N, at the centre of mass
     Vector3 torque = Vector3::Zero();  // N m, about the centre of mass
 
+    // Of a static body with a path (path.h): mean velocities in this step. Zero for all other bodies.
+    Motion prescribed{};
+
     bool is_static() const { return inverse_mass == 0.0; }
+    bool is_moved() const { return is_static() && !prescribed.is_none(); }
     double mass() const { return 1.0 / inverse_mass; }  // kg, infinite for a static body
 };
 
@@ -49,8 +60,13 @@ Body ball_body(double mass, double radius, const Vector3& position,
 Body box_body(double mass, const Vector3& size, const Vector3& position,
               const Quaternion& orientation = Quaternion::Identity());
 
-Vector3 velocity(const Body& body);               // m/s, world frame: p / m
-Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l
+// A movable solid of `mass` [kg] with the principal moments `moments` [m^2, per unit of mass, body frame]. Throws
+// InvalidInput for a mass outside the limits above, and for moments that are not positive and finite.
+Body solid_body(double mass, const Vector3& moments, const Vector3& position,
+                const Quaternion& orientation = Quaternion::Identity());
+
+Vector3 velocity(const Body& body);               // m/s, world frame: p / m; of a static body the prescribed one
+Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l; the same
 Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T
 
 // Velocity [m/s] of the material point of `body` at `point` [m], both in the world frame.

@@ -13,16 +13,6 @@ namespace {
 constexpr double largest_turn = 0.1;
 constexpr double most_turns = 1000.0;
 
-// 12.4.1 with a b = `rotation_vector` [rad]; a series near zero avoids the division by a.
-Quaternion exponential(const Vector3& rotation_vector) {
-    const double angle = rotation_vector.norm();
-    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
-    Quaternion q;
-    q.w() = std::cos(0.5 * angle);
-    q.vec() = scale * rotation_vector;
-    return q;
-}
-
 Vector3 to_body_frame(const Quaternion& orientation, const Vector3& vector) {
     return orientation.conjugate() * vector;
 }
@@ -62,6 +52,16 @@ Quaternion rotate_symmetric(const Body& body, const Vector3& angular_momentum, i
 }
 
 }  // namespace
+
+// a b = `rotation_vector`; a series near zero avoids the division by a.
+Quaternion exponential(const Vector3& rotation_vector) {
+    const double angle = rotation_vector.norm();
+    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
+    Quaternion q;
+    q.w() = std::cos(0.5 * angle);
+    q.vec() = scale * rotation_vector;
+    return q;
+}
 
 Quaternion rotate_euler(const Body& body, const Vector3& angular_momentum, double dt) {
     const Vector3 omega = world_inverse_inertia(body) * angular_momentum;

@@ -22,6 +22,9 @@ inline Vector3 advance_position(const Body& body, const Vector3& linear_momentum
     return body.position + (body.inverse_mass * dt) * linear_momentum;
 }
 
+// 12.4.1: the rotation by `rotation_vector` [rad, world frame].
+Quaternion exponential(const Vector3& rotation_vector);
+
 // Orientation after dt [s] of torque-free motion with the (new) `angular_momentum` [kg m^2/s, world frame]. The
 // result has unit length.
 using OrientationStep = Quaternion (*)(const Body& body, const Vector3& angular_momentum, double dt);

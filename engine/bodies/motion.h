@@ -5,11 +5,6 @@
 
 namespace pushfactor::engine {
 
-struct Motion {
-    Vector3 velocity = Vector3::Zero();          // m/s, world frame
-    Vector3 angular_velocity = Vector3::Zero();  // rad/s, world frame
-};
-
 // Motion with the current momenta.
 inline Motion motion_of(const Body& body) {
     return {velocity(body), angular_velocity(body)};
@@ -17,7 +12,7 @@ inline Motion motion_of(const Body& body) {
 
 // Motion in a step of `dt` [s] with external forces and `constraint_force` (N and N m, world frame).
 inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_force = Vector6::Zero()) {
-    if (body.is_static()) return {};
+    if (body.is_static()) return body.prescribed;
     const Vector3 force = body.force + constraint_force.head<3>();
     const Vector3 torque = body.torque + constraint_force.tail<3>();
     return {body.inverse_mass * (body.linear_momentum + dt * force),

@@ -60,7 +60,7 @@ bool PairFilter::leaves_out(const Pair& pair) const {
 
 // Collects the planes and the places in bounds_ of the finite shapes among `moved`.
 void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
-                             std::span<const int> moved) {
+                             const Foresight* foresight, std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
     if (all) place_.assign(colliders.size(), -1);
     planes_.clear();  // always listed again: planes are static, and static ones are always in `moved`
@@ -70,7 +70,9 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
         const Collider& collider = at(colliders, i);
         if (!is_finite(collider.shape)) {
             const Pose& pose = poses[static_cast<std::size_t>(collider.body)];
-            planes_.push_back({.point = pose.position, .up = pose.rotation.col(1), .collider = i});
+            const Vector3 up = pose.rotation.col(1);
+            const double path = foresight ? foresight->path(i) : 0.0;  // of a moved one
+            planes_.push_back({.point = pose.position + path * up, .up = up, .collider = i});
             continue;
         }
         if (all) place_[static_cast<std::size_t>(i)] = place++;
@@ -82,7 +84,7 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
                        std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
                        std::span<const int> moved, Threads* threads) {
-    list_shapes(colliders, poses, moved);
+    list_shapes(colliders, poses, foresight, moved);
     share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int i : moved.subspan(begin, end - begin)) {
             const Collider& collider = at(colliders, i);

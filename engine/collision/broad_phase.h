@@ -81,7 +81,8 @@ class BroadPhase {
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
                double margin, const Foresight* foresight, const Awake& awake, std::span<const int> moved,
                Threads* threads);
-    void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, std::span<const int> moved);
+    void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const Foresight* foresight,
+                     std::span<const int> moved);
     bool has_same_shapes() const;
     bool uses_grid() const;
     void update_candidates(Threads* threads);

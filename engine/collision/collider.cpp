@@ -8,6 +8,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+Vector3 half_extents_of(const Hull& hull, const Matrix3& rotation) {
+    Vector3 reach = Vector3::Zero();
+    for (const Vector3& vertex : hull.vertices) reach = reach.cwiseMax((rotation * vertex).cwiseAbs());
+    return reach;
+}
+
 }  // namespace
 
 Pose pose_of(const Body& body) {
@@ -22,14 +28,18 @@ bool runs_at(const Collider& collider, double time) {
 double size_of(const Shape& shape) {
     return std::visit(
         Overloaded{[](const Box& box) { return 2.0 * box.half_size.minCoeff(); },
-                   [](const Sphere& sphere) { return 2.0 * sphere.radius; }, [](const Plane&) { return infinity; }},
+                   [](const Sphere& sphere) { return 2.0 * sphere.radius; }, [](const Plane&) { return infinity; },
+                   [](const Polyhedron& polyhedron) { return polyhedron.mesh->hull().size; }},
         shape);
 }
 
 Vector3 half_extents(const Shape& shape, const Matrix3& rotation) {
     return std::visit(Overloaded{[&](const Box& box) -> Vector3 { return rotation.cwiseAbs() * box.half_size; },
                                  [](const Sphere& sphere) -> Vector3 { return Vector3::Constant(sphere.radius); },
-                                 [](const Plane&) -> Vector3 { return Vector3::Constant(infinity); }},
+                                 [](const Plane&) -> Vector3 { return Vector3::Constant(infinity); },
+                                 [&](const Polyhedron& polyhedron) -> Vector3 {
+                                     return half_extents_of(polyhedron.mesh->hull(), rotation);
+                                 }},
                       shape);
 }
 
@@ -37,25 +47,29 @@ double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& d
     return std::visit(
         Overloaded{[&](const Box& box) { return (rotation.transpose() * direction).cwiseAbs().dot(box.half_size); },
                    [&](const Sphere& sphere) { return sphere.radius * direction.norm(); },
-                   [](const Plane&) { return infinity; }},
+                   [](const Plane&) { return infinity; },
+                   [&](const Polyhedron& polyhedron) {
+                       return support(polyhedron.mesh->hull(), rotation.transpose() * direction);
+                   }},
         shape);
 }
 
 double squared_turning_radius(const Shape& shape) {
     return std::visit(Overloaded{[](const Box& box) { return box.half_size.squaredNorm(); },
-                                 [](const Sphere&) { return 0.0; }, [](const Plane&) { return 0.0; }},
+                                 [](const Sphere&) { return 0.0; }, [](const Plane&) { return 0.0; },
+                                 [](const Polyhedron& polyhedron) { return polyhedron.mesh->squared_radius(); }},
                       shape);
 }
 
 bool turns_in_itself(const Shape& shape) {
     return std::visit(Overloaded{[](const Box&) { return false; }, [](const Sphere&) { return true; },
-                                 [](const Plane&) { return false; }},
+                                 [](const Plane&) { return false; }, [](const Polyhedron&) { return false; }},
                       shape);
 }
 
 bool is_finite(const Shape& shape) {
     return std::visit(Overloaded{[](const Box&) { return true; }, [](const Sphere&) { return true; },
-                                 [](const Plane&) { return false; }},
+                                 [](const Plane&) { return false; }, [](const Polyhedron&) { return true; }},
                       shape);
 }
 

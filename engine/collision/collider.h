@@ -3,6 +3,7 @@
 
 #include "engine/base/math.h"
 #include "engine/bodies/body.h"
+#include "engine/collision/polyhedron.h"
 
 #include <limits>
 #include <variant>
@@ -24,7 +25,7 @@ struct Sphere {
 struct Plane {};
 
 // The order of the alternatives is the order of the pair table.
-using Shape = std::variant<Box, Sphere, Plane>;
+using Shape = std::variant<Box, Sphere, Plane, Polyhedron>;
 
 struct Collider {
     int body = 0;  // index into the bodies of the world
@@ -47,18 +48,18 @@ struct Pose {
 };
 Pose pose_of(const Body& body);
 
-// Reference length of slop, margin and tolerances [m]: shortest edge or diameter of the shape; infinite for a
-// plane.
+// Reference length of slop, margin and tolerances [m]: shortest edge or diameter of the shape, of a polyhedron the
+// least width across a face; infinite for a plane.
 double size_of(const Shape& shape);
 
-// Half the edge lengths of the shape's bounding box, world axes [m]; infinite for a plane.
+// Half the edge lengths of the shape's bounding box about its centre, world axes [m]; infinite for a plane.
 Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
 
 // Extent of the shape from its centre along `direction`, times the norm of `direction` [m]; infinite for a plane.
 double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& direction);
 
 // Squared distance from the centre to the farthest point that turning moves [m^2]; zero for spheres, whose surface
-// turning does not change, and for planes, which never turn.
+// turning does not change, and for planes, which turn only if moved (foresight.h: path_of_moved).
 double squared_turning_radius(const Shape& shape);
 
 // Whether the shape is invariant under rotation about its centre.

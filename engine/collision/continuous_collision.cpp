@@ -1,6 +1,6 @@
 #include "engine/collision/continuous_collision.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
 
@@ -144,11 +144,15 @@ Moving ContinuousCollision::moving(int collider, const Step& step) const {
 bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& step) {
     fast_.assign(step.colliders.size(), false);
     dangerous_.assign(step.colliders.size(), false);
-    bool any = false, any_pressed = false;
+    bool any = false, any_pressed = false, any_moved = false;
     for (const int index : step.awake) {
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
         const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        if (body.is_static()) {
+            any_moved = any_moved || body.is_moved();
+            continue;
+        }
         const double path = free_path(collider, body, step);
         dangerous_[i] = path > dangerous * size_of(collider.shape);
         fast_[i] = dangerous_[i] || (step.any_bounces && path > margin_of(collider, step));
@@ -157,9 +161,28 @@ bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& s
         any_pressed = could_be_pressed(collider, body, path, step) &&
                       is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
     }
+    if (any_moved) any = any_moved_fast(step) || any;
     if (!any_pressed) return any;
     find_pressed(touches, step);
     return std::find(fast_.begin(), fast_.end(), true) != fast_.end();
+}
+
+// A moved body does not rest on anything, so what it may bounce is swept however slowly it comes; and it may pass
+// through what is smaller than itself.
+bool ContinuousCollision::any_moved_fast(const Step& step) {
+    const double smallest = smallest_movable(step.colliders, step.bodies);
+    bool any = false;
+    for (const int index : step.awake) {
+        const auto i = static_cast<std::size_t>(index);
+        const Collider& collider = step.colliders[i];
+        const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
+        if (!body.is_moved()) continue;
+        dangerous_[i] =
+            is_finite(collider.shape) && path_of_moved(collider, body.prescribed, step.dt) > dangerous * smallest;
+        fast_[i] = dangerous_[i] || step.any_bounces;
+        any = any || fast_[i];
+    }
+    return any;
 }
 
 // Bodies that lie on something are held: not fast, however hard they are pressed.

@@ -59,6 +59,7 @@ class ContinuousCollision {
     };
 
     bool any_fast(std::span<const Touch> touches, const Step& step);
+    bool any_moved_fast(const Step& step);
     void find_pressed(std::span<const Touch> touches, const Step& step);
     bool any_thrown(std::span<const Vector6> forces, std::span<const NewForce> changed, const Step& step);
     void refine_fast(std::span<const Touch> touches, const Step& step, Detector& detector);

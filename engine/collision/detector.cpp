@@ -1,6 +1,6 @@
 #include "engine/collision/detector.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
 #include <cmath>

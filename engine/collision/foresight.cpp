@@ -9,9 +9,40 @@ double path_of(const Collider& collider, double speed, double rate, double dt) {
     return dt * (speed + rate * std::sqrt(squared_turning_radius(collider.shape)));
 }
 
+double path_of_moved(const Collider& collider, const Motion& motion, double dt) {
+    const double rate = motion.angular_velocity.norm();
+    if (!is_finite(collider.shape) && rate > 0.0) return std::numeric_limits<double>::infinity();
+    return path_of(collider, motion.velocity.norm(), rate, dt);
+}
+
+double smallest_movable(std::span<const Collider> colliders, std::span<const Body> bodies) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Collider& collider : colliders) {
+        const bool is_static = bodies[static_cast<std::size_t>(collider.body)].is_static();
+        if (!is_static) smallest = std::min(smallest, size_of(collider.shape));
+    }
+    return smallest;
+}
+
+Way::Way(const Collider& collider, const Body& body, double dt)
+    : point_(body.position),
+      up_(body.orientation * Vector3::UnitY()),
+      centre_(body.position),
+      path_(path_of_moved(collider, body.prescribed, dt)),
+      is_plane_(!is_finite(collider.shape)) {
+    reach_ = half_extents(collider.shape, pose_of(body).rotation) + Vector3::Constant(path_);
+}
+
+bool Way::meets(const Shape& shape, const Body& body, double margin) const {
+    const Vector3 reach = half_extents(shape, pose_of(body).rotation) + Vector3::Constant(margin);
+    if (is_plane_) return up_.dot(body.position - point_) - path_ < up_.cwiseAbs().dot(reach);
+    return ((body.position - centre_).cwiseAbs().array() < (reach + reach_).array()).all();
+}
+
 void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
                            std::span<const int> which, Threads* threads) {
     constexpr std::size_t colliders_of_a_part = 500;
+    colliders_ = colliders;
     bodies_ = bodies;
     dt_ = dt;
     paths_.resize(colliders.size());
@@ -24,7 +55,7 @@ void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const 
 
 double Foresight::path_of_step(const Collider& collider) const {
     const Body& body = bodies_[static_cast<std::size_t>(collider.body)];
-    if (body.is_static()) return 0.0;
+    if (body.is_static()) return path_of_moved(collider, body);
     const double size = size_of(collider.shape);
     // The largest inverse moment bounds the angular velocity.
     const double turning = body.inverse_inertia.maxCoeff();
@@ -35,10 +66,17 @@ double Foresight::path_of_step(const Collider& collider) const {
                     dangerous * size);
 }
 
+double Foresight::path_of_moved(const Collider& collider, const Body& body) const {
+    if (body.prescribed.is_none()) return 0.0;
+    const double path = collision::path_of_moved(collider, body.prescribed, dt_);
+    const bool is_swept = is_finite(collider.shape) && path > dangerous * smallest_movable(colliders_, bodies_);
+    return is_swept ? 0.0 : path;
+}
+
 double Foresight::closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const {
     const auto speed_along = [&](int index) {
         const Body& body = bodies_[static_cast<std::size_t>(index)];
-        if (body.is_static()) return 0.0;
+        if (body.is_static() && body.prescribed.is_none()) return 0.0;
         const Motion motion = motion_of(body, dt_);
         return normal.dot(motion.velocity + motion.angular_velocity.cross(point - body.position));
     };
@@ -48,9 +86,10 @@ double Foresight::closing(int body_a, int body_b, const Vector3& normal, const V
 double Foresight::most_closing(const Collider& a, const Collider& b, const Vector3& normal) const {
     const auto reach = [&](const Collider& collider, const Vector3& direction) {
         const Body& body = bodies_[static_cast<std::size_t>(collider.body)];
-        if (body.is_static()) return 0.0;
+        if (body.is_static() && body.prescribed.is_none()) return 0.0;
         const Motion motion = motion_of(body, dt_);
-        return dt_ * direction.dot(motion.velocity) + path_of(collider, 0.0, motion.angular_velocity.norm(), dt_);
+        const Motion turning{.angular_velocity = motion.angular_velocity};
+        return dt_ * direction.dot(motion.velocity) + collision::path_of_moved(collider, turning, dt_);
     };
     return reach(a, normal) + reach(b, -normal);
 }

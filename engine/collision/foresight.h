@@ -23,6 +23,24 @@ namespace pushfactor::engine::collision {
 // Path per step, as a share of its size, from which on a body could tunnel or end deep inside another.
 inline constexpr double dangerous = 0.25;
 
+// Smallest size of a movable body [m], by which a moved one (path.h) is fast: size of what it could pass through.
+double smallest_movable(std::span<const Collider> colliders, std::span<const Body> bodies);
+
+// The space that a moved body needs in a step.
+class Way {
+  public:
+    Way(const Collider& collider, const Body& body, double dt);
+
+    // Whether it comes within `margin` [m] of a bounded shape of a body that does not move.
+    bool meets(const Shape& shape, const Body& body, double margin) const;
+
+  private:
+    Vector3 point_, up_;      // of a plane
+    Vector3 centre_, reach_;  // of the box around all others, m
+    double path_ = 0.0;       // m, of any point
+    bool is_plane_;
+};
+
 class Foresight {
   public:
     // Predicts the coming step of `dt` [s] with the external forces of `bodies`. Only the colliders `which` are
@@ -34,7 +52,8 @@ class Foresight {
     }
 
     // Upper bound on the path of a point of the collider [m], at most `dangerous` of its size; zero for a
-    // collider whose velocity exceeds that, since it is swept.
+    // collider whose velocity exceeds that, since it is swept. Of a moved body any path of a plane, which nothing
+    // passes; of other shapes at most `dangerous` of the smallest body that it may meet.
     double path(int collider) const { return paths_[static_cast<std::size_t>(collider)]; }
 
     // How much of a gap at `point` along `normal` (from body a to body b) the free motions close [m].
@@ -45,11 +64,16 @@ class Foresight {
 
   private:
     double path_of_step(const Collider& collider) const;
+    double path_of_moved(const Collider& collider, const Body& body) const;
 
+    std::span<const Collider> colliders_;
     std::span<const Body> bodies_;
     double dt_ = 0.0;
     std::vector<double> paths_;  // by collider
 };
+
+// Upper bound on the path of a point of a moved body's collider in `dt` [s]; infinite for a plane that turns.
+double path_of_moved(const Collider& collider, const Motion& motion, double dt);
 
 // Upper bound on the path of a point of `collider` in `dt` [s] with `speed` [m/s] and angular velocity `rate`
 // [rad/s] of the body.

@@ -17,7 +17,7 @@ struct ContactPoint {
 };
 
 struct Manifold {
-    static constexpr int max_points = 8;  // two quadrilaterals intersect in at most an octagon
+    static constexpr int max_points = 8;  // as many as two quadrilaterals intersect in
 
     Vector3 normal = Vector3::UnitY();             // unit length, world frame, from shape a to shape b
     std::array<ContactPoint, max_points> storage;  // the first `count` are valid
@@ -30,10 +30,18 @@ struct Manifold {
     // each other. Infinity for other shapes and for boxes farther apart than the margin.
     double separation = std::numeric_limits<double>::infinity();
 
+    // m; points higher than this above the deepest one are the last to be chosen. Finite where a rounded surface
+    // lies on a plane: what is near and farther out does not support it.
+    double layer = std::numeric_limits<double>::infinity();
+
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
     std::span<const ContactPoint> points() const& { return {storage.data(), static_cast<std::size_t>(count)}; }
     std::span<const ContactPoint> points() const&& = delete;  // would dangle
 };
+
+// Adds `points` to an empty manifold, whose normal and layer are set: of more than eight those that are outermost
+// in eight directions. `reference` as below.
+void add_outermost(std::span<const ContactPoint> points, const Matrix3& reference, Manifold& manifold);
 
 // Keeps at most four points: the outermost in four directions of the contact plane, preferring deep ones. The
 // directions are fixed in `reference` (a rotation that moves with one of the shapes) and lie off the diagonals

@@ -1,8 +1,9 @@
 #include "engine/collision/passing.h"
 
 #include "engine/base/overloaded.h"
-#include "engine/collision/box_box.h"
-#include "engine/collision/sphere_pairs.h"
+#include "engine/collision/pairs/box_box.h"
+#include "engine/collision/pairs/polyhedron_pairs.h"
+#include "engine/collision/pairs/sphere_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,14 +84,19 @@ struct Shapes {
           pose_a(pose_of(body_of(touch.body_a, step))),
           pose_b(pose_of(body_of(touch.body_b, step))) {}
 
-    // Calls `visit` with the separating axes in other directions than `normal`. Two spheres, and planes, have none.
+    // Calls `visit` with the separating axes in other directions than `normal`, at least those of which the gap
+    // exceeds `least` [m]. Two spheres, and planes, have none.
     template <typename Visit>
-    void visit_others(const Vector3& normal, const Visit& visit) const {
+    void visit_others(const Vector3& normal, double least, const Visit& visit) const {
+        const auto visit_other = [&](const Separation& axis) {
+            if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
+        };
+        const auto visit_hulls = [&](const auto& hull_a, const auto& hull_b) {
+            visit_separations(PlacedHull(hull_a, pose_a), PlacedHull(hull_b, pose_b), least, visit_other);
+        };
         std::visit(Overloaded{[&](const Box& box_a, const Box& box_b) {
                                   const Separations separations(box_a, pose_a, box_b, pose_b);
-                                  for (const Separation& axis : separations.all()) {
-                                      if (std::abs(axis.normal.dot(normal)) < same_direction) visit(axis);
-                                  }
+                                  for (const Separation& axis : separations.all()) visit_other(axis);
                               },
                               [&](const Box& box, const Sphere& sphere) {
                                   const Separations separations(box, pose_a, sphere, pose_b);
@@ -100,6 +106,16 @@ struct Shapes {
                                   const Separations separations(box, pose_b, sphere, pose_a);
                                   for (const Separation& axis : separations.all()) visit(reversed(axis));
                               },
+                              [&](const Polyhedron& p, const Polyhedron& q) { visit_hulls(p, q); },
+                              [&](const Polyhedron& p, const Box& q) { visit_hulls(p, q); },
+                              [&](const Box& p, const Polyhedron& q) { visit_hulls(p, q); },
+                              [&](const Polyhedron& polyhedron, const Sphere& sphere) {
+                                  visit_separations(polyhedron, pose_a, sphere, pose_b, visit);
+                              },
+                              [&](const Sphere& sphere, const Polyhedron& polyhedron) {
+                                  visit_separations(polyhedron, pose_b, sphere, pose_a,
+                                                    [&](const Separation& axis) { visit(reversed(axis)); });
+                              },
                               [](const Sphere&, const Sphere&) {}, [](const Plane&, const auto&) {},
                               [](const auto&, const Plane&) {}, [](const Plane&, const Plane&) {}},
                    a, b);
@@ -107,6 +123,10 @@ struct Shapes {
 
     // Collides the shapes along one of these axes.
     void collide_along(const Separation& axis, double room, double margin, Manifold& manifold) const {
+        const auto collide_hulls = [&](const auto& hull_a, const auto& hull_b) {
+            collide_hulls_along(axis, PlacedHull(hull_a, pose_a), PlacedHull(hull_b, pose_b), room, margin,
+                                manifold);
+        };
         std::visit(Overloaded{[&](const Box& box_a, const Box& box_b) {
                                   collide_box_box_along(axis, box_a, pose_a, box_b, pose_b, room, margin, manifold);
                               },
@@ -117,6 +137,18 @@ struct Shapes {
                               [&](const Sphere& sphere, const Box& box) {
                                   collide_box_sphere_along(reversed(axis), box, pose_b, sphere, pose_a, room,
                                                            margin, manifold);
+                                  manifold.normal = -manifold.normal;
+                              },
+                              [&](const Polyhedron& p, const Polyhedron& q) { collide_hulls(p, q); },
+                              [&](const Polyhedron& p, const Box& q) { collide_hulls(p, q); },
+                              [&](const Box& p, const Polyhedron& q) { collide_hulls(p, q); },
+                              [&](const Polyhedron& polyhedron, const Sphere& sphere) {
+                                  collide_polyhedron_sphere_along(axis, polyhedron, pose_a, sphere, pose_b, room,
+                                                                  margin, manifold);
+                              },
+                              [&](const Sphere& sphere, const Polyhedron& polyhedron) {
+                                  collide_polyhedron_sphere_along(reversed(axis), polyhedron, pose_b, sphere,
+                                                                  pose_a, room, margin, manifold);
                                   manifold.normal = -manifold.normal;
                               },
                               [](const Sphere&, const Sphere&) {}, [](const Plane&, const auto&) {},
@@ -216,7 +248,7 @@ std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::s
     const Closing closing = closing_of(touch, movers, permitted, step.dt);
     if (closing.path <= 0.0) return std::nullopt;
     std::optional<Choice> last;
-    Shapes(touch, step).visit_others(touch.normal, [&](const Separation& axis) {
+    Shapes(touch, step).visit_others(touch.normal, -permitted - rounding * touch.size, [&](const Separation& axis) {
         if (axis.gap + permitted < 0.0) return;
         double time = 0.0;
         if (closing.time < never) {
@@ -271,7 +303,7 @@ void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
 bool Passing::is_kept_apart(const Touch& touch, std::span<const Touch> touches, const Step& step) const {
     const double permitted = step.detection.permitted * touch.size;
     bool apart = false;
-    Shapes(touch, step).visit_others(touch.normal, [&](const Separation& axis) {
+    Shapes(touch, step).visit_others(touch.normal, -permitted - rounding * touch.size, [&](const Separation& axis) {
         if (apart || axis.gap + permitted < 0.0) return;
         apart = is_held(touch, axis, touch.points.front().position, touches, step);
     });

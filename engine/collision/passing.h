@@ -16,7 +16,7 @@
 
 #include "engine/bodies/motion.h"
 #include "engine/collision/detector.h"
-#include "engine/collision/separations.h"
+#include "engine/collision/pairs/separations.h"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,9 @@
 #include "engine/collision/time_of_impact.h"
 
-#include "engine/collision/pair_table.h"
-#include "engine/collision/separations.h"
+#include "engine/base/overloaded.h"
+#include "engine/collision/pairs/hull_axes.h"
+#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/separations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,33 +56,64 @@ double time_to_close(double gap, const Reach& reach) {
     return reach.speed > 0.0 ? 2.0 * gap / (reach.speed + root) : (root - reach.speed) / reach.acceleration;
 }
 
-template <typename Visit>
-void visit_separations(const Placed& pair, Visit visit) {
-    const auto* box_a = std::get_if<Box>(&pair.a.shape);
-    const auto* box_b = std::get_if<Box>(&pair.b.shape);
-    if (box_a && box_b) {
-        const Separations separations(*box_a, pair.pose_a, *box_b, pair.pose_b);
-        for (const Separation& axis : separations.all()) visit(axis);
-        return;
-    }
+// The direction in which the shapes are closest.
+Separation closest(const Placed& pair) {
     Manifold nearest;
     collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, never, nearest);
     double gap = never;
     for (const ContactPoint& point : nearest.points()) gap = std::min(gap, point.gap);
-    visit(Separation{nearest.normal, gap});
+    return {nearest.normal, gap};
+}
+
+// Calls `visit` with the separations that matter: the largest, and those of a gap above `least` [m].
+template <typename Visit>
+void visit_separations(const Placed& pair, double least, const Visit& visit) {
+    const auto visit_hulls = [&](const auto& a, const auto& b) {
+        visit_separations(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b), least, visit);
+    };
+    std::visit(Overloaded{[&](const Box& a, const Box& b) {
+                              const Separations separations(a, pair.pose_a, b, pair.pose_b);
+                              for (const Separation& axis : separations.all()) visit(axis);
+                          },
+                          [&](const Polyhedron& a, const Polyhedron& b) { visit_hulls(a, b); },
+                          [&](const Polyhedron& a, const Box& b) { visit_hulls(a, b); },
+                          [&](const Box& a, const Polyhedron& b) { visit_hulls(a, b); },
+                          [&](const Sphere&, const auto&) { visit(closest(pair)); },
+                          [&](const auto&, const Sphere&) { visit(closest(pair)); },
+                          [&](const Sphere&, const Sphere&) { visit(closest(pair)); },
+                          [&](const Plane&, const auto&) { visit(closest(pair)); },
+                          [&](const auto&, const Plane&) { visit(closest(pair)); },
+                          [&](const Plane&, const Plane&) { visit(closest(pair)); },
+                          [&](const Plane&, const Sphere&) { visit(closest(pair)); },
+                          [&](const Sphere&, const Plane&) { visit(closest(pair)); }},
+               pair.a.shape, pair.b.shape);
+}
+
+// Whether visit_separations() looks along all axes of the pair and not only along those that matter.
+bool has_all_directions(const Placed& pair) {
+    const auto is_polyhedron = [](const Shape& shape) { return std::holds_alternative<Polyhedron>(shape); };
+    return !is_polyhedron(pair.a.shape) && !is_polyhedron(pair.b.shape);
+}
+
+// Upper bound on the speed of points of the shapes towards each other, m/s.
+double fastest(const Placed& pair) {
+    const auto turning = [](const Moving& moving) {
+        return moving.motion.angular_velocity.norm() * std::sqrt(squared_turning_radius(moving.shape));
+    };
+    return (pair.a.motion.velocity - pair.b.motion.velocity).norm() + turning(pair.a) + turning(pair.b);
 }
 
 // Time before which the shapes cannot meet, and their distance now.
 struct Wait {
     double time = 0.0;     // s
     double gap = -never;   // m, largest
-    double fastest = 0.0;  // m/s, over all directions
+    double fastest = 0.0;  // m/s, over these directions
 };
 
 // `permitted`: overlap [m] up to which they still count as separated.
 Wait wait_of(const Placed& pair, double permitted) {
     Wait wait;
-    visit_separations(pair, [&](const Separation& separation) {
+    visit_separations(pair, -permitted, [&](const Separation& separation) {
         const Reach reach = closing(pair, separation.normal);
         const double gap = separation.gap + permitted;
         wait.time = std::max(wait.time, time_to_close(gap, reach));
@@ -143,7 +176,8 @@ Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearn
             const bool same = graze && graze->manifold.normal.dot(manifold.normal) > same_direction;
             if (manifold.count > 0) return {same ? *graze : here};
             // All axes within tolerance but the manifold is empty (corner beside corner): advance and retry.
-            wait.time = std::max(wait.time, 0.1 * tolerance / wait.fastest);
+            const double speed = has_all_directions(pair) ? wait.fastest : fastest(pair);
+            wait.time = std::max(wait.time, 0.1 * tolerance / speed);
         }
         time += wait.time;
     }

@@ -1,5 +1,7 @@
 #include "engine/constraints/contact_constraints.h"
 
+#include "engine/constraints/carried.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +43,8 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
     const Jacobian& j = row.jacobian;
     const double acceleration_a = j.a.dot(acceleration_of(pair.body_a));
     const double acceleration_b = j.b.dot(acceleration_of(pair.body_b));
-    return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)),
+    return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)) -
+                     carried_speed(j, pair.body_a, pair.body_b, dt),
             .acceleration = acceleration_a + acceleration_b,
             .weight = std::max(std::abs(acceleration_a), std::abs(acceleration_b)),
             .gap = row.label.gap,
@@ -120,6 +123,23 @@ SomeBodies ContactConstraints::changed_anew(double from, double until) const {
         }
     }
     return changed;
+}
+
+// Those within the margin of its way. A plane that turns may meet all.
+SomeBodies ContactConstraints::met_by_moved(const StepStart& step) const {
+    SomeBodies met;
+    for (const collision::Collider& own : colliders_) {
+        const Body& moved = step.bodies[static_cast<std::size_t>(own.body)];
+        if (!moved.is_moved()) continue;
+        const collision::Way way(own, moved, step.dt);
+        for (const collision::Collider& other : colliders_) {
+            if (awake_bodies_.has(other.body) || !is_finite(other.shape)) continue;
+            const Body& resting = step.bodies[static_cast<std::size_t>(other.body)];
+            const double margin = choices_.detection.margin * size_of(other.shape);
+            if (way.meets(other.shape, resting, margin)) met.some.push_back(other.body);
+        }
+    }
+    return met;
 }
 
 void ContactConstraints::all_forces(ContactCache& into) const {
@@ -255,7 +275,10 @@ void ContactConstraints::find_motions(const StepStart& step) {
         for (const int index : awake.subspan(begin, end - begin)) {
             const auto i = static_cast<std::size_t>(index);
             const Body& body = step.bodies[i];
-            if (body.is_static()) continue;
+            if (body.is_static()) {
+                motions_[i] = body.prescribed;
+                continue;
+            }
             const Matrix3& rotation = detector_.poses()[i].rotation;
             const Vector3 in_body = rotation.transpose() * body.angular_momentum;
             accelerations_[i] = body.inverse_mass * body.force.norm();

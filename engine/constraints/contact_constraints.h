@@ -61,6 +61,7 @@ class ContactConstraints : public ConstraintSource {
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     SomeBodies changed_anew(double from, double until) const override;
+    SomeBodies met_by_moved(const StepStart& step) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
 

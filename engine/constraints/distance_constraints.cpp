@@ -129,6 +129,16 @@ void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const A
     }
 }
 
+SomeBodies DistanceConstraints::met_by_moved(const StepStart& step) const {
+    SomeBodies held;
+    for (const Distance& distance : distances_) {
+        const auto is_moved = [&](int body) { return step.bodies[static_cast<std::size_t>(body)].is_moved(); };
+        if (is_moved(distance.body_a)) held.some.push_back(distance.body_b);
+        if (is_moved(distance.body_b)) held.some.push_back(distance.body_a);
+    }
+    return held;
+}
+
 void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {
     assert(forces.size() == distances_.size());
     forces_ = std::move(forces);

@@ -83,6 +83,7 @@ class DistanceConstraints : public ConstraintSource {
     double stored_energy(std::span<const Body> bodies) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+    SomeBodies met_by_moved(const StepStart& step) const override;
 
     std::span<const Distance> distances() const { return distances_; }
     // Indices of the distances that have rows, in row order; those of resting bodies have none.

@@ -132,7 +132,7 @@ void Rest::end_step(std::span<Body> bodies, std::span<const char> turns_unseen, 
         const bool any_still =
             std::any_of(island.bodies.begin(), island.bodies.end(), [this](int body) { return is_still(body); });
         if (!any_still) continue;
-        find_groups(system, island, lambda);
+        find_groups(bodies, system, island, lambda);
         bring_to_rest(bodies, island);
     }
     if (count_ != before) list_turning(bodies);
@@ -179,7 +179,8 @@ int Rest::root_of(int number) {
     return number;
 }
 
-void Rest::find_groups(const SystemEquation& system, const Island& island, const Columns& lambda) {
+void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& system, const Island& island,
+                       const Columns& lambda) {
     groups_.clear();
     for (int k = 0; k < island.movable(); ++k) groups_.push_back({.parent = k});
     const auto join = [this](int a, int b) {
@@ -193,9 +194,11 @@ void Rest::find_groups(const SystemEquation& system, const Island& island, const
         if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
     }
     for (const RowRun& run : island.runs) {
-        // A running belt or motor does not move what is held on it now, but may take it along later.
+        // A running belt or motor or a moved body does not move what is held on it now, but may take it along later, or
+        // go away.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
         const bool runs_along =
+            bodies[at(rows.front().body_a)].is_moved() || bodies[at(rows.front().body_b)].is_moved() ||
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
         bool any_force = false;
         for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));

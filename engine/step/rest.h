@@ -80,7 +80,7 @@ class Rest {
 
     // After a step of `dt` [s] with these rows and forces: records the positions of the bodies that took part, and
     // brings groups to rest that have been still for long enough and are held by something static other than a
-    // running belt. `turns_unseen`, by body: no row depends on its orientation.
+    // running belt or a moved body. `turns_unseen`, by body: no row depends on its orientation.
     void end_step(std::span<Body> bodies, std::span<const char> turns_unseen, const SystemEquation& system,
                   const Islands& islands, const Columns& lambda, double dt);
 
@@ -99,7 +99,8 @@ class Rest {
                      double dt);
     bool turns_on(const Body& body, const Memory& memory) const;
     void list_turning(std::span<const Body> bodies);
-    void find_groups(const SystemEquation& system, const Island& island, const Columns& lambda);
+    void find_groups(std::span<const Body> bodies, const SystemEquation& system, const Island& island,
+                     const Columns& lambda);
     int root_of(int number);
     void bring_to_rest(std::span<Body> bodies, const Island& island);
 

@@ -101,8 +101,7 @@ void SmallSteps::work(const Step& step, Team& team) {
     load(step, team);
     begin(step, team);
     for (int k = 0; k < step.division.steps; ++k) {
-        const bool last = k + 1 == step.division.steps;
-        small_step(step, last ? more_at_the_end * step.division.sweeps : step.division.sweeps, team);
+        small_step(step, k, team);
     }
     dissection_.in_any_order(team, [this](const Part& part) {
         PartState& state = state_of(part);
@@ -157,12 +156,15 @@ void SmallSteps::begin(const Step& step, Team& team) {
             sum_[number] = 0.0;
             before_[number] = row.y[0];
             if (!(row.scale > 0.0)) return;
+            const double carried = step.system.carried_by(static_cast<std::size_t>(j));
             const bool lifts = source.bounds.c_min >= 0.0, holds = source.bounds.c_max <= 0.0;
             if (source.bounds.of_row < 0 && (lifts || holds)) {
-                state.one_sided.push_back({number, source.error, lifts ? 1.0 : -1.0});
+                state.one_sided.push_back({number, source.error, carried, lifts ? 1.0 : -1.0});
+                state.drives = state.drives || carried != 0.0;
             } else {
-                row.t[0] = source.push.lasting / row.scale;
-                state.drives = state.drives || source.push.lasting != 0.0;
+                const double aim = source.push.lasting + carried;
+                row.t[0] = aim / row.scale;
+                state.drives = state.drives || aim != 0.0;
             }
         });
     });
@@ -177,12 +179,14 @@ double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-void SmallSteps::aim(double h, const Part& part) {
+// For a small step of `h` [s] that begins `elapsed` [s] after the step.
+void SmallSteps::aim(double h, double elapsed, const Part& part) {
     for (const OneSided& one : state_of(part).one_sided) {
         solvers::UnitRows<1>::Row& row = rows_.rows[one.row];
-        const double error = one.error + moved_along(row);
+        const double error = one.error + moved_along(row) - elapsed * one.carried;
         const bool open = one.open_side * error > 0.0;
         row.t[0] = open ? -error / (h * row.scale) : 0.0;
+        if (one.carried != 0.0) row.t[0] += one.carried / row.scale;
     }
 }
 
@@ -254,7 +258,9 @@ void SmallSteps::keep_hits_of(const Part& part) {
     }
 }
 
-void SmallSteps::small_step(const Step& step, int sweeps, Team& team) {
+void SmallSteps::small_step(const Step& step, int number, Team& team) {
+    const bool last = number + 1 == step.division.steps;
+    const int sweeps = last ? more_at_the_end * step.division.sweeps : step.division.sweeps;
     each_body(team, [this](std::size_t i) { base_[i] = rows_.velocity[i] + pull_[i]; });
     const double gained = gain(team);
     const bool drives =
@@ -268,7 +274,7 @@ void SmallSteps::small_step(const Step& step, int sweeps, Team& team) {
             const auto begin = static_cast<std::size_t>(part.begin_row),
                        end = static_cast<std::size_t>(part.end_row);
             if (k == 0) {
-                aim(step.h, part);
+                aim(step.h, number * step.h, part);
                 for (std::size_t j = begin; j < end; ++j) before_[j] = rows_.rows[j].y[0];
             }
             solvers::sweep<1>(rows_, state.blocks,
@@ -338,7 +344,9 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
         const ConstraintRow& source = row_of(step.system, j);
         const solvers::UnitRows<1>::Row& row = rows_.rows[number];
         if (!(row.scale > 0.0) || !holds_place(source.bounds)) return;
-        const double moved = moved_along(row), correcting = step.system.dt * source.push.correcting;
+        const double moved =
+            moved_along(row) - step.system.dt * step.system.carried_by(static_cast<std::size_t>(j));
+        const double correcting = step.system.dt * source.push.correcting;
         double want = correcting;
         if (source.bounds.c_min >= 0.0) {
             const double overlap = std::max(0.0, -source.error);

@@ -10,7 +10,8 @@
 //
 // Symbols: x velocity and d displacement of a body scaled by the square root of its mass, M^(1/2) v [sqrt(kg) m/s]
 // and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. An open row has t_j = -gap / h, with the gap that
-// remains after d; a closed one aims at rest, and friction at the speed of its belt.
+// remains after d; a closed one aims at rest, and friction at the speed of its belt. Where a body is moved (path.h)
+// all of this is relative to it.
 //
 // The means over the small steps would move a body like a constant force, d = dt v + dt^2 a / 2, while a whole step
 // gives dt v + dt^2 a (3.2). With the axes of the start of the step the former is an explicit step, and bodies that
@@ -77,6 +78,7 @@ class SmallSteps {
     struct OneSided {
         std::size_t row;   // number in the island
         double error;      // m, at the start of the step
+        double carried;    // m/s, see SystemEquation
         double open_side;  // 1 if it is open for errors above zero, -1 if below
     };
     // A row that takes part in the push.
@@ -115,8 +117,8 @@ class SmallSteps {
     void work(const Step& step, Team& team);
     void load(const Step& step, Team& team);
     void begin(const Step& step, Team& team);
-    void small_step(const Step& step, int sweeps, Team& team);
-    void aim(double h, const Part& part);
+    void small_step(const Step& step, int number, Team& team);
+    void aim(double h, double elapsed, const Part& part);
     double impulse_gain(std::size_t body) const;
     double gain(Team& team);
     void forget_hits(Team& team);

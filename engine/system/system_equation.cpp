@@ -119,12 +119,12 @@ inline void weigh(std::size_t j, SystemEquation& system) {
 }
 
 // Of kinds that few scenes have, apart so that the others do not pay for them.
-[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row) {
+[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
     switch (row.label.kind) {
         case RowKind::joint:
             return RowDigest::joins;
         case RowKind::motor:
-            return row.push.lasting != 0.0 ? RowDigest::drives : 0;
+            return row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0;
         case RowKind::spring:
             return RowDigest::soft;
         case RowKind::limit:
@@ -136,15 +136,16 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     return 0;
 }
 
-inline RowDigest digest_of(std::span<const ConstraintRow> rows, std::size_t j) {
+inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
+    const std::span<const ConstraintRow> rows = system.rows;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
     if (row.label.kind == RowKind::friction) {
-        if (row.push.lasting != 0.0) traits |= RowDigest::drives;
+        if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
     } else if (row.label.kind > RowKind::distance) {
-        traits |= traits_of_kind(row);
+        traits |= traits_of_kind(row, system.carried_by(j));
     }
     assert(row.softness == 0.0 || row.label.kind == RowKind::spring);
     if (bounds.of_row >= 0) {
@@ -184,7 +185,7 @@ void weigh_rows(SystemEquation& system) {
     size_rows(system);
     for (std::size_t j = 0; j < system.rows.size(); ++j) {
         weigh(j, system);
-        system.digests[j] = digest_of(system.rows, j);
+        system.digests[j] = digest_of(system, j);
     }
 }
 
@@ -212,9 +213,10 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
-            system.digests[j] = digest_of(rows, j);
-            const double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                         row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            system.digests[j] = digest_of(system, j);
+            double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
+                                   row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
+            if (!system.carried.empty()) unconstrained -= system.carried[j] / system.dt;
             const auto index = static_cast<Eigen::Index>(j);
             system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;

@@ -47,8 +47,8 @@ struct RowDigest {
     enum Trait : std::uint8_t {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
-        rebounds = 4,         // one-sided row with a lasting push in its direction
-        drives = 8,           // aims at a speed: friction on a belt, or a motor
+        rebounds = 4,         // one-sided row with a lasting push of its own in its direction
+        drives = 8,           // aims at a speed: friction on a belt or a moved body, or a motor
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
         soft = 64,            // has a softness
@@ -71,6 +71,11 @@ struct SystemEquation {
     VectorX diagonal;                // A_jj, 1/kg; 0 for a row that cannot move anything; for discs see above
     Columns b;                       // m/s^2, rows x columns
     std::vector<RowDigest> digests;  // by row
+    // m/s, by row: velocity that a moved body gives to it, beside the push (carried.h). Empty if none is moved;
+    // the only part that build_system() does not write.
+    std::vector<double> carried;
+
+    double carried_by(std::size_t row) const { return carried.empty() ? 0.0 : carried[row]; }
 
     Eigen::Index row_count() const { return b.rows(); }
     Eigen::Index column_count() const { return b.cols(); }

@@ -45,12 +45,16 @@ struct BodiesComparison {
 
 BodiesComparison compare(const Bodies& a, const Bodies& b) {
     BodiesComparison found;
-    for (Instances Bodies::*const kind : {&Bodies::boxes, &Bodies::spheres, &Bodies::bars}) {
+    for (Instances Bodies::*const kind : {&Bodies::boxes, &Bodies::spheres, &Bodies::polyhedra, &Bodies::bars}) {
         Comparison of_kind = compare(a.*kind, b.*kind);
         found.differing.*kind = std::move(of_kind.differing);
         found.equal.*kind = std::move(of_kind.equal);
     }
     return found;
+}
+
+bool same_shapes(const Bodies& a, const Bodies& b) {
+    return std::ranges::equal(a.shapes, b.shapes, [](const auto& p, const auto& q) { return p == q || *p == *q; });
 }
 
 // Distance along the light between the first and the last shadow caster or receiver, m.
@@ -101,7 +105,8 @@ Tiles changed_tiles(const FrameView& view, const BodiesComparison& bodies, const
 
 Tiles changed_tiles(const FrameContents& before, const FrameContents& now) {
     Tiles tiles(now.views.front().width, now.views.front().height);
-    if (before.camera != now.camera || before.ground != now.ground || before.panels != now.panels) {
+    if (before.camera != now.camera || before.ground != now.ground || before.panels != now.panels ||
+        !same_shapes(before.bodies, now.bodies)) {
         tiles.add_all();
         return tiles;
     }

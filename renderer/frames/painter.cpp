@@ -91,6 +91,7 @@ Painter::Painter(const Gl& gl, int width, int height, const std::filesystem::pat
                      {"panel.vert", "panel.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
       boxes_(gl, box_mesh()),
       spheres_(gl),
+      polyhedra_(gl),
       bars_(gl, square_mesh()),
       ground_(gl, square_mesh()),
       contacts_(gl, square_mesh()),
@@ -109,6 +110,7 @@ void Painter::end(Stage stage) const {
 
 void Painter::draw_shadow(const Drawing& scene) {
     boxes_.set_instances(scene.bodies.boxes);
+    polyhedra_.set_instances(scene.bodies.polyhedra, scene.bodies.shapes);
     spheres_.set_instances(scene.bodies.spheres, scene.picture.camera.eye, scene.view.pixel);
     bars_.set_instances(scene.bodies.bars);
     const auto use_for_sun = [&](const ShaderProgram& program) {
@@ -121,6 +123,7 @@ void Painter::draw_shadow(const Drawing& scene) {
     shadow_map_.begin(scene.sun.width, scene.sun.height);
     use_for_sun(shadow_program_);
     boxes_.draw();
+    polyhedra_.draw();
     use_for_sun(sphere_shadow_program_);
     spheres_.draw();
     use_for_sun(bar_shadow_program_);
@@ -253,6 +256,8 @@ void Painter::draw_bodies(const Drawing& scene, const Tiles& tiles) {
     boxes_.set_instances(seen_in(tiles, scene.view, scene.bodies.boxes));
     use(body_program_, scene);
     boxes_.draw();
+    polyhedra_.set_instances(seen_in(tiles, scene.view, scene.bodies.polyhedra), scene.bodies.shapes);
+    polyhedra_.draw();
     spheres_.set_instances(seen_in(tiles, scene.view, scene.bodies.spheres), scene.picture.camera.eye,
                            scene.view.pixel);
     use(sphere_program_, scene);

@@ -3,6 +3,7 @@
 #include "renderer/frames/backdrop.h"
 #include "renderer/frames/frame_plan.h"
 #include "renderer/frames/panel_mesh.h"
+#include "renderer/frames/polyhedron_meshes.h"
 #include "renderer/frames/render_target.h"
 #include "renderer/frames/shadow_map.h"
 #include "renderer/frames/sphere_meshes.h"
@@ -80,6 +81,7 @@ class Painter {
     ShaderProgram panel_program_;
     InstancedMesh boxes_;
     SphereMeshes spheres_;
+    PolyhedronMeshes polyhedra_;
     InstancedMesh bars_;
     InstancedMesh ground_;
     InstancedMesh contacts_;

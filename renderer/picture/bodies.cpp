@@ -18,6 +18,7 @@ std::vector<Instance> Bodies::all() const {
 std::vector<Instance> Bodies::thick() const {
     std::vector<Instance> bodies = boxes;
     bodies.insert(bodies.end(), spheres.begin(), spheres.end());
+    bodies.insert(bodies.end(), polyhedra.begin(), polyhedra.end());
     return bodies;
 }
 
@@ -25,8 +26,11 @@ Bodies visible_bodies(const Picture& picture, float reach) {
     const glm::vec3& eye = picture.camera.eye;
     Bodies bodies{.boxes = box_instances(picture.boxes),
                   .spheres = sphere_instances(picture.spheres),
-                  .bars = bar_instances(picture.bars)};
-    for (std::vector<Instance>* kind : {&bodies.boxes, &bodies.spheres, &bodies.bars}) {
+                  .polyhedra = polyhedron_instances(picture.polyhedra),
+                  .bars = bar_instances(picture.bars),
+                  .shapes = {}};
+    for (const Polyhedron& polyhedron : picture.polyhedra) bodies.shapes.push_back(polyhedron.shape);
+    for (std::vector<Instance>* kind : {&bodies.boxes, &bodies.spheres, &bodies.polyhedra, &bodies.bars}) {
         // Negated, to remove bodies whose distance is not finite as well.
         std::erase_if(*kind, [&](const Instance& body) {
             return !(glm::distance(eye, body.position) - bounding_radius(body) <= reach);

@@ -3,6 +3,7 @@
 #include "renderer/meshes/instanced_mesh.h"
 #include "renderer/picture/picture.h"
 
+#include <memory>
 #include <vector>
 
 namespace pushfactor::renderer {
@@ -11,7 +12,10 @@ namespace pushfactor::renderer {
 struct Bodies {
     std::vector<Instance> boxes;
     std::vector<Instance> spheres;
+    std::vector<Instance> polyhedra;
     std::vector<Instance> bars;
+
+    std::vector<std::shared_ptr<const ConvexShape>> shapes;  // of all polyhedra, by Instance::number
 
     // All that cast a shadow.
     std::vector<Instance> all() const;

@@ -53,6 +53,21 @@ std::vector<Instance> sphere_instances(std::span<const Sphere> spheres) {
     return instances;
 }
 
+std::vector<Instance> polyhedron_instances(std::span<const Polyhedron> polyhedra) {
+    std::vector<Instance> instances;
+    instances.reserve(polyhedra.size());
+    for (const Polyhedron& polyhedron : polyhedra) {
+        const glm::quat& turn = polyhedron.orientation;
+        instances.push_back({.position = polyhedron.position,
+                             .bevel = roundness(*polyhedron.shape),
+                             .orientation = {turn.x, turn.y, turn.z, turn.w},
+                             .half_extents = half_extents(*polyhedron.shape),
+                             .colour = glm::convertSRGBToLinear(polyhedron.colour),
+                             .number = static_cast<float>(instances.size())});
+    }
+    return instances;
+}
+
 std::vector<Instance> bar_instances(std::span<const Bar> bars) {
     std::vector<Instance> instances;
     instances.reserve(bars.size());

@@ -14,6 +14,9 @@ std::vector<Instance> box_instances(std::span<const Box> boxes);
 // The same for spheres.
 std::vector<Instance> sphere_instances(std::span<const Sphere> spheres);
 
+// The same for polyhedra.
+std::vector<Instance> polyhedron_instances(std::span<const Polyhedron> polyhedra);
+
 // The same for bars, along their y axes: half extents are {radius, half length with the round ends, radius}.
 std::vector<Instance> bar_instances(std::span<const Bar> bars);
 

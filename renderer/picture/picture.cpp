@@ -50,6 +50,23 @@ void check(const Sphere& sphere, const std::string& name) {
     require(not_negative(sphere.radius), name + ".radius is not a length");
 }
 
+void check(const Polyhedron& polyhedron, const std::string& name) {
+    require(finite(polyhedron.position) && finite(polyhedron.orientation) && finite(polyhedron.colour),
+            name + " is not finite");
+    require(polyhedron.shape != nullptr, name + ".shape is missing");
+}
+
+// Each shape once: many bodies may have it.
+void check_shapes(const std::vector<Polyhedron>& polyhedra) {
+    const ConvexShape* checked = nullptr;
+    for (std::size_t i = 0; i < polyhedra.size(); ++i) {
+        if (polyhedra[i].shape.get() == checked) continue;
+        checked = polyhedra[i].shape.get();
+        const std::string fault = fault_of(*checked);
+        require(fault.empty(), "polyhedra[" + std::to_string(i) + "].shape" + fault);
+    }
+}
+
 void check(const Bar& bar, const std::string& name) {
     require(finite(bar.from) && finite(bar.to) && finite(bar.colour), name + " is not finite");
     require(not_negative(bar.radius), name + ".radius is not a length");
@@ -84,6 +101,8 @@ void check(const Picture& picture) {
     require(finite(picture.mark_scale) && picture.mark_scale > 0.0f, "mark_scale is not above 0");
     check_each(picture.boxes, "boxes");
     check_each(picture.spheres, "spheres");
+    check_each(picture.polyhedra, "polyhedra");
+    check_shapes(picture.polyhedra);
     check_each(picture.bars, "bars");
     check_each(picture.panels, "panels");
     check_each(picture.arrows, "arrows");

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "renderer/meshes/convex_shape.h"
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,6 +34,14 @@ struct Sphere {
     glm::vec3 position{0.0f};                       // of the centre, world frame, m
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
     float radius = 0.5f;                            // m, >= 0
+    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
+};
+
+// A convex body with flat faces and slightly bevelled edges. Bodies with equal shapes share what is drawn of them.
+struct Polyhedron {
+    glm::vec3 position{0.0f};                       // of the shape's origin, world frame, m
+    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
+    std::shared_ptr<const ConvexShape> shape{};     // not null
     glm::vec3 colour{0.5f};                         // sRGB, each 0..1
 };
 
@@ -67,6 +78,7 @@ struct Arrow {
     glm::vec3 from{0.0f};            // world frame, m
     glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; an arrow that points at the eye is invisible
     glm::vec3 colour{0.0f};          // sRGB, each 0..1
+    bool head = true;                // false: a plain line
 };
 
 struct Dot {
@@ -81,6 +93,7 @@ struct Picture {
     std::optional<Ground> ground{};
     std::vector<Box> boxes{};
     std::vector<Sphere> spheres{};
+    std::vector<Polyhedron> polyhedra{};
     std::vector<Bar> bars{};
     std::vector<Panel> panels{};  // in any order; if panels cross, the one farther as a whole is drawn first
     float mark_scale = 1.0f;      // widths of arrows and dots, relative to the default for the image's height, > 0
@@ -89,7 +102,8 @@ struct Picture {
 };
 
 // Throws RendererError with the name of the first invalid field: a number that is not finite or out of range, a
-// camera or sun without a direction, a panel that is not flat and convex.
+// camera or sun without a direction, a panel that is not flat and convex, a
+// polyhedron whose faces do not close.
 void check(const Picture& picture);
 
 }  // namespace pushfactor::renderer

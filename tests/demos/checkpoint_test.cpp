@@ -74,6 +74,8 @@ const std::vector<Case> cases{
     {"conveyor", {}, 50},
     {"starting_belt", {}, 100},  // before the belt runs, at rest
     {"newtons_cradle", {}, 50},
+    {"moved", {}, 50},
+    {"moved", {{"rest", "on"}}, 331},
     {"stack", {{"rest", "on"}}, 75},  // before it rests, and when it does
     {"stack", {{"rest", "on"}}, 100},
     {"pendulum-grid", {{"poke", "60"}, {"poke-at", "0.5"}, {"rest", "on"}}, 40},

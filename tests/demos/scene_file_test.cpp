@@ -192,3 +192,58 @@ TEST_CASE("a scene that leaves the finite numbers ends with status 5, and names 
     CHECK_THAT(ended.err, Catch::Contains("body b: ") && Catch::Contains("is not finite after step 1 "));
     CHECK(ended.out.empty());
 }
+
+TEST_CASE("a moved body of a file moves as the file says, and the file of the file is the file") {
+    const std::vector<std::pair<std::string, engine::Vector3>> motions{
+        {R"({"velocity_m_per_s": [1, 2, 3], "from_s": 0.25, "until_s": 0.5})", {0.25, 0.5, 0.75}},
+        {R"({"amplitude_m": 0.3, "direction": [0, 0, 2], "frequency_hz": 0.5, "phase_deg": -90})", {0, 0, 0.6}},
+        {R"({"poses": [{"time_s": 0.5, "position_m": [2, 0, 0]}, {"time_s": 1, "orientation_wxyz": [0, 1, 0, 0]}]})",
+         {2, 0, 0}}};
+    for (const auto& [motion, end] : motions) {
+        const Folder folder;
+        folder.write("my.json", scene_of(R"({"name": "table", "shape": "box", "size_m": [1, 1, 1], "static": true,
+                                             "motion": )" +
+                                         motion + "}"));
+        BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
+        CHECK(scene.world.constraints.empty());
+        for (int i = 0; i < 60; ++i) scene.step(scene.world, 1.0 / 60.0);
+        INFO(motion);
+        CHECK((scene.world.bodies[0].position - end).norm() < 1e-9);
+        const std::string text = scene_file_text(read_scene_file(folder / "my.json"));
+        folder.write("again.json", text);
+        CHECK(scene_file_text(read_scene_file(folder / "again.json")) == text);
+    }
+}
+
+TEST_CASE("a wrong motion is refused with its path in the file, the value and what is allowed") {
+    const auto said = [](const std::string& motion, const std::string& fixed = R"("static": true)") {
+        return said_of(scene_of(R"({"name": "table", "shape": "box", "size_m": [1, 1, 1], )" + fixed +
+                                R"(, "motion": )" + motion + "}"));
+    };
+    CHECK(said(R"({"velocity_m_per_s": [0, 1, 0]})") == "accepted");
+    CHECK_THAT(said(R"({"velocity_m_per_s": [0, 1, 0]})", R"("mass_kg": 1)"),
+               Catch::Contains("bodies[0].motion") && Catch::Contains("left out of a body with a mass"));
+    CHECK_THAT(said("{}"), Catch::Contains("must be given velocity_m_per_s, angular_velocity_rad_per_s"));
+    CHECK_THAT(said(R"({"speed": 1})"), Catch::Contains("bodies[0].motion.speed: unknown key"));
+    CHECK_THAT(said(R"({"velocity_m_per_s": [0, 1, 0], "from_s": 2, "until_s": 1})"),
+               Catch::Contains("motion.until_s 1: must be a number from 2 to 1e+09"));
+    CHECK_THAT(said(R"({"amplitude_m": 1, "direction": [0, 0, 0], "frequency_hz": 1})"),
+               Catch::Contains("motion.direction [0,0,0]: must be a vector that has a direction"));
+    CHECK_THAT(said(R"({"amplitude_m": 1, "direction": [0, 1, 0], "frequency_hz": 0})"),
+               Catch::Contains("motion.frequency_hz 0: must be"));
+    CHECK_THAT(said(R"({"amplitude_m": 1, "direction": [0, 1, 0]})"), Catch::Contains("frequency_hz: is missing"));
+    CHECK_THAT(said(R"({"amplitude_m": 1, "velocity_m_per_s": [0, 1, 0]})"),
+               Catch::Contains("must be left out of a motion to and fro"));
+    CHECK_THAT(said(R"({"poses": []})"), Catch::Contains("motion.poses []: must be one pose at least"));
+    CHECK_THAT(said(R"({"poses": [{"time_s": 0}]})"), Catch::Contains("poses[0].time_s 0: must be above 0"));
+    CHECK_THAT(said(R"({"poses": [{"time_s": 1}, {"time_s": 1}]})"),
+               Catch::Contains("poses[1].time_s 1: must be above that of the pose before"));
+    CHECK_THAT(said(R"({"poses": [{"time_s": 1}], "until_s": 1})"), Catch::Contains("each pose has its time_s"));
+    const std::string with_rattle = R"({"version": 1, "options": {"scheme": "rattle"}, "bodies": [
+        {"name": "table", "shape": "plane", "motion": {"velocity_m_per_s": [0, 1, 0]}}]})";
+    const Folder folder;
+    folder.write("my.json", with_rattle);
+    const tests::Ended ended = tests::shell(folder, "pushfactor run my.json --seconds 0.1");
+    CHECK(ended.status == 2);
+    CHECK_THAT(ended.err, Catch::Contains("auto or whole for a scene with moved bodies"));
+}

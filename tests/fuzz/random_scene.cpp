@@ -70,6 +70,9 @@ class Generator {
         if (chance(0.5)) turn_forces();
         if (chance(0.2)) add_joints(isolated);
         if (chance(0.2)) soften_distances();
+        for (BodyDescription& body : scene_.bodies) {
+            if (!body.mass && chance(0.3)) body.motion = motion();
+        }
         return std::move(scene_);
     }
 
@@ -130,6 +133,31 @@ class Generator {
             if (chance(0.3)) body.surface_from = in(0.0, 1.0);
         }
         scene_.bodies.push_back(body);
+    }
+
+    demos::MotionDescription motion() {
+        demos::MotionDescription motion;
+        if (chance(0.3)) {
+            motion.kind = demos::ShakingMotion{.amplitude = rounded(size_ * decades(-2, 0.5)),
+                                               .direction = vector(1.0) + Vector3(0, 2, 0),
+                                               .frequency = decades(-1, 2),
+                                               .phase = in(-180, 180)};
+        } else if (chance(0.3)) {
+            std::vector<demos::TimedPose> poses;
+            for (double time = 0.0; poses.size() < 3;) {
+                time += in(0.01, 0.3);
+                poses.push_back({.time = time, .position = vector(2 * size_)});
+                if (chance(0.5)) poses.back().orientation = random_.rotation();
+            }
+            motion.kind = poses;
+            return motion;
+        } else {
+            motion.kind = demos::SteadyMotion{chance(0.7) ? vector(size_ * decades(-1, 2)) : Vector3::Zero(),
+                                              chance(0.5) ? vector(decades(-1, 2)) : Vector3::Zero()};
+        }
+        if (chance(0.3)) motion.from = in(0.0, 0.3);
+        if (chance(0.3)) motion.until = motion.from + in(0.0, 0.3);
+        return motion;
     }
 
     // Three factors, up to `decades_each_way` decades from 1.

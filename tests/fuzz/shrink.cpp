@@ -103,6 +103,7 @@ class Simplifications {
             set(body.angular_velocity, Vector3(Vector3::Zero()));
             set(body.surface_velocity, Vector3(Vector3::Zero()));
             set(body.surface_from, 0.0);
+            if (body.motion) drop_motion(body);
             set(body.orientation, Quaternion(Quaternion::Identity()));
             set(body.restitution, 0.0);
             set(body.friction, 0.0);
@@ -137,6 +138,16 @@ class Simplifications {
             hinge.reset();
             found_.push_back(std::move(simpler));
         }
+    }
+
+    // All of it, or its limits.
+    void drop_motion(BodyDescription& body) {
+        const auto before = body.motion;
+        body.motion.reset();
+        found_.push_back(edited_);
+        body.motion = before;
+        set(body.motion->from, 0.0);
+        set(body.motion->until, std::optional<double>());
     }
 
     void round_number(double& number, int digits) { set(number, rounded(number, digits)); }

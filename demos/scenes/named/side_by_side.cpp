@@ -12,7 +12,10 @@ bool same_shape(const BodyDescription& a, const BodyDescription& b) {
         engine::Overloaded{
             [&](const BoxShape& box) { return box.size == std::get<BoxShape>(b.shape).size; },
             [&](const SphereShape& sphere) { return sphere.radius == std::get<SphereShape>(b.shape).radius; },
-            [](const PlaneShape&) { return true; }},
+            [](const PlaneShape&) { return true; },
+            [&](const PolyhedronShape& polyhedron) {
+                return std::ranges::equal(polyhedron.points(), std::get<PolyhedronShape>(b.shape).points());
+            }},
         a.shape);
 }
 

@@ -4,6 +4,7 @@
 #include "demos/options/choices.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/survey.h"
+#include "demos/pictures/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
@@ -49,6 +50,24 @@ TEST_CASE("the contact forces of a stack at rest carry what lies above them, and
         const double joint = contact.place.y() / 2.4;
         CHECK(joint == Approx(std::round(joint)).margin(0.01));
     }
+}
+
+TEST_CASE("the line of thrust of a leaning tower is where the weight above is") {
+    // Two cubes of 2.4 m, the upper one moved 0.6 m aside: its centre of pressure is below its centre, and that of
+    // both together halfway between their centres.
+    Choices tower = run_of("stack", {{"count", "2"}, {"gap", "0"}, {"solver", "direct"}});
+    tower.description.bodies[2].position.x() += 0.6;
+    const Simulation run = after(tower, 60);
+    const auto centres = pressure_centres(run.scene());
+    REQUIRE(centres.size() == 2);
+    const double lower = run.scene().world.bodies[1].position.x(), upper = run.scene().world.bodies[2].position.x();
+    CHECK(upper - lower == Approx(0.6).margin(1e-6));
+    CHECK(centres[0].place.x() == Approx(0.5 * (lower + upper)).margin(1e-4));
+    CHECK(centres[1].place.x() == Approx(upper).margin(1e-4));
+    const auto line = line_of_thrust(centres, run.scene());
+    REQUIRE(line.size() == 1);
+    CHECK(line[0].first.y() == Approx(0.0).margin(1e-2));
+    CHECK(line[0].second.y() == Approx(2.4).margin(1e-2));
 }
 
 TEST_CASE("a contact force turns with the body on which it acts: the upper of two, the movable one of a pair") {

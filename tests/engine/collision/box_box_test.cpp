@@ -1,4 +1,4 @@
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"

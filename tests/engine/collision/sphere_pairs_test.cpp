@@ -1,6 +1,6 @@
-#include "engine/collision/sphere_pairs.h"
+#include "engine/collision/pairs/sphere_pairs.h"
 
-#include "engine/collision/pair_table.h"
+#include "engine/collision/pairs/pair_table.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"

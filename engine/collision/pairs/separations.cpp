@@ -1,4 +1,4 @@
-#include "engine/collision/separations.h"
+#include "engine/collision/pairs/separations.h"
 
 #include <cmath>
 

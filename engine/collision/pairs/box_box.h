@@ -3,7 +3,7 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
-#include "engine/collision/separations.h"
+#include "engine/collision/pairs/separations.h"
 
 namespace pushfactor::engine::collision {
 

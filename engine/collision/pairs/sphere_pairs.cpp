@@ -1,4 +1,4 @@
-#include "engine/collision/sphere_pairs.h"
+#include "engine/collision/pairs/sphere_pairs.h"
 
 #include <cmath>
 

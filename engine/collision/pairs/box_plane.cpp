@@ -1,4 +1,4 @@
-#include "engine/collision/box_plane.h"
+#include "engine/collision/pairs/box_plane.h"
 
 namespace pushfactor::engine::collision {
 

@@ -9,7 +9,7 @@
 // - the reference face is widened by a small tolerance before clipping, because with exactly aligned faces the
 //   corners of the incident face lie on its sides and would be clipped in one step and kept in the next;
 // - two crossing edges make one point, midway between their closest points.
-#include "engine/collision/box_box.h"
+#include "engine/collision/pairs/box_box.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,103 @@
+#include "engine/collision/pairs/hull_axes.h"
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+// The largest of n . w over the unit vectors n of the arc between the normals of an edge's faces, given the larger
+// of the two ends: n is a sum of the ends with weights that add up to 1 at least and `bulge` at most.
+double most_on_arc(double larger_end, double bulge) {
+    return larger_end > 0.0 ? larger_end * bulge : larger_end;
+}
+
+}  // namespace
+
+HullAxes::HullAxes(const PlacedHull& a, const PlacedHull& b)
+    : a_(a),
+      b_(b),
+      turn_(a.pose().rotation.transpose() * b.pose().rotation),
+      offset_(a.pose().rotation.transpose() * (b.pose().position - a.pose().position)),
+      back_(-(turn_.transpose() * offset_)) {}
+
+double HullAxes::along_face_of_a(int number) const {
+    const HullFace& face = a_.hull().face(number);
+    return face.normal.dot(offset_) - face.offset - support(b_.hull(), -(turn_.transpose() * face.normal));
+}
+
+double HullAxes::along_face_of_b(int number) const {
+    const HullFace& face = b_.hull().face(number);
+    return face.normal.dot(back_) - face.offset - support(a_.hull(), -(turn_ * face.normal));
+}
+
+double HullAxes::at_most_along_face_of_a(int number) const {
+    const HullFace& face = a_.hull().face(number);
+    return face.normal.dot(offset_) - face.offset - b_.hull().inner_radius;
+}
+
+double HullAxes::at_most_along_face_of_b(int number) const {
+    const HullFace& face = b_.hull().face(number);
+    return face.normal.dot(back_) - face.offset - a_.hull().inner_radius;
+}
+
+double HullAxes::large_face_gap() const {
+    double highest = -std::numeric_limits<double>::infinity();
+    int of_a = 0, of_b = -1;
+    for (int f = 0; f < static_cast<int>(a_.hull().faces.size()); ++f) {
+        const double bound = at_most_along_face_of_a(f);
+        if (bound > highest) highest = bound, of_a = f;
+    }
+    for (int f = 0; f < static_cast<int>(b_.hull().faces.size()); ++f) {
+        const double bound = at_most_along_face_of_b(f);
+        if (bound > highest) highest = bound, of_b = f;
+    }
+    return of_b < 0 ? along_face_of_a(of_a) : along_face_of_b(of_b);
+}
+
+void HullAxes::list_edges_of_a(double least, EdgeList& list) const {
+    const Hull& hull = a_.hull();
+    const double ball = b_.hull().inner_radius;
+    for (int number = 0; number < static_cast<int>(hull.edges.size()); ++number) {
+        const HullEdge& edge = hull.edge(number);
+        const Vector3 way = offset_ - hull.vertex(edge.from);
+        const double end = std::max(hull.face(edge.left).normal.dot(way), hull.face(edge.right).normal.dot(way));
+        if (most_on_arc(end, edge.bulge) - ball > least) list.add(number);
+    }
+}
+
+void HullAxes::list_edges_of_b(double least, EdgeList& list) const {
+    const Hull& hull = b_.hull();
+    const double ball = a_.hull().inner_radius;
+    for (int number = 0; number < static_cast<int>(hull.edges.size()); ++number) {
+        const HullEdge& edge = hull.edge(number);
+        const Vector3 way = back_ - hull.vertex(edge.from);
+        const double end = std::max(hull.face(edge.left).normal.dot(way), hull.face(edge.right).normal.dot(way));
+        if (most_on_arc(end, edge.bulge) - ball > least) list.add(number);
+    }
+}
+
+HullAxes::EdgeOfB HullAxes::edge_of_b(int number) const {
+    const HullEdge& edge = b_.hull().edge(number);
+    return {.from = offset_ + turn_ * b_.hull().vertex(edge.from),
+            .direction = turn_ * edge.direction,
+            .against_left = -(turn_ * b_.hull().face(edge.left).normal),
+            .against_right = -(turn_ * b_.hull().face(edge.right).normal)};
+}
+
+bool HullAxes::cross(int number_a, const EdgeOfB& edge_b, Vector3& normal, double& gap) const {
+    const HullEdge& edge_a = a_.hull().edge(number_a);
+    const Vector3& left = a_.hull().face(edge_a.left).normal;
+    const Vector3& right = a_.hull().face(edge_a.right).normal;
+    // Either arc has its ends on both sides of the plane of the other, and both arcs are on one half of the sphere.
+    const double c = edge_b.against_left.dot(edge_a.direction), d = edge_b.against_right.dot(edge_a.direction);
+    if (!(c * d < 0.0)) return false;
+    const double p = left.dot(edge_b.direction), q = right.dot(edge_b.direction);
+    if (!(p * q < 0.0) || !(c * q > 0.0)) return false;
+    normal = edge_a.direction.cross(edge_b.direction);
+    const double length = normal.norm();
+    if (length < parallel_edges) return false;  // the adjacent faces cover this direction
+    normal /= normal.dot(left + right) < 0.0 ? -length : length;
+    gap = normal.dot(edge_b.from - a_.hull().vertex(edge_a.from));
+    return true;
+}
+
+}  // namespace pushfactor::engine::collision

@@ -1,0 +1,108 @@
+// Separating axes of two convex polyhedra (paper section 4): their face normals, and the cross products of two
+// edges whose arcs cross on the Gauss map. The other pairs of edges do not support the polyhedra on both sides of
+// their common plane (Gregorius 2013, "The separating axis test between convex polyhedra").
+//
+// Axes that cannot matter are left out by a bound: b reaches at least as far as the ball in it.
+#pragma once
+
+#include "engine/collision/pairs/placed_hull.h"
+#include "engine/collision/pairs/separations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pushfactor::engine::collision {
+
+class HullAxes {
+  public:
+    HullAxes(const PlacedHull& a, const PlacedHull& b);
+
+    // Separation along the normal of a face [m].
+    double along_face_of_a(int face) const;
+    double along_face_of_b(int face) const;
+    // An upper bound of it.
+    double at_most_along_face_of_a(int face) const;
+    double at_most_along_face_of_b(int face) const;
+
+    // The gap along one of the face axes, probably one of the largest [m].
+    double large_face_gap() const;
+
+    // Calls `visit` with the face axes of which the gap may reach `least` [m].
+    template <typename Visit>
+    void visit_faces(double least, const Visit& visit) const {
+        for (int f = 0; f < static_cast<int>(a_.hull().faces.size()); ++f) {
+            if (at_most_along_face_of_a(f) < least) continue;
+            const Vector3 normal = a_.pose().rotation * a_.hull().face(f).normal;
+            visit(Separation{normal, along_face_of_a(f), f, -1});
+        }
+        for (int f = 0; f < static_cast<int>(b_.hull().faces.size()); ++f) {
+            if (at_most_along_face_of_b(f) < least) continue;
+            const Vector3 normal = -(b_.pose().rotation * b_.hull().face(f).normal);
+            visit(Separation{normal, along_face_of_b(f), -1, f});
+        }
+    }
+
+    // Calls `visit` with the axes of two edges of which the gap exceeds `least` [m]. Edges that are parallel up to
+    // `parallel_edges` have none.
+    template <typename Visit>
+    void visit_edges(double least, const Visit& visit) const {
+        EdgeList of_a, of_b;
+        list_edges_of_a(least, of_a);
+        if (of_a.count == 0) return;
+        list_edges_of_b(least, of_b);
+        for (int j = 0; j < of_b.count; ++j) {
+            const int number_b = of_b.numbers[static_cast<std::size_t>(j)];
+            const EdgeOfB edge_b = edge_of_b(number_b);
+            for (int i = 0; i < of_a.count; ++i) {
+                const int number_a = of_a.numbers[static_cast<std::size_t>(i)];
+                Vector3 normal;  // in the frame of a
+                double gap = 0.0;
+                if (!cross(number_a, edge_b, normal, gap) || gap <= least) continue;
+                visit(Separation{a_.pose().rotation * normal, gap, number_a, number_b});
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t most_edges = 3 * most_vertices;
+    struct EdgeList {
+        std::array<int, most_edges> numbers;
+        int count = 0;
+        EdgeList() {}  // NOLINT(modernize-use-equals-default): the numbers stay uninitialised
+        void add(int number) { numbers[static_cast<std::size_t>(count++)] = number; }
+    };
+    // In the frame of a.
+    struct EdgeOfB {
+        Vector3 from, direction;
+        Vector3 against_left, against_right;  // normals of its faces, reversed
+    };
+
+    void list_edges_of_a(double least, EdgeList& list) const;
+    void list_edges_of_b(double least, EdgeList& list) const;
+    EdgeOfB edge_of_b(int number) const;
+    // Whether the arcs of the two edges cross; then the axis from a to b and the gap along it.
+    bool cross(int number_a, const EdgeOfB& edge_b, Vector3& normal, double& gap) const;
+
+    const PlacedHull& a_;
+    const PlacedHull& b_;
+    Matrix3 turn_;    // from the frame of b to that of a
+    Vector3 offset_;  // m, origin of b in the frame of a
+    Vector3 back_;    // m, origin of a in the frame of b
+};
+
+// Calls `visit` with the separations of two polyhedra of which the gap exceeds `least` [m], perhaps with some
+// others, and at least with the largest.
+template <typename Visit>
+void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit) {
+    const HullAxes axes(a, b);
+    double largest = -std::numeric_limits<double>::infinity();
+    axes.visit_faces(std::min(least, axes.large_face_gap()), [&](const Separation& separation) {
+        largest = std::max(largest, separation.gap);
+        visit(separation);
+    });
+    axes.visit_edges(std::min(least, largest), visit);
+}
+
+}  // namespace pushfactor::engine::collision

@@ -1,0 +1,270 @@
+#include "engine/collision/pairs/polyhedron_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Fractions of the smaller polyhedron's size, as in box_box.cpp.
+constexpr double axis_preference = 5e-4;  // for the choice of the axis
+constexpr double axis_rounding = 1e-6;    // among equal axes; within it the first one wins
+constexpr double clip_tolerance = 2e-4;   // by which the reference face is widened
+constexpr double same_direction = 0.9;    // cosine above which two axes count as the same direction
+
+double size_of(const PlacedHull& a, const PlacedHull& b) {
+    return std::min(a.hull().size, b.hull().size);
+}
+
+struct Axes {
+    Separation face_a, face_b, edges;
+
+    double largest_face() const { return std::max(face_a.gap, face_b.gap); }
+    double largest() const { return std::max(largest_face(), edges.gap); }
+};
+
+// The face axes of the pair that matter, for later looks: those whose gap may reach some limit.
+struct FaceGaps {
+    static constexpr std::size_t most = 4 * most_vertices;  // faces of both
+    std::array<Separation, most> storage;
+    std::size_t count = 0;
+    FaceGaps() {}  // NOLINT(modernize-use-equals-default): the storage stays uninitialised
+    void add(const Separation& separation) { storage[count++] = separation; }
+    std::span<const Separation> all() const& { return {storage.data(), count}; }
+    std::span<const Separation> all() const&& = delete;  // would dangle
+};
+
+// Best separation of each of the three groups of axes.
+Axes separate(const HullAxes& axes, double rounding, double much, double margin, FaceGaps& faces) {
+    Axes best;
+    best.face_a.gap = best.face_b.gap = best.edges.gap = -infinity;
+    axes.visit_faces(std::min(-much, axes.large_face_gap() - 2.0 * rounding), [&](const Separation& separation) {
+        faces.add(separation);
+        Separation& group = separation.of_b < 0 ? best.face_a : best.face_b;
+        if (separation.gap > group.gap + rounding) group = separation;
+    });
+    if (best.largest() >= margin) return best;
+    axes.visit_edges(best.largest_face(), [&](const Separation& separation) {
+        if (separation.gap > best.edges.gap + rounding) best.edges = separation;
+    });
+    return best;
+}
+
+// Corner of the clipped incident face, in the frame of the reference polyhedron.
+struct Corner {
+    Vector3 position;    // m
+    std::uint32_t edge;  // label of the edge to the next corner
+};
+
+// Labels of edges: numbers in their polyhedron, and whether it is the reference.
+constexpr std::uint32_t of_reference = 1u << 10;
+
+// A face clipped by the sides of another has at most as many corners as both together; rounding could add a sliver
+// corner that coincides with the one before it.
+struct Polygon {
+    std::array<Corner, 2 * most_vertices + 8> corners;
+    int count = 0;
+
+    Polygon() {}  // NOLINT(modernize-use-equals-default): the corners stay uninitialised
+    void add(const Corner& corner) {
+        if (static_cast<std::size_t>(count) < corners.size()) corners[static_cast<std::size_t>(count++)] = corner;
+    }
+    const Corner& at(int i) const { return corners[static_cast<std::size_t>(i < count ? i : i - count)]; }
+};
+
+// A plane that keeps what is below it.
+struct Side {
+    Vector3 normal;
+    double offset;  // m
+    std::uint32_t label;
+
+    double beyond(const Corner& corner) const { return normal.dot(corner.position) - offset; }
+};
+
+// Sutherland-Hodgman. Returns false if nothing is cut and `result` is not written.
+bool clip(const Polygon& polygon, const Side& side, Polygon& result) {
+    bool cuts = false;
+    for (int i = 0; i < polygon.count && !cuts; ++i) cuts = side.beyond(polygon.at(i)) > 0.0;
+    if (!cuts) return false;
+    result.count = 0;
+    double out_to = side.beyond(polygon.at(0));
+    for (int i = 0; i < polygon.count; ++i) {
+        const Corner& from = polygon.at(i);
+        const Corner& to = polygon.at(i + 1);
+        const double out_from = out_to;
+        out_to = side.beyond(to);
+        if (out_from <= 0.0) result.add(from);
+        if ((out_from <= 0.0) == (out_to <= 0.0)) continue;
+        const double share = out_from / (out_from - out_to);
+        // If it leaves here, the next edge runs along this side.
+        result.add(
+            {from.position + share * (to.position - from.position), out_from <= 0.0 ? side.label : from.edge});
+    }
+    return true;
+}
+
+// The face that is most against `normal` (frame of the hull) among those at the extreme vertices: another one may
+// be more so and not reach as far.
+int incident_face(const Hull& hull, const Vector3& normal) {
+    std::array<double, most_vertices> heights;
+    double lowest = infinity;
+    for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+        heights[i] = normal.dot(hull.vertices[i]);
+        lowest = std::min(lowest, heights[i]);
+    }
+    const double near = lowest + axis_rounding * hull.size;
+    int best = 0;
+    double most = -infinity;
+    for (int f = 0; f < static_cast<int>(hull.faces.size()); ++f) {
+        const double against = -normal.dot(hull.face(f).normal);
+        if (against <= most + 1e-6) continue;
+        const auto corners = hull.corners_of(hull.face(f));
+        const bool reaches = std::any_of(corners.begin(), corners.end(), [&](const Hull::Corner& corner) {
+            return heights[static_cast<std::size_t>(corner.vertex)] <= near;
+        });
+        if (reaches) most = against, best = f;
+    }
+    return best;
+}
+
+// The incident face of `other` in the frame of `reference`.
+void list_corners(const PlacedHull& reference, const PlacedHull& other, int number, Polygon& polygon) {
+    const HullFace& face = other.hull().face(number);
+    const Matrix3 turn = reference.pose().rotation.transpose() * other.pose().rotation;
+    const Vector3 offset =
+        reference.pose().rotation.transpose() * (other.pose().position - reference.pose().position);
+    const auto corners = other.hull().corners_of(face);
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = face.clockwise ? (count - i) % count : i;
+        const std::size_t edge = face.clockwise ? (count - i - 1) % count : i;
+        polygon.add({offset + turn * other.hull().vertex(corners[at].vertex),
+                     static_cast<std::uint32_t>(corners[edge].edge)});
+    }
+}
+
+// Clips the incident face of `other` to the face `number` of `reference` and adds the points below `margin`.
+// `flipped`: the reference is b.
+void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other, bool flipped, double tolerance,
+                double margin, Manifold& manifold) {
+    const Hull& hull = reference.hull();
+    const HullFace& face = hull.face(number);
+    const Pose& pose = reference.pose();
+    const Vector3 normal = pose.rotation * face.normal;
+    manifold.normal = flipped ? Vector3(-normal) : normal;
+
+    Polygon first, second;
+    Polygon *polygon = &first, *spare = &second;
+    list_corners(reference, other, incident_face(other.hull(), other.pose().rotation.transpose() * normal),
+                 *polygon);
+    const auto corners = hull.corners_of(face);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Hull::Corner& corner = corners[static_cast<std::size_t>(corners[i].side)];
+        const HullEdge& edge = hull.edge(corner.edge);
+        Vector3 out = edge.direction.cross(face.normal);
+        if (edge.from != corner.vertex) out = -out;
+        const double offset = out.dot(hull.vertex(corner.vertex)) + tolerance;
+        const Side side{out, offset, of_reference | static_cast<std::uint32_t>(corner.edge)};
+        if (clip(*polygon, side, *spare)) std::swap(polygon, spare);
+        if (polygon->count == 0) return;
+    }
+
+    std::array<ContactPoint, 2 * most_vertices + 8> points;
+    std::size_t count = 0;
+    const std::uint32_t of_face = (flipped ? 1u << 31 : 0u) | static_cast<std::uint32_t>(number) << 22;
+    for (int i = 0; i < polygon->count; ++i) {
+        const Corner& corner = polygon->at(i);
+        const double height = face.normal.dot(corner.position) - face.offset;
+        if (height >= margin) continue;
+        const std::uint32_t before = polygon->at(i + polygon->count - 1).edge;
+        const Vector3 middle = corner.position - (0.5 * height) * face.normal;
+        points[count++] = {pose.position + pose.rotation * middle, height, of_face | before << 11 | corner.edge};
+    }
+    add_outermost({points.data(), count}, pose.rotation, manifold);
+}
+
+// Adds the point midway between the closest points of the two edges.
+void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axis, Manifold& manifold) {
+    const HullEdge& edge_a = a.hull().edge(axis.of_a);
+    const HullEdge& edge_b = b.hull().edge(axis.of_b);
+    const Vector3 from_a = a.pose().position + a.pose().rotation * a.hull().vertex(edge_a.from);
+    const Vector3 from_b = b.pose().position + b.pose().rotation * b.hull().vertex(edge_b.from);
+    const Vector3 along_a = a.pose().rotation * edge_a.direction;
+    const Vector3 along_b = b.pose().rotation * edge_b.direction;
+
+    // Closest points of the two lines.
+    const Vector3 between = from_b - from_a;
+    const double cosine = along_a.dot(along_b);
+    const double denominator = 1.0 - cosine * cosine;  // at least the square of `parallel_edges`
+    const double s = (along_a.dot(between) - cosine * along_b.dot(between)) / denominator;
+    const double t = (cosine * along_a.dot(between) - along_b.dot(between)) / denominator;
+    // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
+    const Vector3 on_a = from_a + along_a * std::clamp(s, 0.0, edge_a.length);
+    const Vector3 on_b = from_b + along_b * std::clamp(t, 0.0, edge_b.length);
+
+    manifold.normal = axis.normal;
+    constexpr std::uint32_t of_edges = 511u << 22;  // no face has this number
+    manifold.add({0.5 * (on_a + on_b), axis.gap,
+                  of_edges | static_cast<std::uint32_t>(axis.of_a) << 11 | static_cast<std::uint32_t>(axis.of_b)});
+}
+
+void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double tolerance,
+                   double margin, Manifold& manifold) {
+    if (axis.of_b < 0) {
+        clip_faces(a, axis.of_a, b, false, tolerance, margin, manifold);
+    } else if (axis.of_a < 0) {
+        clip_faces(b, axis.of_b, a, true, tolerance, margin, manifold);
+    } else {
+        cross_edges(a, b, axis, manifold);
+    }
+}
+
+// Largest separation along a face axis other than the manifold's normal.
+double largest_of_others(std::span<const Separation> faces, double much, const Vector3& normal) {
+    double largest = -infinity;
+    for (const Separation& face : faces) {
+        if (face.gap < -much || face.gap <= largest) continue;
+        if (std::abs(face.normal.dot(normal)) < same_direction) largest = face.gap;
+    }
+    return largest;
+}
+
+}  // namespace
+
+void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Manifold& manifold) {
+    const double size = size_of(a, b);
+    const double much = 0.05 * std::max(a.hull().size, b.hull().size);  // m of overlap
+    FaceGaps faces;
+    const HullAxes all(a, b);
+    const Axes axes = separate(all, axis_rounding * size, much, margin, faces);
+    if (axes.largest() >= margin) return;
+
+    const double preference = axis_preference * size;
+    const Separation& best = axes.edges.gap > axes.largest_face() + preference ? axes.edges
+                             : axes.face_b.gap > axes.face_a.gap + preference  ? axes.face_b
+                                                                               : axes.face_a;
+    collide_along(best, a, b, clip_tolerance * size, margin, manifold);
+    // What is below a preferred face may be beside it.
+    if (manifold.count == 0 && best.gap < axes.largest()) {
+        const Separation& least = axes.edges.gap >= axes.largest()    ? axes.edges
+                                  : axes.face_b.gap > axes.face_a.gap ? axes.face_b
+                                                                      : axes.face_a;
+        collide_along(least, a, b, clip_tolerance * size, margin, manifold);
+    }
+    manifold.other_gap = largest_of_others(faces.all(), much, manifold.normal);
+    manifold.separation = axes.largest();
+}
+
+void collide_hulls_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double room,
+                         double margin, Manifold& manifold) {
+    manifold.count = 0;
+    if (axis.gap >= margin) return;
+    collide_along(axis, a, b, std::max(room, clip_tolerance * size_of(a, b)), margin, manifold);
+}
+
+}  // namespace pushfactor::engine::collision

@@ -1,0 +1,38 @@
+// Moved bodies in the system equation. In 6.2.9 J v1 has a part J_s v_s of each static body s. It is zero in the
+// paper; for a body with prescribed velocities the rows take it to the other side:
+//
+//   J_m v_m = v - J_s v_s                    (6.2.5)
+//
+// so it is part of b, like the push for the speed of a belt, and no source of rows, no solver and no bound has to
+// know of it. Forces act in pairs, so J_s need not be known: a row that m is fixed to s by would not see m go
+// along with s, and - J_s v_s = J_m t, where t are the velocities of m going along.
+//
+// Symbols: m movable body, s moved body, x_i position of body i [m], V and w prescribed velocities of s [m/s,
+// rad/s], Q = exp(w dt), r = x_m - x_s, u the velocity that takes m along:
+//
+//   u = V + (Q - 1) r / dt + w x v' dt / 2,     v' = v_m - V - (1 - Q^T) r / dt
+//
+// A body that stands on a turntable has to be where the turntable is at the end of the step: with w x r, the
+// velocity at its beginning, it would spiral outwards by w^2 r dt / 2. v' is the velocity of m relative to s in the
+// step before: a body that does not go along is over another place of s half a step later.
+#pragma once
+
+#include "engine/bodies/body.h"
+#include "engine/constraints/constraint_row.h"
+
+#include <span>
+#include <vector>
+
+namespace pushfactor::engine {
+
+// t: velocities of `other` going along with `moved` in a step of `dt` [s].
+Motion carry(const Body& moved, const Body& other, double dt);
+
+// - J_s v_s [m/s] of a row between two bodies, one of which may be moved.
+double carried_speed(const Jacobian& jacobian, const Body& body_a, const Body& body_b, double dt);
+
+// Appends it for the rows that `speeds` does not have yet.
+void carried_speeds(std::span<const Body> bodies, double dt, std::span<const ConstraintRow> rows,
+                    std::vector<double>& speeds);
+
+}  // namespace pushfactor::engine
