@@ -95,7 +95,7 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
         }
     });
     const bool any_soft = island.has(RowDigest::soft);
-    const auto largest_of = [&](std::span<const RowRun> runs) {
+    const auto largest_of = [&](std::span<const RowRun> runs) __attribute__((always_inline)) {
         double largest = 0.0;
         RowResiduals residuals(system, lambda, column);
         for (const RowRun& run : runs) {
