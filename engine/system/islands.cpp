@@ -94,7 +94,8 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
             accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
         }
     });
-    const auto largest_among = [&](std::span<const RowRun> runs, auto is_soft) __attribute__((always_inline)) {
+    const bool any_soft = island.has(RowDigest::soft);
+    const auto largest_of = [&](std::span<const RowRun> runs) __attribute__((always_inline)) {
         double largest = 0.0;
         RowResiduals residuals(system, lambda, column);
         for (const RowRun& run : runs) {
@@ -102,17 +103,12 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
             for (int j = run.begin; j < run.end; ++j) {
                 const ConstraintRow& row = system.rows[at(j)];
                 double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
-                if constexpr (is_soft) w += soft_part(row, lambda, j, column);
+                if (any_soft) w += soft_part(row, lambda, j, column);
                 const double miss = residuals.next(j, w);
                 if (!(miss <= largest)) largest = miss;
             }
         }
         return largest;
-    };
-    // Rigid rows do not pay for soft ones.
-    const auto largest_of = [&](std::span<const RowRun> runs) {
-        return island.has(RowDigest::soft) ? largest_among(runs, std::true_type())
-                                           : largest_among(runs, std::false_type());
     };
     if (!threads) return largest_of(island.runs);
     std::vector<double> of_parts(parts_of(threads, island.runs.size(), runs_of_a_part));
