@@ -26,10 +26,10 @@ double farthest_way(Simulation run, double seconds) {
 }
 
 double way_of_arch(const char* voussoirs, double thickness, double friction, double seconds) {
-    const std::string thick = std::to_string(thickness), mu = std::to_string(friction);
-    return farthest_way(simulate("arch", preset_settings("exact"),
-                                 {{"voussoirs", voussoirs}, {"thickness", thick}, {"friction", mu}}),
-                        seconds);
+    const std::string thick = std::to_string(thickness);
+    Settings settings = preset_settings("exact");
+    settings.friction = friction;
+    return farthest_way(simulate("arch", settings, {{"voussoirs", voussoirs}, {"thickness", thick}}), seconds);
 }
 
 // Times at which each domino has leaned by 0.2 rad [s].

@@ -21,8 +21,9 @@ namespace {
 
 constexpr double density = 2000.0;   // kg/m^3
 constexpr double mean_radius = 2.0;  // m
-constexpr double depth = 0.8;        // m, of the arch along its axis
-constexpr double abutment = 0.5;     // m, height of an abutment
+constexpr double stone_friction = 0.7;
+constexpr double depth = 0.8;     // m, of the arch along its axis
+constexpr double abutment = 0.5;  // m, height of an abutment
 
 // Points at a distance from the centre, at an angle from the crown.
 Vector3 at(double radius, double angle, double z) {
@@ -155,7 +156,6 @@ std::span<const Parameter> arch_parameters() {
     static constexpr std::array table{
         Parameter{"voussoirs", "N", "number of voussoirs [15]", 15, 2, 200, true},
         Parameter{"thickness", "T", "of the arch over its mean radius [0.12]", 0.12, 0.02, 0.9},
-        Parameter{"friction", "MU", "friction coefficient of the joints [0.7]", 0.7, 0, 10},
         Parameter{"half-angle", "DEG", "from the crown to a springing, in degrees [90]", 90, 10, 120},
     };
     return table;
@@ -164,19 +164,18 @@ std::span<const Parameter> arch_parameters() {
 SceneDescription arch(const ParameterValues& parameters) {
     const int count = parameters.whole("voussoirs");
     const double thickness = parameters.number("thickness") * mean_radius;
-    const double friction = parameters.number("friction");
     const double half = parameters.number("half-angle") * std::numbers::pi / 180.0;
 
     SceneDescription scene;
     scene.name = "arch";
     scene.contacts = true;
-    add_abutment(scene, "left abutment", -half, thickness, friction);
-    add_abutment(scene, "right abutment", half, thickness, friction);
+    add_abutment(scene, "left abutment", -half, thickness, stone_friction);
+    add_abutment(scene, "right abutment", half, thickness, stone_friction);
     const auto joint = [&](int k) { return half * (2.0 * k / count - 1.0); };
     for (int k = 0; k < count; ++k) {
         BodyDescription body = voussoir(joint(k), joint(k + 1), thickness);
         body.name = "voussoir " + std::to_string(k + 1);
-        body.friction = friction;
+        body.friction = stone_friction;
         body.colour = k % 2 == 0 ? "orange" : "vermilion";
         scene.bodies.push_back(body);
     }

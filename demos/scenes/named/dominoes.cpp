@@ -16,6 +16,7 @@ using engine::Vector3;
 namespace {
 
 constexpr double width_to_height = 0.5, thickness_to_height = 0.15625;
+constexpr double domino_friction = 0.3;
 constexpr double push = 1.5;  // energy of the first one over what its balance takes
 
 // rad/s about the lower edge: the centre of mass has to rise by half of the diagonal less half of the height.
@@ -33,7 +34,6 @@ std::span<const Parameter> dominoes_parameters() {
         Parameter{"count", "N", "number of dominoes [40]", 40, 1, 1000, true},
         Parameter{"height", "M", "of a domino in m [0.048]", 0.048, 1e-3, 100},
         Parameter{"spacing", "S", "gap between two of them, in heights [0.5]", 0.5, 0.01, 0.95},
-        Parameter{"friction", "MU", "friction coefficient between them and with the table [0.3]", 0.3, 0, 10},
     };
     return table;
 }
@@ -43,19 +43,18 @@ SceneDescription dominoes(const ParameterValues& parameters) {
     const double height = parameters.number("height");
     const double thickness = thickness_to_height * height;
     const double pitch = thickness + parameters.number("spacing") * height;
-    const double friction = parameters.number("friction");
 
     SceneDescription scene;
     scene.name = "dominoes";
     scene.contacts = true;
-    scene.bodies.push_back({.name = "table", .shape = PlaneShape{}, .friction = friction});
+    scene.bodies.push_back({.name = "table", .shape = PlaneShape{}, .friction = domino_friction});
     const Vector3 size(thickness, height, width_to_height * height);
     for (int i = 0; i < count; ++i) {
         BodyDescription domino{.name = "domino " + std::to_string(i + 1),
                                .shape = BoxShape{size},
                                .mass = 2000.0 * size.prod(),  // of 2 g/cm^3
                                .position = {pitch * (i - 0.5 * (count - 1)), 0.5 * height, 0.0},
-                               .friction = friction};
+                               .friction = domino_friction};
         if (i == 0) {
             const double rate = push_speed(height, thickness, -scene.gravity.y());
             domino.angular_velocity = {0, 0, -rate};
