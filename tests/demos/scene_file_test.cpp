@@ -126,7 +126,7 @@ TEST_CASE("wrong files are refused with the path inside them, the value and what
     CHECK_THAT(said_of(scene_of(R"({"name": 5, "shape": "sphere"})")),
                Catch::Contains("bodies[0].name 5: must be a string"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "cube"})")),
-               Catch::Contains("must be one of box, sphere, plane"));
+               Catch::Contains("must be one of box, sphere, plane, polyhedron"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1, "mass_kg": -1})")),
                Catch::Contains("bodies[0].mass_kg -1: must be a number from 1e-100 to 1e+100"));
     CHECK_THAT(said_of(scene_of(R"({"name": "a", "shape": "sphere", "radius_m": 1})")),

@@ -2,6 +2,7 @@
 
 #include "demos/options/simulation_options.h"
 #include "demos/text/numbers.h"
+#include "engine/base/invalid_input.h"
 #include "tests/random.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ const std::array option_choices{
 
 class Generator {
   public:
-    explicit Generator(std::uint64_t seed) : random_(seed) {
+    explicit Generator(std::uint64_t seed) : random_(seed), shapes_(seed + 0x5eed) {
         scene_.name = "fuzz-" + std::to_string(seed);
         size_ = decades(-3, 3);
         mass_ = decades(-4, 4);
@@ -113,6 +114,7 @@ class Generator {
 
     void add_body(int number) {
         BodyDescription body{.name = "body " + std::to_string(number + 1)};
+        std::vector<Vector3> points;
         const double size = wild_ ? decades(-3, 3) : rounded(size_ * in(0.5, 2.0));
         if (chance(0.4)) {
             body.shape = demos::SphereShape{size};
@@ -120,6 +122,7 @@ class Generator {
             Vector3 edges = Vector3::Constant(size);
             if (chance(0.7)) edges = edges.cwiseProduct(positive(chance(0.1) ? 2.0 : 0.5));
             body.shape = demos::BoxShape{edges};
+            points = maybe_points(edges);
         }
         body.mass = wild_ || chance(0.2) ? decades(-4, 4) : rounded(mass_ * in(0.5, 2.0));
         body.position = chance(0.05) && number > 0 ? scene_.bodies.back().position : vector(size_ * spread_);
@@ -132,7 +135,29 @@ class Generator {
             body.surface_velocity = vector(size_);
             if (chance(0.3)) body.surface_from = in(0.0, 1.0);
         }
+        if (!points.empty()) become_polyhedron(body, points);
         scene_.bodies.push_back(body);
+    }
+
+    // Sometimes, points in a box. From numbers of their own, so that all else of a seed stays what it is.
+    std::vector<Vector3> maybe_points(const Vector3& edges) {
+        std::vector<Vector3> points;
+        if (shapes_.in(0, 1) > 0.3) return points;
+        const auto count = static_cast<std::size_t>(shapes_.in(5, 25));
+        while (points.size() < count) {
+            Vector3 point = 0.5 * shapes_.vector(-1, 1).cwiseProduct(edges);
+            for (double& number : point) number = rounded(number);
+            points.push_back(point);
+        }
+        return points;
+    }
+
+    // Unless the points are too flat.
+    static void become_polyhedron(BodyDescription& body, const std::vector<Vector3>& points) {
+        try {
+            give_polyhedron(body, demos::make_polyhedron(points));
+        } catch (const engine::InvalidInput&) {
+        }
     }
 
     demos::MotionDescription motion() {
@@ -287,7 +312,7 @@ class Generator {
         }
     }
 
-    Random random_;
+    Random random_, shapes_;
     SceneDescription scene_;
     double size_ = 1.0;    // m, of most bodies
     double mass_ = 1.0;    // kg, of most bodies

@@ -9,8 +9,8 @@
 
 namespace pushfactor::tests {
 
-// An ordinary scene: written to a file, `pushfactor run` accepts it. Numbers have four digits. The same on every
-// platform.
+// An ordinary scene: written to a file, `pushfactor run` accepts it. Numbers have four digits, but for
+// polyhedra, which have all. The same on every platform.
 demos::SceneDescription random_scene(std::uint64_t seed);
 
 // The settings from the scene's own options. Throws std::invalid_argument for one that is not allowed.

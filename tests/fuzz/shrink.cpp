@@ -107,6 +107,7 @@ class Simplifications {
             set(body.orientation, Quaternion(Quaternion::Identity()));
             set(body.restitution, 0.0);
             set(body.friction, 0.0);
+            become_box(body);
             set(body.group, std::string());
         }
         for (auto& force : edited_.forces) {
@@ -148,6 +149,18 @@ class Simplifications {
         body.motion = before;
         set(body.motion->from, 0.0);
         set(body.motion->until, std::optional<double>());
+    }
+
+    // A polyhedron as the box that holds it.
+    void become_box(BodyDescription& body) {
+        const auto* polyhedron = std::get_if<demos::PolyhedronShape>(&body.shape);
+        if (!polyhedron) return;
+        Vector3 size = Vector3::Zero();
+        for (const Vector3& point : polyhedron->points()) size = size.cwiseMax(2.0 * point.cwiseAbs());
+        const auto before = body.shape;
+        body.shape = demos::BoxShape{size};
+        found_.push_back(edited_);
+        body.shape = before;
     }
 
     void round_number(double& number, int digits) { set(number, rounded(number, digits)); }

@@ -51,6 +51,7 @@ Picture funnel() {
     Picture picture = all_kinds();
     picture.ground.reset();
     picture.boxes.clear();
+    picture.polyhedra.clear();
     picture.bars.clear();
     picture.camera = {.eye = {8.0f, 14.0f, 12.0f}, .target = {5.0f, 3.0f, 0.0f}};
     return picture;

@@ -53,6 +53,20 @@ class Counter final : public Stages {
 
 }  // namespace
 
+TEST_CASE("A polyhedron that moves and turns, then another shape in its place") {
+    const auto pyramid = std::make_shared<const ConvexShape>(ConvexShape{
+        .corners = {{-0.9f, -0.5f, -0.5f}, {0.9f, -0.5f, -0.5f}, {0.0f, 0.9f, 0.0f}, {0.0f, -0.5f, 0.5f}},
+        .faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+    CHECK(frames_that_differ(8, [&](int frame) {
+              Picture picture = crowd();
+              const auto moved = static_cast<float>(std::min(frame, 4));
+              picture.polyhedra[0].position += 0.2f * moved * glm::vec3(1.0f, 0.2f, -0.5f);
+              picture.polyhedra[1].orientation = glm::angleAxis(0.3f * moved, glm::vec3(0.0f, 1.0f, 0.0f));
+              if (frame > 5) picture.polyhedra[1].shape = pyramid;
+              return picture;
+          }) == none);
+}
+
 TEST_CASE("One body that moves among others that stand, and comes to rest") {
     CHECK(frames_that_differ(8, [](int frame) {
               Picture picture = crowd();

@@ -60,7 +60,19 @@ inline Picture stack_of_cubes(int count) {
     return picture;
 }
 
-// A little of everything: a funnel with balls in it, boxes, and a pendulum.
+// A wedge: a triangle and what it is on one side of, 1 m wide.
+inline std::shared_ptr<const ConvexShape> wedge() {
+    return std::make_shared<const ConvexShape>(
+        ConvexShape{.corners = {{-0.9f, -0.5f, -0.5f},
+                                {0.9f, -0.5f, -0.5f},
+                                {0.2f, 0.9f, -0.5f},
+                                {-0.9f, -0.5f, 0.5f},
+                                {0.9f, -0.5f, 0.5f},
+                                {0.2f, 0.9f, 0.5f}},
+                    .faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}});
+}
+
+// A little of everything: a funnel with balls in it, boxes, wedges, and a pendulum.
 inline Picture all_kinds() {
     Picture picture = stack_of_cubes(3);
     for (int i = 0; i < 6; ++i) {
@@ -70,6 +82,12 @@ inline Picture all_kinds() {
                                    .colour = i % 2 == 0 ? blue : ivory});
     }
     picture.spheres.push_back({.position = {-5.0f, 2.0f, 2.0f}, .radius = 0.8f, .colour = red});
+    const auto shape = wedge();
+    picture.polyhedra.push_back({.position = {-3.0f, 0.5f, 4.5f}, .shape = shape, .colour = ivory});
+    picture.polyhedra.push_back({.position = {-4.5f, 6.0f, -2.0f},
+                                 .orientation = glm::angleAxis(0.8f, glm::vec3(0.6f, 0.0f, 0.8f)),
+                                 .shape = shape,
+                                 .colour = blue});
     picture.bars.push_back({.from = {-4.0f, 8.0f, 2.0f}, .to = {-5.0f, 2.0f, 2.0f}});
     const glm::vec3 apex(5.0f, 0.0f, 0.0f);
     const glm::vec3 corners[] = {{2.0f, 6.0f, -3.0f}, {2.0f, 6.0f, 3.0f}, {8.0f, 6.0f, 3.0f}, {8.0f, 6.0f, -3.0f}};
