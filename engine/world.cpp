@@ -90,6 +90,7 @@ void World::begin_paths(double dt) {
         any = any || body.is_moved();
     }
     if (!any || !rest || rest->count() == 0) return;
+    find_awake();  // tells the sources who rests, also in the first step of a resumed run
     for (const auto& source : constraints) wake(source->met_by_moved(start_of(dt)));
 }
 
