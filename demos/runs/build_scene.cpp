@@ -148,10 +148,13 @@ double length_of(const DistanceDescription& described, const engine::Distance& d
 
 // Length 0 has no direction to pull, push or limit a force along.
 void require_joint_without_bounds(const DistanceDescription& described) {
-    if (described.acts == engine::Distance::Acts::both && !described.max_force && !described.spring) return;
-    throw engine::InvalidInput(
-        "length of the distance between " + described.a.body + " and " + described.b.body, "0",
-        "above 0, or it is a ball joint, which acts both ways and without max_force_n or spring");
+    if (described.spring) {
+        throw engine::InvalidInput("length of the spring between " + described.a.body + " and " + described.b.body,
+                                   "0", "above 0, as a spring of no length has no direction");
+    }
+    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
+    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
+                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
 }
 
 // Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.

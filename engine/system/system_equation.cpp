@@ -136,7 +136,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     return 0;
 }
 
-inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
+[[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
