@@ -1,6 +1,7 @@
 // The scenes of convex polyhedra, and the dominoes, against mechanics.
 #include "demos/scenes/named/arch.h"
 #include "demos/scenes/named/platonic.h"
+#include "engine/collision/polyhedron.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 
