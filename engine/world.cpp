@@ -90,7 +90,11 @@ void World::begin_paths(double dt) {
         any = any || body.is_moved();
     }
     if (!any || !rest || rest->count() == 0) return;
-    for (const auto& source : constraints) wake(source->met_by_moved(start_of(dt)));
+    for (const auto& source : constraints) {
+        for (const int body : source->met_by_moved(start_of(dt)).some) {
+            if (rest->is_at_rest(body)) rest->wake(body);
+        }
+    }
 }
 
 void World::follow_paths() {
@@ -99,11 +103,6 @@ void World::follow_paths() {
         bodies[own.body].position = place.position;
         bodies[own.body].orientation = place.orientation;
     }
-}
-
-void World::wake(const SomeBodies& some) {
-    if (some.all) rest->wake_all();
-    for (const int body : some.some) rest->wake(body);
 }
 
 void World::find_awake() {
@@ -439,6 +438,10 @@ void World::settle(double dt) {
         Body& own = bodies[static_cast<std::size_t>(body)];
         own.orientation = rotate(own, own.angular_momentum, dt);
     }
+    const auto wake = [this](const SomeBodies& changed) {
+        if (changed.all) rest->wake_all();
+        for (const int body : changed.some) rest->wake(body);
+    };
     for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
     for (const auto& source : constraints) wake(source->changed_anew(time_ - dt, time_));
     const auto forbid = [&](const Appended& part) {

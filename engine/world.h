@@ -113,7 +113,6 @@ class World {
 
     void begin_paths(double dt);
     void follow_paths();
-    void wake(const SomeBodies& some);
     void find_awake();
     void add_forces();
     void add_forces(const Awake& to);

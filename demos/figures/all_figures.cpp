@@ -18,6 +18,7 @@ std::span<const Figure> all_figures() {
         Figure{"intersecting_motion", "Height and speed of the intersecting stack", intersecting_motion},
         Figure{"pendulum_energy", "Energy of a pendulum", pendulum_energy},
         Figure{"stack_forces", "Contact forces of the stack", stack_forces},
+        Figure{"arch_thickness", "How thin an arch may be", arch_thickness},
     };
     return figures;
 }

@@ -32,6 +32,7 @@ Plate push_against_beta(FigureOutput& output, const Figure& figure);
 Plate push_pump(FigureOutput& output, const Figure& figure);
 Plate intersecting_motion(FigureOutput& output, const Figure& figure);
 Plate pendulum_energy(FigureOutput& output, const Figure& figure);
+Plate arch_thickness(FigureOutput& output, const Figure& figure);
 Plate stack_forces(FigureOutput& output, const Figure& figure);
 
 }  // namespace pushfactor::demos::figures

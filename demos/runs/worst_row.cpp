@@ -34,7 +34,7 @@ class Search {
         const engine::ConstraintRow& row = system_.rows[static_cast<std::size_t>(j)];
         const double w = row.jacobian.a.dot(accelerations_[static_cast<std::size_t>(row.body_a)]) +
                          row.jacobian.b.dot(accelerations_[static_cast<std::size_t>(row.body_b)]) -
-                         system_.b(j, column);
+                         system_.b(j, column) + soft_part(row, lambda_, j, column);
         const double miss = residuals.next(j, w);
         if (miss <= largest_) return;
         largest_ = miss;

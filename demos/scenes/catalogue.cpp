@@ -1,11 +1,14 @@
 #include "demos/scenes/catalogue.h"
 
+#include "demos/scenes/named/arch.h"
 #include "demos/scenes/named/chain.h"
+#include "demos/scenes/named/dominoes.h"
 #include "demos/scenes/named/funnel.h"
 #include "demos/scenes/named/heavy_on_light.h"
 #include "demos/scenes/named/intersecting_stack.h"
 #include "demos/scenes/named/pendulum_grid.h"
 #include "demos/scenes/named/pendulum_wave.h"
+#include "demos/scenes/named/platonic.h"
 #include "demos/scenes/named/stack.h"
 
 #include <algorithm>
@@ -34,6 +37,12 @@ std::span<const SceneEntry> catalogue() {
         SceneEntry{"heavy-on-light",
                    "A heavy cube stands on light ones: a mass ratio that iterations alone do not solve.",
                    heavy_on_light_parameters(), heavy_on_light},
+        SceneEntry{"arch", "A semicircular arch of loose voussoirs stands by weight, contact and friction.",
+                   arch_parameters(), arch},
+        SceneEntry{"dominoes", "A row of dominoes falls, one knocking over the next.", dominoes_parameters(),
+                   dominoes},
+        SceneEntry{"platonic", "The five regular solids are poured into the funnel and come to rest.",
+                   platonic_parameters(), platonic},
     };
     return table;
 }

@@ -1,5 +1,7 @@
 #include "demos/scenes/motion_file.h"
 
+#include "demos/scenes/vector_json.h"
+
 #include <algorithm>
 
 namespace pushfactor::demos {
@@ -70,9 +72,7 @@ std::vector<TimedPose> read_poses(const JsonReader& json) {
     return poses;
 }
 
-Json to_json(const Vector3& v) {
-    return Json::array({v.x(), v.y(), v.z()});
-}
+using demos::to_json;  // of a vector
 
 Json to_json(const TimedPose& pose) {
     Json json{{"time_s", pose.time}};

@@ -53,7 +53,7 @@ class MaterialPairs {
     void set(int a, int b, const Surface& surface) { at(a, b) = at(b, a) = surface; }
 
     // Sets what is known of the pair; a negative number is no material.
-    void put(int a, int b, Touch& touch) const;
+    [[gnu::noinline]] void put(int a, int b, Touch& touch) const;
 
     bool any_friction() const;
     bool bounces(int material) const;  // with some other

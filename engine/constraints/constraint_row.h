@@ -17,6 +17,7 @@
 
 namespace pushfactor::engine {
 
+// The first three are those of nearly all rows; the others have traits of their own (RowDigest).
 enum class RowKind { contact, friction, distance, joint, motor, limit, spring };
 inline constexpr std::size_t row_kind_count = 7;
 
@@ -46,7 +47,7 @@ struct Lambda {
     double last = 0.0;
 };
 
-// Description of a row for outputs. Not used in computations.
+// Description of a row, for outputs and for its traits.
 struct RowLabel {
     RowKind kind = RowKind::contact;
     int point = 0;     // contact point within its pair, or index of the distance or the joint
@@ -66,6 +67,7 @@ struct ConstraintRow {
     // positive for a gap, negative for a loose rope; the other sign means violation.
     double error = 0.0;
     // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
+    // Soft rows have no bounds, and RowKind::spring.
     double softness = 0.0;
     Bounds bounds;
     Lambda guess;  // warm start of iterative solvers (6.2.3); zero if nothing is cached

@@ -54,8 +54,8 @@ class ConstraintSource {
     // nothing has moved.
     virtual SomeBodies changed_anew(double /*from*/, double /*until*/) const { return {}; }
 
-    // Resting bodies that a moved body (path.h) of this step holds or may meet in it. A source that omits rows of
-    // resting bodies has to tell, because no force of theirs can.
+    // Bodies that a moved body (path.h) of this step holds or may meet in it; those that rest wake. A source that
+    // omits rows of resting bodies has to tell, because no force of theirs can.
     virtual SomeBodies met_by_moved(const StepStart& /*step*/) const { return {}; }
 
     // Whether the source can omit rows between resting bodies, or resting and static ones, and keeps their

@@ -128,12 +128,13 @@ SomeBodies ContactConstraints::changed_anew(double from, double until) const {
 // Those within the margin of its way. A plane that turns may meet all.
 SomeBodies ContactConstraints::met_by_moved(const StepStart& step) const {
     SomeBodies met;
+    const bool is_known = awake_bodies_.of() == step.bodies.size();  // not before the first step
     for (const collision::Collider& own : colliders_) {
         const Body& moved = step.bodies[static_cast<std::size_t>(own.body)];
         if (!moved.is_moved()) continue;
         const collision::Way way(own, moved, step.dt);
         for (const collision::Collider& other : colliders_) {
-            if (awake_bodies_.has(other.body) || !is_finite(other.shape)) continue;
+            if ((is_known && awake_bodies_.has(other.body)) || !is_finite(other.shape)) continue;
             const Body& resting = step.bodies[static_cast<std::size_t>(other.body)];
             const double margin = choices_.detection.margin * size_of(other.shape);
             if (way.meets(other.shape, resting, margin)) met.some.push_back(other.body);

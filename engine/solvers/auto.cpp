@@ -54,18 +54,6 @@ constexpr double good_share = 1e-6;
 // Multiply-adds per body that exact steps of a mechanism may take.
 constexpr double work_of_a_mechanism = 1.5e5;
 
-bool has_joints(const SystemEquation& system, const Island& island) {
-    if (!island.has(RowDigest::acts_both_ways)) return false;
-    return std::any_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
-        // The rows of a joint are the first of its bodies, unless these have bars too.
-        const auto rows =
-            std::span(system.digests)
-                .subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
-        return std::any_of(rows.begin(), rows.end(),
-                           [](const RowDigest& row) { return row.kind == RowKind::joint; });
-    });
-}
-
 template <int columns>
 class Auto {
   public:
@@ -75,7 +63,7 @@ class Auto {
         SolveCount count;
         exact_.take(island);
         const bool is_thread = exact_.pairs() <= pairs_of_a_thread * island.movable();
-        is_mechanism_ = has_joints(system, island);
+        is_mechanism_ = island.has(RowDigest::joins);
         const bool is_heap = !termination.lasts && !is_thread && !exact_.is_tree() && !is_mechanism_;
         if (is_heap && termination.iterations == 0) return count;
         rows_.load(system, island, lambda);

@@ -76,6 +76,7 @@ class UnitRows {
         units_.resize(rows.size());
         velocity.resize(static_cast<std::size_t>(island.body_count));
         movable = island.movable();
+        has_soft_ = island.has(RowDigest::soft);
         blocks.clear();
         coupled_ = false;
     }
@@ -331,6 +332,7 @@ class UnitRows {
     bool bounds_follow() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });
     }
+    bool has_soft() const { return has_soft_; }
     bool has_discs() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.disc != Disc::none; });
     }
@@ -347,7 +349,8 @@ class UnitRows {
         const ConstraintRow& source = system.rows[static_cast<std::size_t>(j)];
         row.of_row = source.bounds.of_row;
         row.disc = source.bounds.disc;
-        row.soft = source.softness > 0.0 ? source.softness / system.diagonal[j] : 0.0;
+        row.soft = 0.0;
+        if (has_soft_ && source.softness > 0.0) row.soft = source.softness / system.diagonal[j];
         if (row.of_row >= 0) {
             row.of_row =
                 row.of_row >= run.begin ? run.first + row.of_row - run.begin : island.number_of(row.of_row);
@@ -384,11 +387,11 @@ class UnitRows {
 
     void add_to_block(int j, std::vector<Block>& to) const {
         const Row& row = rows[static_cast<std::size_t>(j)];
-        if (row.soft > 0.0) {
+        if (has_soft_ && row.soft > 0.0) {
             to.push_back({.begin = j, .count = 1, .a = row.a, .b = row.b, .disc = soft_row});
             return;
         }
-        if (!to.empty() && to.back().disc != soft_row) {
+        if (!to.empty() && !(has_soft_ && to.back().disc == soft_row)) {
             Block& last = to.back();
             const int wanted = row.disc == Disc::first ? 2 : 1;
             if (last.a == row.a && last.b == row.b && last.count + wanted <= rows_of_a_block) {
@@ -420,6 +423,7 @@ class UnitRows {
     }
 
     std::vector<Jacobian> units_;                    // by row
+    bool has_soft_ = false;                          // some row of the island is soft
     bool coupled_ = false;                           // the couplings of the blocks are up to date
     std::array<double, columns> wanted_by_first_{};  // of the disc whose second row is next; see move()
 };

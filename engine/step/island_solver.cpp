@@ -227,7 +227,8 @@ bool IslandSolver::is_outdated(const SystemEquation& system, const Island& islan
         const Vector6& of_b = bench.velocities[static_cast<std::size_t>(run.b)];
         for (int j = run.begin; j < run.end; ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-            const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+            const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column) +
+                             soft_part(row, lambda, j, column);
             if (residuals.next(j, w) > WarmStart::of_new_force(usual)) return true;
         }
     }

@@ -94,14 +94,16 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
             accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
         }
     });
-    const auto largest_of = [&](std::span<const RowRun> runs) {
+    const bool any_soft = island.has(RowDigest::soft);
+    const auto largest_of = [&](std::span<const RowRun> runs) __attribute__((always_inline)) {
         double largest = 0.0;
         RowResiduals residuals(system, lambda, column);
         for (const RowRun& run : runs) {
             const Vector6 &of_a = accelerations[at(run.a)], &of_b = accelerations[at(run.b)];
             for (int j = run.begin; j < run.end; ++j) {
                 const ConstraintRow& row = system.rows[at(j)];
-                const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+                double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+                if (any_soft) w += soft_part(row, lambda, j, column);
                 const double miss = residuals.next(j, w);
                 if (!(miss <= largest)) largest = miss;
             }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 
 namespace pushfactor::engine {
@@ -107,7 +108,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     const double b = row.squared();
     const auto index = static_cast<Eigen::Index>(j);
     if (disc == Disc::none) {
-        system.diagonal[index] = b > 0.0 ? b + system.rows[j].softness : b;
+        system.diagonal[index] = b + system.rows[j].softness;
         return;
     }
     const WeightedRow first(system.rows[j - 1], system);
@@ -117,14 +118,36 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
+// Of kinds that few scenes have, apart so that the others do not pay for them.
+[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
+    switch (row.label.kind) {
+        case RowKind::joint:
+            return RowDigest::joins;
+        case RowKind::motor:
+            return row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0;
+        case RowKind::spring:
+            return RowDigest::soft;
+        case RowKind::limit:
+        case RowKind::contact:
+        case RowKind::friction:
+        case RowKind::distance:
+            break;
+    }
+    return 0;
+}
+
 inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
-    if (may_drive && (row.push.lasting != 0.0 || system.carried_by(j) != 0.0)) traits |= RowDigest::drives;
+    if (row.label.kind == RowKind::friction) {
+        if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
+    } else if (row.label.kind > RowKind::distance) {
+        traits |= traits_of_kind(row, system.carried_by(j));
+    }
+    assert(row.softness == 0.0 || row.label.kind == RowKind::spring);
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.
@@ -286,7 +309,8 @@ double natural_residual(const SystemEquation& system, const Columns& lambda) {
         for (Eigen::Index j = 0; j < system.row_count(); ++j) {
             const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
             const double w = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
-                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) - system.b(j, column);
+                             row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]) -
+                             system.b(j, column) + soft_part(row, lambda, j, column);
             largest = std::max(largest, residuals.next(j, w));
         }
     }

@@ -51,6 +51,8 @@ struct RowDigest {
         drives = 8,           // aims at a speed: friction on a belt or a moved body, or a motor
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
+        soft = 64,            // has a softness
+        joins = 128,          // of a joint
     };
 
     int body_a = 0, body_b = 0;
@@ -158,9 +160,14 @@ inline bool clamp_force(std::span<const ConstraintRow> rows, Eigen::Index j, Eig
     return true;
 }
 
+// s_j lambda_j, by which a soft row gives way to its force [m/s^2]; zero for rigid rows.
+inline double soft_part(const ConstraintRow& row, const Columns& lambda, Eigen::Index j, Eigen::Index column) {
+    return row.softness * lambda(j, column);
+}
+
 // Velocity error of rows in one column [m/s], |dt A_jj (lambda_j - clamp(lambda_j - w_j / A_jj))| with w = A lambda
-// - b [m/s^2]; infinite for NaN. Rows have to be visited in the order of the step. The w passed to next() is that
-// of the bodies, without the softness.
+// - b [m/s^2]; infinite for NaN. Rows have to be visited in the order of the step. For a soft row w
+// includes soft_part().
 class RowResiduals {
   public:
     RowResiduals(const SystemEquation& system, const Columns& lambda, Eigen::Index column)
@@ -172,7 +179,7 @@ class RowResiduals {
         const double diagonal = system_.diagonal[j];
         if (diagonal <= 0.0) return 0.0;
         const double force = lambda_(j, column_);
-        const double wanted = force - (w + row.softness * force) / diagonal;
+        const double wanted = force - w / diagonal;
         if (row.bounds.disc == Disc::first) {
             wanted_by_first_ = wanted;
             return 0.0;

@@ -36,7 +36,8 @@ TEST_CASE("the program says its version, its help at every level and its scenes"
     CHECK_THAT(list.out, Catch::Contains("intersecting-stack") &&
                              Catch::Contains("made of: 50 bodies, gravity, 50 distances\n"));
     CHECK(run_program("list --names").out ==
-          "stack\nintersecting-stack\nfunnel\npendulum-grid\npendulum-wave\nchain\nheavy-on-light\n");
+          "stack\nintersecting-stack\nfunnel\npendulum-grid\npendulum-wave\nchain\nheavy-on-light\n"
+          "arch\ndominoes\nplatonic\n");
 }
 
 TEST_CASE("the version names a commit of these sources, or says that they are no checkout") {

@@ -93,7 +93,7 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
     for (std::size_t j = 0; j < states_.size(); ++j) {
         if (states_[j] != State::free) continue;
         const Row& row = problem.rows[j];
-        const double rho = rho_of(row);
+        const double rho = rhos_[j];
         if (any_follows) {
             matrix_.add_product(row.a, rho * pushed_[j].a, row.unit->a, row.b, rho * pushed_[j].b, row.unit->b);
         } else {
@@ -130,7 +130,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
             case State::free:
                 for (const auto& [body, axis] :
                      {std::pair{row.a, &pushed_[j].a}, std::pair{row.b, &pushed_[j].b}}) {
-                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rho_of(row) * r_[j]);
+                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rhos_[j] * r_[j]);
                 }
                 continue;
             case State::slides:
@@ -148,7 +148,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     matrix_.solve(d_);
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
-        if (states_[j] == State::free) moved_[j] = y[j] + rho_of(row) * (r_[j] - along(row, d_));
+        if (states_[j] == State::free) moved_[j] = y[j] + rhos_[j] * (r_[j] - along(row, d_));
     }
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -191,6 +191,13 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     y_2 = share * (radius * slide.d_2 + across * slide.d_1);
 }
 
+void ActiveSet::set_rho(const UnitProblem& problem, double rho) {
+    rho_ = rho;
+    rhos_.assign(problem.rows.size(), rho);
+    if (!problem.has_soft) return;
+    for (std::size_t j = 0; j < rhos_.size(); ++j) rhos_[j] = rho / (1.0 + rho * problem.rows[j].soft);
+}
+
 double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
                         int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
     follow(problem, y, x_, r_);
@@ -200,7 +207,7 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
     int without_gain = 0;
     const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
     if (rho_ != begin) factored_.clear();
-    rho_ = begin;
+    set_rho(problem, begin);
     // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
     // not solved again for a minute from creeping.
     for (bool enough = false; !enough && count.iterations - before < changes && without_gain < most_without_gain &&
@@ -221,7 +228,7 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
             const double next = std::min(better ? rho_ * rho_gain : rho_ * rho_loss, greatest_rho);
             if (next < least_rho) break;
             if (next != rho_) factored_.clear();
-            rho_ = next;
+            set_rho(problem, next);
             continue;
         }
         if (!better && (stayed || residual(problem, y, r_) > diverged * best_.residual())) break;

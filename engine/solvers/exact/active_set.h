@@ -71,9 +71,7 @@ class ActiveSet {
     void find_states(const UnitProblem& problem, const std::vector<double>& y);
     void find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, bool may_follow);
     double factor_of(const UnitProblem::Row& row, State state) const;
-    double rho_of(const UnitProblem::Row& row) const {
-        return row.soft > 0.0 ? rho_ / (1.0 + rho_ * row.soft) : rho_;
-    }
+    void set_rho(const UnitProblem& problem, double rho);
     bool change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                 SolveCount& count);
     void start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y);
@@ -87,6 +85,7 @@ class ActiveSet {
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // current, and of the factor
     double rho_ = 0.0;
+    std::vector<double> rhos_;   // by row
     std::vector<Slide> slides_;  // current, in row order
 };
 

@@ -72,6 +72,7 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
     problem_.bodies = rows.velocity.size();
     problem_.bounds_follow = rows.bounds_follow();
     problem_.has_discs = rows.has_discs();
+    problem_.has_soft = rows.has_soft();
     problem_.rows.resize(rows.rows.size());
     y_.resize(rows.rows.size());
     for (std::size_t j = 0; j < rows.rows.size(); ++j) {

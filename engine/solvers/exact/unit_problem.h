@@ -28,6 +28,7 @@ struct UnitProblem {
     std::size_t bodies = 0;
     bool bounds_follow = false;  // some row has a leader
     bool has_discs = false;
+    bool has_soft = false;
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
     // matrix to be factorised.
@@ -99,11 +100,9 @@ inline void follow(const UnitProblem& problem, const std::vector<double>& y, Bod
     x.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
     r.resize(y.size());
-    for (std::size_t j = 0; j < y.size(); ++j) {
-        const UnitProblem::Row& row = problem.rows[j];
-        r[j] = row.t - along(row, x);
-        if (row.soft > 0.0) r[j] -= row.soft * y[j];
-    }
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+    if (!problem.has_soft) return;
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] -= problem.rows[j].soft * y[j];
 }
 
 // Change of a force by the natural map: of row `j`, or of both rows of a disc if `j` is its second.
@@ -143,8 +142,9 @@ inline double objective(const UnitProblem& problem, const std::vector<double>& y
     for (std::size_t j = 0; j < y.size(); ++j) {
         const double work = problem.rows[j].t * y[j];
         q -= work + 1e-13 * std::abs(work);
-        if (problem.rows[j].soft > 0.0) q += 0.5 * problem.rows[j].soft * y[j] * y[j];
     }
+    if (!problem.has_soft) return q;
+    for (std::size_t j = 0; j < y.size(); ++j) q += 0.5 * problem.rows[j].soft * y[j] * y[j];
     return q;
 }
 
