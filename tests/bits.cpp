@@ -36,6 +36,7 @@ const std::vector<Run> runs{
     {"chain", {{"seconds", "8"}, {"end-mass", "1000"}, {"substeps", "auto"}}},
     {"bridge", {{"seconds", "1"}}},
     {"restitution", {{"seconds", "2"}}},
+    {"polyhedra", {{"seconds", "3"}}},
 };
 
 // Solvers get the system of a whole step; the paper's bound of friction makes the problem convex.

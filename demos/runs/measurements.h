@@ -21,7 +21,7 @@ enum class Outcome {
     // above all starts than their extent and than 20 L. In a standing scene: any body that rises so, or is more
     // than 20 L from the line from its start to its place of rest.
     fly,
-    tunnel,  // a centre is behind a static plane, or has gone through the middle of a static box or sphere
+    tunnel,  // a centre is behind a static plane, or has gone through a static box, sphere or polyhedron
     torn,    // a distance without a force limit is wrong by more than half of its length (stretch.h)
     fall,    // in a standing scene: a centre is more than L/2 below the lower of its start and its rest height
     moving,  // faster than 0.1 v_s: a centre, or the corners of a box about it

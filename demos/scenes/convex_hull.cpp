@@ -58,7 +58,9 @@ Extent extent_of(std::span<const Vector3> points) {
     const Vector3 first = points.front();
     const auto [origin, any] = farthest(points, [&](const Vector3& p) { return (p - first).norm(); });
     const Vector3 from = origin;
-    const auto [end, length] = farthest(points, [&](const Vector3& p) { return (p - from).norm(); });
+    const auto end_and_length = farthest(points, [&](const Vector3& p) { return (p - from).norm(); });
+    const Vector3 end = end_and_length.first;
+    const double length = end_and_length.second;
     if (!(length > 0.0)) throw NoPolyhedron("points in one place", "points with a volume");
     if (!(length >= engine::least_length && length <= engine::greatest_length)) {
         throw NoPolyhedron(
