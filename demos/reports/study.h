@@ -26,9 +26,9 @@ struct Study {
 
 struct StudyRequest {
     std::filesystem::path folder;
-    bool quick = false;              // few and short runs
-    bool problems = false;           // also write frozen problems; error report only
-    std::vector<std::string> parts;  // all when empty
+    bool quick = false;                // few and short runs
+    bool problems = false;             // also write frozen problems; error report only
+    std::vector<std::string> parts{};  // all when empty
 };
 
 // A running study: its folder, request, progress and interruption, tables and page.

@@ -181,6 +181,7 @@ SceneDescription arch(const ParameterValues& parameters) {
     }
     const double lowest = mean_radius * std::cos(half) - abutment;
     scene.view = view_of({0, 0.5 * (lowest + mean_radius), 0}, mean_radius - lowest);
+    scene.view.eye = scene.view.target + 0.8 * (scene.view.eye - scene.view.target);
     scene.view.floor = lowest;
     return scene;
 }
