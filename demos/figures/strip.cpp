@@ -2,7 +2,7 @@
 
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/survey.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"

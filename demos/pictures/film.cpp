@@ -2,7 +2,7 @@
 
 #include "demos/pictures/caption.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "demos/pictures/survey.h"
 
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/simulation.h"

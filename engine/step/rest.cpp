@@ -194,8 +194,8 @@ void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& syste
         if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
     }
     for (const RowRun& run : island.runs) {
-        // A running belt or motor or a moved body does not move what is held on it now, but may take it along later, or
-        // go away.
+        // A running belt or motor or a moved body does not move what is held on it now, but may take it along
+        // later, or go away.
         const auto rows = std::span(system.digests).subspan(at(run.begin), at(run.end - run.begin));
         const bool runs_along =
             bodies[at(rows.front().body_a)].is_moved() || bodies[at(rows.front().body_b)].is_moved() ||

@@ -33,7 +33,15 @@ const char* const everything = R"({
          "surface_from_s": 0},
         {"name": "ball", "shape": "sphere", "radius_m": 0.5, "mass_kg": 1, "position_m": [3, 2, 0],
          "linear_momentum_kg_m_per_s": [0, 0, 0], "angular_momentum_kg_m2_per_s": [0, 0, 0]},
-        {"name": "block", "shape": "box", "size_m": [1, 1, 1], "static": true, "position_m": [0, 9, 0]}],
+        {"name": "block", "shape": "box", "size_m": [1, 1, 1], "static": true, "position_m": [0, 9, 0],
+         "motion": {"velocity_m_per_s": [1, 0, 0], "angular_velocity_rad_per_s": [0, 1, 0], "from_s": 1, "until_s": 2}},
+        {"name": "wedge", "shape": "polyhedron", "points_m": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+         "density_kg_per_m3": 10, "position_m": [9, 9, 9]},
+        {"name": "shaker", "shape": "polyhedron", "obj_file": "tetrahedron.obj", "static": true,
+         "position_m": [-9, 9, 9], "motion": {"amplitude_m": 0.1, "direction": [0, 1, 0], "frequency_hz": 2,
+         "phase_deg": -90}},
+        {"name": "lift", "shape": "sphere", "radius_m": 0.5, "static": true, "position_m": [-9, 9, -9],
+         "motion": {"poses": [{"time_s": 1, "position_m": [-9, 8, -9], "orientation_wxyz": [1, 0, 0, 0]}]}}],
     "distance_constraints": [
         {"a": {"body": "box", "point_m": [0, 0, 0]}, "b": {"body": "ball", "point_m": [0, 0, 0]}, "length_m": 3,
          "acts": "pulls", "max_force_n": 100},
@@ -103,8 +111,27 @@ const std::vector<Field> fields{
     {"body", "shape", "/bodies/1/shape", no_words},
     {"body", "size_m", "/bodies/1/size_m", no_sizes},
     {"body", "radius_m", "/bodies/2/radius_m", both(no_numbers, no_positive)},
+    {"body", "points_m", "/bodies/4/points_m",
+     both(no_lists, {"[]", "[[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]",
+                     "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0]]", "[[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]]",
+                     "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, null]]"})},
+    {"body", "obj_file", "/bodies/5/obj_file", {"1", "\"\"", "\"wrong.obj\"", "null"}},
+    {"body", "density_kg_per_m3", "/bodies/4/density_kg_per_m3", both(no_numbers, no_positive)},
     {"body", "mass_kg", "/bodies/1/mass_kg", both(no_numbers, no_positive)},
     {"body", "static", "/bodies/3/static", no_switches},
+    {"body", "motion", "/bodies/3/motion", both(no_objects, {"{}"})},
+    {"motion", "velocity_m_per_s", "/bodies/3/motion/velocity_m_per_s", no_vectors},
+    {"motion", "angular_velocity_rad_per_s", "/bodies/3/motion/angular_velocity_rad_per_s", no_vectors},
+    {"motion", "from_s", "/bodies/3/motion/from_s", both(no_numbers, {"-1"})},
+    {"motion", "until_s", "/bodies/3/motion/until_s", both(no_numbers, {"0.5"})},
+    {"motion", "amplitude_m", "/bodies/5/motion/amplitude_m", both(no_numbers, {"-1"})},
+    {"motion", "direction", "/bodies/5/motion/direction", both(no_vectors, {"[0, 0, 0]"})},
+    {"motion", "frequency_hz", "/bodies/5/motion/frequency_hz", both(no_numbers, {"0", "-1"})},
+    {"motion", "phase_deg", "/bodies/5/motion/phase_deg", both(no_numbers, {"361"})},
+    {"motion", "poses", "/bodies/6/motion/poses", both(no_lists, {"[]", "[1]", "[{}]"})},
+    {"pose", "time_s", "/bodies/6/motion/poses/0/time_s", both(no_numbers, {"0", "-1"})},
+    {"pose", "position_m", "/bodies/6/motion/poses/0/position_m", no_vectors},
+    {"pose", "orientation_wxyz", "/bodies/6/motion/poses/0/orientation_wxyz", {"1", "[1, 0, 0]", "[2, 0, 0, 0]"}},
     {"body", "position_m", "/bodies/1/position_m", no_vectors},
     {"body",
      "orientation_wxyz",
@@ -206,6 +233,7 @@ std::string said_of(const std::string& pointer, const std::string& value) {
     text.replace(text.find("\"HERE\""), 6, value);
     const Folder folder;
     folder.write("my.json", text);
+    folder.write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\n");
     try {
         build_scene(understand((folder / "my.json").string(), {}));
     } catch (const UsageError& error) {

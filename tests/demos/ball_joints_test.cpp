@@ -1,7 +1,7 @@
 // Distances of length zero in scene files.
 #include "demos/options/named_run.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"

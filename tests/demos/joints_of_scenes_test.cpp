@@ -1,7 +1,7 @@
 // Joints in scenes and their files: what is built, saved, resumed, drawn, refused and left out.
 #include "demos/options/choices.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"

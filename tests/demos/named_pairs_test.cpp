@@ -150,7 +150,7 @@ TEST_CASE("the friction of a pair decides from which slope a cube slides, and ho
     CHECK(above[2] == unnamed[2]);
 }
 
-TEST_CASE("--friction is the friction of all pairs, those of materials too") {
+TEST_CASE("the option --friction is the friction of all pairs, those of materials too") {
     SceneDescription scene = slope_of(std::atan(0.2) + 0.05, {"ice"});
     scene.materials = {{.a = "ice", .b = "plate", .friction = 0.2}};
     Settings settings = preset_settings("default");

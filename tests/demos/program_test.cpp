@@ -182,5 +182,5 @@ TEST_CASE("README's table of scenes is what the program lists") {
         CHECK(std::filesystem::exists(std::filesystem::path(PUSHFACTOR_SOURCE_DIR "/assets/pictures") /
                                       (name + ".png")));
     }
-    CHECK(scenes == 7);
+    CHECK(scenes == 10);
 }

@@ -125,14 +125,15 @@ std::optional<Broken> energy(const Step& step) {
     const Eigen::Index last = system.column_count() - 1;
     const auto answer = [&](Eigen::Index j) { return step.world.lambda()(j, last); };
     for (Eigen::Index j = 0; j < system.row_count(); ++j) {
-        gain -= system.dt * answer(j) * system.rows[at(j)].push.lasting;
+        gain -= system.dt * answer(j) * (system.rows[at(j)].push.lasting + system.carried_by(at(j)));
     }
     // In small steps a gap closes at any speed, and may be closed when its force acts.
     for (const engine::Island& island : step.world.islands().all()) {
         if (!step.world.outcome_of(island).in_small_steps) continue;
         for (const engine::RowRun& run : island.runs) {
             for (int j = run.begin; j < run.end; ++j) {
-                gain += std::min(0.0, system.dt * answer(j) * system.rows[at(j)].push.lasting);
+                gain += std::min(
+                    0.0, system.dt * answer(j) * (system.rows[at(j)].push.lasting + system.carried_by(at(j))));
             }
         }
     }

@@ -2,8 +2,8 @@
 
 #include "demos/reports/cost/ledger.h"
 #include "demos/reports/study.h"
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/named/side_by_side.h"
+#include "demos/scenes/random.h"
 #include "demos/text/median.h"
 
 #include <fmt/format.h>

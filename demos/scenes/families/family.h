@@ -2,8 +2,8 @@
 // among them the end that mechanics predicts.
 #pragma once
 
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/parameters.h"
+#include "demos/scenes/random.h"
 #include "demos/scenes/scene_description.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/scenes/families/family.h"
-#include "demos/scenes/named/random.h"
+#include "demos/scenes/random.h"
 #include "demos/scenes/scene_description.h"
 
 #include <string>

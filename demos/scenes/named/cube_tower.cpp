@@ -1,7 +1,7 @@
 #include "demos/scenes/named/cube_tower.h"
 
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/named/view.h"
+#include "demos/scenes/random.h"
 
 #include <cmath>
 #include <numbers>

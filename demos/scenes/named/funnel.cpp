@@ -2,8 +2,8 @@
 // here the planes are inclined by 45 degrees and meet at the origin, and the balls have 0.5 m radius and 1 kg.
 #include "demos/scenes/named/funnel.h"
 
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/named/view.h"
+#include "demos/scenes/random.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The funnel, paper section 10.3 and Figure 8.
 #pragma once
 
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/parameters.h"
+#include "demos/scenes/random.h"
 #include "demos/scenes/scene_description.h"
 
 #include <vector>

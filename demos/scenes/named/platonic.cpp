@@ -3,8 +3,8 @@
 #include "demos/scenes/named/platonic.h"
 
 #include "demos/scenes/named/funnel.h"
-#include "demos/scenes/named/random.h"
 #include "demos/scenes/named/view.h"
+#include "demos/scenes/random.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "demos/pictures/overlay.h"
+#include "demos/pictures/overlays/overlay.h"
 
-#include "demos/pictures/thrust.h"
+#include "demos/pictures/overlays/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 

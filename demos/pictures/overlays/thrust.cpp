@@ -1,4 +1,4 @@
-#include "demos/pictures/thrust.h"
+#include "demos/pictures/overlays/thrust.h"
 
 #include <map>
 
