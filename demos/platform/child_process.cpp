@@ -89,7 +89,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     : name_(name) {
     const fs::path program = require_program(name, package);
 
-    // Its standard error goes to a file: a pipe that nobody reads would fill up and block both processes.
+    // Standard error goes to a file: an unread pipe would fill up and block both processes.
     said_ = std::tmpfile();
     if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
     arguments.insert(arguments.begin(), name);

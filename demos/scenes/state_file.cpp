@@ -82,7 +82,7 @@ std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDes
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::vector<JsonReader> rows = entries[i].elements();
         const std::size_t count = rows_of(scene.joints[i]);
-        if (rows.size() != count) entries[i].refuse(fmt::format("{} times two numbers, one a row", count));
+        if (rows.size() != count) entries[i].refuse(fmt::format("{} times two numbers, one per row", count));
         std::transform(rows.begin(), rows.end(), forces[i].begin(), read_lambda);
     }
     return forces;

@@ -1,5 +1,6 @@
 #include "engine/constraints/distance_constraints.h"
 
+#include "engine/constraints/carried.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
@@ -130,13 +131,7 @@ void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const A
 }
 
 SomeBodies DistanceConstraints::met_by_moved(const StepStart& step) const {
-    SomeBodies held;
-    for (const Distance& distance : distances_) {
-        const auto is_moved = [&](int body) { return step.bodies[static_cast<std::size_t>(body)].is_moved(); };
-        if (is_moved(distance.body_a)) held.some.push_back(distance.body_b);
-        if (is_moved(distance.body_b)) held.some.push_back(distance.body_a);
-    }
-    return held;
+    return held_by_moved(distances_, step.bodies);
 }
 
 void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {

@@ -1,5 +1,6 @@
 #include "engine/constraints/joint_constraints.h"
 
+#include "engine/constraints/carried.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
@@ -165,6 +166,10 @@ void JointConstraints::leave_out_others(std::span<const Body> bodies, const Awak
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (is_any_moving(bodies, awake, joints_[i].body_a, joints_[i].body_b)) acting_.push_back(i);
     }
+}
+
+SomeBodies JointConstraints::met_by_moved(const StepStart& step) const {
+    return held_by_moved(joints_, step.bodies);
 }
 
 void JointConstraints::set_forces(std::vector<JointForce> forces) {

@@ -76,6 +76,7 @@ class JointConstraints : public ConstraintSource {
     bool turns_unseen(int body) const override;
     bool can_leave_out() const override { return true; }
     void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+    SomeBodies met_by_moved(const StepStart& step) const override;
 
     std::span<const Joint> joints() const { return joints_; }
     // Indices of the joints that have rows, in row order; those of resting bodies have none.

@@ -213,5 +213,5 @@ TEST_CASE("wrong joints are refused with the path, the value and what is allowed
     }
     CHECK(said_of(hinge(R"(, "limits_rad": [-3, 3], "motor": {"speed_rad_per_s": 1})")) == "accepted");
     const std::string state = cart("", R"(, "state": {"joint_forces_n": [[[0, 0]], [[0, 0]]]})");
-    CHECK_THAT(said_of(state), Catch::Contains("must be 5 times two numbers, one a row"));
+    CHECK_THAT(said_of(state), Catch::Contains("must be 5 times two numbers, one per row"));
 }

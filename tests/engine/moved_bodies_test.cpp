@@ -1,6 +1,7 @@
 // Static bodies that are moved: what stands on them, meets them or hangs on them, against closed forms.
 #include "engine/bodies/path.h"
 #include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/joint_constraints.h"
 #include "engine/energy_account.h"
 #include "engine/step/rest.h"
 #include "tests/catch.h"
@@ -442,14 +443,31 @@ TEST_CASE("a body does not rest on one that moves, with or without friction, nor
     }
 }
 
+namespace {
+
+const Correction at_once{PushKind::persistent, 1.0};
+
+std::unique_ptr<ConstraintSource> two_bars() {
+    const std::vector bars{Distance{.body_a = 0, .body_b = 1}, Distance{.body_a = 3, .body_b = 2}};
+    return std::make_unique<DistanceConstraints>(bars, at_once, true);
+}
+
+std::unique_ptr<ConstraintSource> two_hinges() {
+    const std::vector hinges{Joint{.body_a = 0, .body_b = 1, .point_b = {0, 1, 0}, .hinge = Hinge{}},
+                             Joint{.body_a = 3, .body_b = 2, .point_a = {0, 1, 0}, .hinge = Hinge{}}};
+    return std::make_unique<JointConstraints>(hinges, at_once, true);
+}
+
+}  // namespace
+
 TEST_CASE("what hangs at rest wakes in the step in which the point that it hangs on starts to move") {
+    const bool hinges = GENERATE(false, true);
+    INFO("hinges " << hinges);
     World world;
     world.bodies = {static_body({0, 2, 0}), ball_body(1.0, 0.1, {0, 1, 0}), static_body({5, 2, 0}),
                     ball_body(1.0, 0.1, {5, 1, 0})};
     world.forces.push_back(std::make_unique<Gravity>(Vector3(0, -g, 0)));
-    world.constraints.push_back(std::make_unique<DistanceConstraints>(
-        std::vector{Distance{.body_a = 0, .body_b = 1}, Distance{.body_a = 3, .body_b = 2}},
-        Correction{PushKind::persistent, 1.0}, true));
+    world.constraints.push_back(hinges ? two_hinges() : two_bars());
     world.solver = solvers::make_solver("auto");
     world.termination = {.iterations = 25, .tolerance_high = 1e-8, .tolerance_low = 1e-10};
     world.rest = std::make_unique<Rest>();
