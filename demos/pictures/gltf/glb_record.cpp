@@ -72,10 +72,6 @@ class GlbRecord : public Record {
         poses_.clear();
         for (const Mover& mover : movers_) {
             const engine::Body& body = scene.world.bodies[mover.body];
-            if (!body.position.cast<float>().allFinite()) {
-                throw OutputError(fmt::format("{}: body {} is farther away than a float can tell", file_name(),
-                                              body_name(scene, static_cast<int>(mover.body))));
-            }
             poses_.push_back({body.position, body.orientation});
         }
         if (camera_.degrees_a_second != 0.0) {

@@ -19,7 +19,7 @@ void check_glb(const std::filesystem::path& file, const Choices& choices);
 // lines and points of overlays are nodes whose scale is 0 while there are fewer of their kind. finish() writes the
 // file of the frames so far.
 //
-// Numbers are floats, so that a coordinate below 16 m is exact to 1e-6 m. Memory per frame: 28 bytes for each body
+// Numbers are floats, so that a coordinate below 32 m is exact to 1e-6 m. Memory per frame: 28 bytes for each body
 // that can move, 24 for each bar and mark.
 //
 // `survey` is used where needs_survey() asks for one. Throws UsageError as check_glb() and require_shown() do, and

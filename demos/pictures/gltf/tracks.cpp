@@ -1,6 +1,7 @@
 #include "demos/pictures/gltf/tracks.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pushfactor::demos::pictures::gltf {
 
@@ -11,8 +12,10 @@ using engine::Vector3;
 
 constexpr std::size_t per_pose = 7, per_segment = 6;  // floats
 
+// What has flown beyond a float's range stays at its end: the format has no infinite numbers.
 void append(std::vector<float>& numbers, const Vector3& v) {
-    for (const double part : v) numbers.push_back(static_cast<float>(part));
+    constexpr double most = std::numeric_limits<float>::max();
+    for (const double part : v) numbers.push_back(static_cast<float>(std::clamp(part, -most, most)));
 }
 
 // x, y, z, w
