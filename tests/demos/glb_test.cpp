@@ -320,7 +320,7 @@ TEST_CASE(
                 continue;
             }
             REQUIRE(line->second.size() == 31);
-            for (std::size_t n : {0, 1, 13, 29, 30}) {
+            for (std::size_t n = 0; n < 31; n += 5) {
                 const double time = static_cast<double>(n) / 60.0;
                 worst = std::max(
                     worst, apart(line->second[n], glb.vector(node, "translation", time), glb.rotation(node, time)));
