@@ -566,6 +566,27 @@ TEST_CASE("arrows in a glTF file are the forces of each frame, and have no size 
     }
 }
 
+TEST_CASE("lines of overlays are in a glTF file as long as in the picture") {
+    Choices choices = run_of("rover", {{"seconds", "0.1"}});
+    choices.frames.overlay = {{.kind = OverlayKind::no_contacts}};
+    std::vector<pictures::Quantity> lines;
+    const Glb glb = recorded(choices, [&](const Simulation& run) {
+        lines = pictures::quantities(run.scene(), OverlayKind::no_contacts);
+    });
+    REQUIRE(!lines.empty());
+    double lengths = 0.0, drawn = 0.0;
+    for (const pictures::Quantity& line : lines) lengths += line.value.norm();
+    for (const Json& node : glb.json["nodes"]) {
+        const std::string name = node.value("name", "");
+        if (!node.contains("mesh") || glb.json["meshes"][node["mesh"].get<std::size_t>()]["name"] == "bar")
+            continue;
+        if (!name.starts_with("do not touch") && !name.starts_with("one group")) continue;
+        const Vector3 scale = glb.vector(glb.node(name), "scale", 0.1);
+        drawn += 2.0 * (scale.y() - scale.x());
+    }
+    CHECK(drawn == Approx(lengths).epsilon(1e-4));
+}
+
 TEST_CASE("the camera of a glTF file looks as the film's does, and the sun shines as the renderer's") {
     Choices choices = run_of("stack", {{"seconds", "1"}});
     choices.frames.camera.degrees_a_second = 90.0;

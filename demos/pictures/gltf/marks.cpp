@@ -44,7 +44,7 @@ Marks::Marks(const std::vector<OverlayItem>& overlay, const Survey& survey, cons
                 continue;
             }
             kinds_.push_back({scale.kind, Form::point, name, colour});
-            if (scale.kind == OverlayKind::thrust) kinds_.push_back({scale.kind, Form::line, name, colour});
+            kinds_.push_back({scale.kind, Form::line, name, colour});
         }
     }
 }
