@@ -73,6 +73,8 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--trajectory", request.files.trajectory, "one line per body and step (per body and frame with --fps)");
     add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
+    add("--glb", request.glb,
+        "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps");
     add("--save-state", request.files.save_state, "the final state, as a scene file that resumes the run");
     app.add_flag("--timing", request.timing,
                  "CPU time of the steps in the CSV and the summary; the run uses one thread")
@@ -129,7 +131,8 @@ void add_run(CLI::App& app, Words& words) {
     add_scene(app, words);
     add_outputs(app, words.request);
     for (const FrameOption& option : frame_options()) {
-        if (option.name != "fps") continue;  // of the trajectory; a run has no other use for frame options
+        // Of the trajectory and of --glb; a run has no other use for frame options.
+        if (option.name != "fps" && option.name != "camera" && option.name != "overlay") continue;
         add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
     }
 }

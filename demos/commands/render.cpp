@@ -2,6 +2,7 @@
 #include "demos/options/comparison.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
+#include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/producer.h"
@@ -57,6 +58,7 @@ Job understand_job(const std::string& scene, const Request& request) {
                                          panel.label, job.frames.front().size(), job.frames.back().size()));
         }
     }
+    if (request.glb) pictures::check_glb(*request.glb, job.panels.front().choices);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.scene() : base;
     return job;
@@ -146,6 +148,10 @@ void render_job(Job& job, const Request& request, pictures::Studio& studio, pict
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
     const pictures::Film film(studio, job.panels, simulations, job.frames);
+    if (request.glb) {
+        runs.front().add(pictures::glb_record(*request.glb, job.panels.front().choices, film.survey(),
+                                              runs.front().simulation()));
+    }
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
     try {
@@ -185,7 +191,8 @@ void refuse_shared_files(const Request& request) {
     for (const auto& [option, path] :
          {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
           std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
-          std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video}}) {
+          std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video},
+          std::pair{"--glb", request.glb}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
         const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video");
         if (compares && path && !one_for_all) {

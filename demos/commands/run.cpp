@@ -1,4 +1,6 @@
 #include "demos/commands/commands.h"
+#include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/overview.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
@@ -14,7 +16,7 @@ namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
     const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.save_state};
+    return {files.csv, files.trajectory, files.rows, files.save_state, request.glb};
 }
 
 // Folder of the first output file; the working folder without one.
@@ -27,7 +29,7 @@ std::filesystem::path folder_of_outputs(const Request& request) {
     return {};
 }
 
-// Takes all steps. If something stops them earlier, the CSV files keep the lines so far.
+// Takes all steps. If something stops them earlier, the files keep the steps so far.
 void go_through(ObservedRun& observed, const std::string& name, long steps) {
     try {
         ProgressBar bar(name, steps);
@@ -47,8 +49,20 @@ void go_through(ObservedRun& observed, const std::string& name, long steps) {
 }  // namespace
 
 void run(const Request& request) {
-    const Choices choices = understand(request.scenes.front(), request.given);
+    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
+    const Choices& choices = runs.front().choices;
+    std::vector<std::vector<Frame>> frames;
+    if (request.glb) {
+        pictures::check_glb(*request.glb, choices);
+        frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        pictures::add_overview(runs, frames);
+    }
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
+    if (request.glb) {
+        const bool needed = pictures::needs_survey(choices.frames);
+        const pictures::Survey survey = needed ? pictures::survey(runs, frames) : pictures::Survey{};
+        observed.add(pictures::glb_record(*request.glb, choices, survey, observed.simulation()));
+    }
     go_through(observed, choices.description.name, whole_steps(choices.settings));
     const std::string summary = observed.finish();
     const std::vector<std::optional<std::string>> data = data_files(request);

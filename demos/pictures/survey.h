@@ -20,6 +20,11 @@ struct Survey {
     std::set<std::pair<OverlayKind, std::size_t>> shown;  // legend entries that occur
 };
 
+// Whether camera or overlay depend on the whole run.
+inline bool needs_survey(const FrameChoices& choices) {
+    return choices.camera.fit || !choices.overlay.empty();
+}
+
 // `frames` are those of the panels, in the same order.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
 
