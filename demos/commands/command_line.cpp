@@ -73,6 +73,19 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--trajectory", request.files.trajectory, "one line per body and step (per body and frame with --fps)");
     add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
+    add("--replay", request.replay,
+        "a page (.html) that plays the run in a browser, from one file; one frame per 1/60 s, or per 1/fps");
+    app.add_option_function<std::string>(
+           "--replay-data",
+           [&request](const std::string& text) {
+               if (text != "all" && text != "poses") {
+                   throw UsageError(fmt::format("--replay-data {}: must be all or poses", text));
+               }
+               request.replay_poses_only = text == "poses";
+           },
+           "poses: the replay without velocities and forces, for a smaller file [all]")
+        ->type_name("all|poses")
+        ->group(output_group);
     add("--save-state", request.files.save_state, "the final state, as a scene file that resumes the run");
     app.add_flag("--timing", request.timing,
                  "CPU time of the steps in the CSV and the summary; the run uses one thread")
@@ -96,7 +109,7 @@ void add_frames(CLI::App& app, Request& request) {
         ->group("Frames");
     app.add_option_function<std::string>(
            "--frames", [&request](const std::string& text) { request.png = understand_switch("--frames", text); },
-           "off: only the video, no PNG files [on]")
+           "off: no PNG files, only the video or the replay [on]")
         ->type_name("on|off")
         ->group("Frames");
 }
@@ -197,6 +210,15 @@ constexpr std::array commands{
                  add_report},
 };
 
+// A word of the command line as a shell takes it.
+std::string quoted(const std::string& word) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 // CLI11 would list all unexpected arguments; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
@@ -270,6 +292,8 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
 
     Request& request = words.request;
     request.command = command_of(chosen);
+    request.command_line = "pushfactor";
+    for (int i = 1; i < argc; ++i) request.command_line += " " + quoted(argv[i]);
     if (words.config) add_config(*words.config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);

@@ -1,4 +1,6 @@
 #include "demos/commands/commands.h"
+#include "demos/pictures/overview.h"
+#include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
@@ -14,7 +16,7 @@ namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
     const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.save_state};
+    return {files.csv, files.trajectory, files.rows, files.save_state, request.replay};
 }
 
 // Folder of the first output file; the working folder without one.
@@ -27,19 +29,22 @@ std::filesystem::path folder_of_outputs(const Request& request) {
     return {};
 }
 
-// Takes all steps. If something stops them earlier, the CSV files keep the lines so far.
-void go_through(ObservedRun& observed, const std::string& name, long steps) {
+// Takes all steps. If something stops them earlier, the CSV files and the replay keep the run so far.
+void go_through(ObservedRun& observed, const std::string& name, long steps, pictures::Replay* replay, long every) {
     try {
         ProgressBar bar(name, steps);
+        if (replay) replay->record();
         for (long step = 1; step <= steps; ++step) {
             stop_if_interrupted(fmt::format("{} of {} steps are done", step - 1, steps));
             observed.advance();
+            if (replay && step % every == 0) replay->record();
             bar.show(step);
         }
     } catch (const OutputError&) {
         throw;
-    } catch (const std::exception&) {
-        fmt::print(stderr, "{}{}", observed.keep_records(), observed.warnings());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}{}{}", observed.keep_records(), replay ? replay->keep(error.what()) : "",
+                   observed.warnings());
         throw;
     }
 }
@@ -47,9 +52,26 @@ void go_through(ObservedRun& observed, const std::string& name, long steps) {
 }  // namespace
 
 void run(const Request& request) {
-    const Choices choices = understand(request.scenes.front(), request.given);
+    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
+    const Choices& choices = runs.front().choices;
+    const long steps = whole_steps(choices.settings);
+    std::vector<std::vector<Frame>> frames;
+    if (request.replay) {
+        pictures::check_replay_name(*request.replay);
+        frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
+        pictures::add_overview(runs, frames);
+    }
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
-    go_through(observed, choices.description.name, whole_steps(choices.settings));
+    std::optional<pictures::Replay> replay;
+    if (request.replay) {
+        replay.emplace(
+            pictures::ReplayChoices{
+                .file = *request.replay, .poses_only = request.replay_poses_only, .command = request.command_line},
+            runs, std::vector{&observed.simulation()}, frames);
+    }
+    const long every = frames.empty() || frames.front().size() < 2 ? steps + 1 : frames.front()[1].step;
+    go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
+    if (replay) replay->finish();
     const std::string summary = observed.finish();
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();

@@ -1,0 +1,29 @@
+// What does not change in a replay: bodies, links, planes, camera and meshes of a run.
+#pragma once
+
+#include "demos/options/comparison.h"
+#include "demos/pictures/framing.h"
+#include "demos/runs/simulation.h"
+#include "demos/text/json.h"
+
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::pictures::replay {
+
+// Indices of the bodies whose poses are recorded: with mass or motion.
+std::vector<std::size_t> recorded_bodies(const BuiltScene& scene);
+
+// Length [m] that a body's errors are relative to: the radius of its bounding sphere, 1 for a plane.
+double size_of(const BuiltScene& scene, std::size_t body);
+
+// The run as the page needs it (see the README), seen from `view`. `panels` gives the options in force.
+Json stage_of(const ComparedRun& panel, const Simulation& simulation, const View& view);
+
+// Meshes of the polyhedra of a run, as numbered by stage_of; and those of all other shapes: box, square and four
+// domes from coarse to fine. Per mesh the numbers of vertices and indices (32 bits each), per vertex corner and
+// normal (six 32-bit floats), and the indices (16 bits each, an even number of them).
+std::string polyhedra_of(const Simulation& simulation);
+std::string common_meshes();
+
+}  // namespace pushfactor::demos::pictures::replay
