@@ -14,7 +14,7 @@ const translated = (texts) => {
     for (const line of texts.join("\n").split("\n")) {
         const code = line.replace(/\/\/.*/, "").trimEnd();
         if (!code || code.startsWith("#version")) continue;
-        if (/^\w+ \w+\([^)]*\);$/.test(code)) continue;
+        if (/^(float|vec[234]) \w+\([^)]*\);$/.test(code)) continue;
         if (code.startsWith("uniform ")) {
             if (seen.has(code)) continue;
             seen.add(code);
@@ -64,6 +64,23 @@ class Program {
         }
     }
 }
+
+// Half of a unit sphere around +z, as dome_mesh() of renderer/meshes.
+const domeMesh = (sides, rings) => {
+    const vertices = [], indices = [];
+    for (let ring = 0; ring < rings; ++ring) {
+        const latitude = 0.5 * Math.PI * ring / rings;
+        for (let side = 0; side < sides; ++side) {
+            const longitude = 2 * Math.PI * side / sides;
+            vertices.push(0, 0, 0, Math.cos(latitude) * Math.cos(longitude), Math.cos(latitude) * Math.sin(longitude), Math.sin(latitude));
+            const low = ring * sides + side, next = ring * sides + (side + 1) % sides;
+            if (ring + 1 === rings) indices.push(low, next, sides * rings);
+            else indices.push(low, next, low + sides, next, next + sides, low + sides);
+        }
+    }
+    vertices.push(0, 0, 0, 0, 0, 1);
+    return {vertices: new Float32Array(vertices), indices: new Uint16Array(indices)};
+};
 
 class Mesh {
     constructor(gl, {vertices, indices}) {
@@ -227,12 +244,12 @@ class Painter {
         // All are compiled before the first is waited for.
         Object.values(this.programs).forEach((one) => one.check());
         const mesh = (data) => new Mesh(gl, data);
-        const [box, square, ...domes] = common;
+        const [box, square] = common;
         this.boxes = mesh(box);
         this.bars = mesh(square);
         this.groundSquare = mesh(square);
         this.contacts = mesh(square);
-        this.domes = domes.map(mesh);
+        this.domes = [[12, 2], [20, 2], [32, 4], [96, 12]].map(([sides, rings]) => mesh(domeMesh(sides, rings)));
         this.polyhedra = new Map();  // by the mesh's data
         this.shadowMap = new ShadowMap(gl);
         this.panelArray = gl.createVertexArray();

@@ -11,6 +11,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace pushfactor::demos::pictures::replay {
 
@@ -24,6 +25,21 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// Without indentation, blank lines and comments, which are a third of a file and of no use in the page. A comment
+// begins with "// " at the start of a line or after a space, which no string of these files contains.
+std::string compact(const std::string& text) {
+    std::string result;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t comment = line.starts_with("// ") ? 0 : line.find(" // ");
+        line.resize(std::min(comment, line.size()));
+        const std::size_t start = line.find_first_not_of(' ');
+        if (start == std::string::npos) continue;
+        result += line.substr(start, line.find_last_not_of(' ') + 1 - start) + "\n";
+    }
+    return result;
+}
+
 std::string asset(const char* name) {
     return text_of(asset_folder("replay") / name);
 }
@@ -32,11 +48,11 @@ std::string asset(const char* name) {
 std::string script() {
     constexpr std::array files{"space.js", "decode.js", "scene.js", "draw.js", "marks.js", "plots.js", "viewer.js"};
     std::string text;
-    for (const char* const file : files) text += asset(file);
+    for (const char* const file : files) text += compact(asset(file));
     return text;
 }
 
-// The renderer's shaders and those of the viewer by name, without the comments, which are for readers of the files.
+// The renderer's shaders and those of the viewer, by name.
 Json shaders() {
     std::vector<fs::path> files;
     for (const char* const folder : {"shaders", "replay"}) {
@@ -47,7 +63,7 @@ Json shaders() {
     }
     std::ranges::sort(files);
     Json texts = Json::object();
-    for (const fs::path& file : files) texts[file.filename().string()] = text_of(file);
+    for (const fs::path& file : files) texts[file.filename().string()] = compact(text_of(file));
     return texts;
 }
 
@@ -74,7 +90,8 @@ Page page_about(const Json& about) {
     const std::size_t at = text.find(data);
     if (at == std::string::npos) throw OutputError("page.html of the replays has no @data@");
     Page page{.before = text.substr(0, at), .after = text.substr(at + data.size())};
-    fill_in(page.before, "@style@", text_of(asset_folder("pages") / "page.css") + asset("replay.css"));
+    fill_in(page.before, "@style@",
+            compact(text_of(asset_folder("pages") / "page.css")) + compact(asset("replay.css")));
     fill_in(page.before, "@about@", inline_json(about));
     fill_in(page.after, "@meshes@", base64(deflated(common_meshes())));
     fill_in(page.after, "@shaders@", inline_json(shaders()));

@@ -174,10 +174,6 @@ std::string common_meshes() {
     std::string bytes;
     append_mesh(bytes, renderer::box_mesh());
     append_mesh(bytes, renderer::square_mesh());
-    append_mesh(bytes, renderer::dome_mesh(12, 2));
-    append_mesh(bytes, renderer::dome_mesh(20, 2));
-    append_mesh(bytes, renderer::dome_mesh(32, 4));
-    append_mesh(bytes, renderer::dome_mesh(96, 12));
     return bytes;
 }
 

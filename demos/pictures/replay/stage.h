@@ -20,9 +20,9 @@ double size_of(const BuiltScene& scene, std::size_t body);
 // The run as the page needs it (see the README), seen from `view`. `panels` gives the options in force.
 Json stage_of(const ComparedRun& panel, const Simulation& simulation, const View& view);
 
-// Meshes of the polyhedra of a run, as numbered by stage_of; and those of all other shapes: box, square and four
-// domes from coarse to fine. Per mesh the numbers of vertices and indices (32 bits each), per vertex corner and
-// normal (six 32-bit floats), and the indices (16 bits each, an even number of them).
+// Meshes of the polyhedra of a run, as numbered by stage_of; and those of box and square. Per mesh the numbers of
+// vertices and indices (32 bits each), per vertex corner and normal (six 32-bit floats), and the indices (16 bits
+// each, an even number of them). The page makes the domes of the spheres itself: they are 20 kB.
 std::string polyhedra_of(const Simulation& simulation);
 std::string common_meshes();
 
