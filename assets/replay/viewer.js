@@ -216,7 +216,7 @@ const drawChosen = (context, marks, camera, area) => {
 };
 
 const fitCanvas = () => {
-    const box = $("view").getBoundingClientRect(), ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(16, Math.round($("view").clientWidth * ratio)), height = Math.max(16, Math.round($("view").clientHeight * ratio));
     for (const canvas of [$("picture"), $("marks")]) {
         if (canvas.width !== width || canvas.height !== height) {
@@ -224,12 +224,12 @@ const fitCanvas = () => {
             canvas.height = height;
         }
     }
-    return box.width > 0;
 };
 
 const draw = () => {
     drawWanted = false;
-    if (!tracks.length || end.frames === 0 || !fitCanvas()) return;
+    if (!tracks.length || end.frames === 0) return;
+    fitCanvas();
     if (!isReady(state.frame)) {
         // What is missing is on its way; what is shown stays until then.
         Promise.all(tracks.map((track) => track.load(state.frame, wantedParts()))).then(wantDraw);
@@ -773,6 +773,13 @@ const api = {
     get stateHashes() { return end.runs.map((run) => run.state_hash); },
     bodies: (run = 0) => tracks[run].stage.bodies.map(({name}) => name),
     recorded: (run = 0) => [...tracks[run].stage.recorded],
+    units: (run = 0) => tracks[run].stage.bodies.map((body) => body.unit),
+    // A point of the world in CSS pixels of the window; null behind the eye.
+    onPage: (point, run = 0) => {
+        const cell = areas()[state.mode === "ghost" ? 0 : run], box = $("view").getBoundingClientRect();
+        const place = new Marks(null, cameraOf(run, cell), cell).place(point), ratio = $("picture").width / $("view").clientWidth;
+        return place && [box.left + $("view").clientLeft + place[0] / ratio, box.top + $("view").clientTop + place[1] / ratio];
+    },
     seek,
     play: () => setPlaying(true),
     pause: () => setPlaying(false),

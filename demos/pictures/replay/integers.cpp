@@ -56,7 +56,7 @@ void append_quantity(std::string& bytes, std::span<const std::int64_t> values) {
 }
 
 std::int64_t in_units(double value, double unit) {
-    constexpr double most = 1125899906842624.0;  // 2^50
+    constexpr double most = 281474976710656.0;  // 2^48: the page counts in doubles
     return static_cast<std::int64_t>(std::nearbyint(std::clamp(value / unit, -most, most)));
 }
 

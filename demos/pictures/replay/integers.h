@@ -17,10 +17,10 @@ void append_integer(std::string& bytes, std::int64_t value);
 //   k = 1, 2 or 3    per frame the difference from the polynomial of degree k - 1 through the k values before (of a
 //                    lower degree while there are fewer, and from 0 at first)
 //
-// with the k that needs the least bits. At least one value, each at most 2^50 in size.
+// with the k that needs the least bits. At least one value, each at most 2^48 in size.
 void append_quantity(std::string& bytes, std::span<const std::int64_t> values);
 
-// The nearest whole number of units, at most 2^50 in size.
+// The nearest whole number of units, at most 2^48 in size.
 std::int64_t in_units(double value, double unit);
 
 }  // namespace pushfactor::demos::pictures::replay
