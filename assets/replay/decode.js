@@ -157,8 +157,9 @@ class Track {
         this.clock = 0;
     }
 
-    async open() {
-        this.stage = JSON.parse(new TextDecoder().decode(await inflated(this.stageText)));
+    // `camera` is known at the end of the run.
+    async open(camera) {
+        this.stage = {...JSON.parse(new TextDecoder().decode(await inflated(this.stageText))), camera};
         this.meshes = this.meshText ? meshesIn(await inflated(this.meshText)) : [];
         this.units = this.stage.bodies.map((body) => body.unit * this.about.units.position);
         const last = this.firsts.length ? this.blocks.get(this.firsts[this.firsts.length - 1]) : {first: 0, count: 0};

@@ -32,8 +32,8 @@ const fail = (text) => {
 // ---- camera ----
 
 const sceneCamera = (run, time) => {
-    const {eye, target, field_of_view: fieldOfView, degrees_a_second: turning} = tracks[run].stage.camera;
-    const angle = radians(turning * time), offset = minus(eye, target);
+    const {eye, target, field_of_view: fieldOfView} = tracks[run].stage.camera;
+    const angle = radians(about.degrees_a_second * time), offset = minus(eye, target);
     const turned = angle === 0 ? offset
         : [Math.cos(angle) * offset[0] + Math.sin(angle) * offset[2], offset[1], Math.cos(angle) * offset[2] - Math.sin(angle) * offset[0]];
     return {eye: add(target, turned), target, fieldOfView};
@@ -250,6 +250,7 @@ const draw = () => {
         context.clip();
         const marks = new Marks(context, camera, cell);
         (state.mode === "ghost" ? tracks.map((_, run) => run) : [i]).forEach((run) => drawMarks(marks, run));
+        marks.draw();
         if (state.chosen && (state.mode === "ghost" || state.chosen.run === i)) drawChosen(context, marks, camera, cell);
         context.restore();
     });
@@ -701,7 +702,7 @@ const copy = async (text, button, label) => {
 const makeTexts = () => {
     document.title = `${about.scene} – Pushfactor replay`;
     $("title").textContent = about.scene;
-    $("caption").textContent = [about.caption.split("   ").slice(1).join(" · "), tracks.length > 1 ? `compared: ${about.compared}` : ""].filter(Boolean).join(" · ");
+    $("caption").textContent = [about.caption.split("   ").slice(1).join(" · "), about.compared ? `compared: ${about.compared}` : ""].filter(Boolean).join(" · ");
     $("command").textContent = about.command;
     const rows = [["Command", about.command], ["Version", about.version]];
     tracks.forEach(({stage}, i) => {
@@ -840,7 +841,7 @@ const api = {
 const start = async () => {
     if (typeof DecompressionStream === "undefined") throw new Error("this browser lacks DecompressionStream, which inflates the data; browsers since 2023 have it");
     for (let run = 0; run < about.runs; ++run) tracks.push(new Track(run, about));
-    await Promise.all(tracks.map((track) => track.open()));
+    await Promise.all(tracks.map((track, run) => track.open(end.cameras[run])));
     if (end.frames === 0) throw new Error("the file has no frame");
     const common = meshesIn(await inflated($("meshes").textContent));
     try {

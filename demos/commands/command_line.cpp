@@ -74,7 +74,7 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
     add("--replay", request.replay,
-        "a page (.html) that plays the run in a browser, from one file; one frame per 1/60 s, or per 1/fps");
+        "a page (.html) that plays the run in a browser; at most 60 frames per second, or --fps");
     app.add_option_function<std::string>(
            "--replay-data",
            [&request](const std::string& text) {

@@ -164,7 +164,7 @@ void render_job(Job& job, const Request& request, std::optional<pictures::Studio
         takers.replay.emplace(
             pictures::ReplayChoices{
                 .file = *request.replay, .poses_only = request.replay_poses_only, .command = request.command_line},
-            job.panels, simulations, job.frames);
+            job.panels, simulations);
     }
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));

@@ -1,5 +1,4 @@
 #include "demos/commands/commands.h"
-#include "demos/pictures/overview.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
@@ -49,27 +48,32 @@ void go_through(ObservedRun& observed, const std::string& name, long steps, pict
     }
 }
 
+// Of a replay: those of --fps, else as few as make at most 60 frames per second.
+long steps_a_frame(const Choices& choices) {
+    const Rational& dt = choices.settings.dt;
+    if (choices.frames.fps) return demos::steps_a_frame(*choices.frames.fps, dt);
+    const Rational sixtieth = Rational{1, 60} / dt;
+    return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
+}
+
 }  // namespace
 
 void run(const Request& request) {
-    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
+    const std::vector<ComparedRun> runs{
+        {.label = "", .choices = understand(request.scenes.front(), request.given)}};
     const Choices& choices = runs.front().choices;
     const long steps = whole_steps(choices.settings);
-    std::vector<std::vector<Frame>> frames;
-    if (request.replay) {
-        pictures::check_replay_name(*request.replay);
-        frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
-        pictures::add_overview(runs, frames);
-    }
+    if (request.replay) pictures::check_replay_name(*request.replay);
+    const long every = steps_a_frame(choices);
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
     std::optional<pictures::Replay> replay;
     if (request.replay) {
-        replay.emplace(
-            pictures::ReplayChoices{
-                .file = *request.replay, .poses_only = request.replay_poses_only, .command = request.command_line},
-            runs, std::vector{&observed.simulation()}, frames);
+        replay.emplace(pictures::ReplayChoices{.file = *request.replay,
+                                               .steps_a_frame = every,
+                                               .poses_only = request.replay_poses_only,
+                                               .command = request.command_line},
+                       runs, std::vector{&observed.simulation()});
     }
-    const long every = frames.empty() || frames.front().size() < 2 ? steps + 1 : frames.front()[1].step;
     go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
     if (replay) replay->finish();
     const std::string summary = observed.finish();

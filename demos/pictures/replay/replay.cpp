@@ -2,9 +2,11 @@
 
 #include "demos/pictures/caption.h"
 #include "demos/pictures/overlays/overlay.h"
+#include "demos/pictures/overview.h"
 #include "demos/pictures/replay/integers.h"
 #include "demos/pictures/replay/poses.h"
 #include "demos/pictures/replay/stage.h"
+#include "demos/pictures/survey.h"
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
@@ -67,15 +69,21 @@ void check_replay_name(const std::filesystem::path& file) {
 }
 
 Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-               std::vector<const Simulation*> runs, const std::vector<std::vector<Frame>>& frames)
-    : choices_(choices), frames_(panels.front().choices.frames), file_(choices.file) {
+               const std::vector<const Simulation*>& runs)
+    : choices_(choices),
+      frames_(panels.front().choices.frames),
+      file_(choices.file),
+      has_camera_(panels.front().choices.description.has_camera || frames_.camera.view) {
     long numbers = 1;
     for (const Simulation* const run : runs) {
+        const BuiltScene& scene = run->scene();
         std::vector<double> sizes;
-        for (std::size_t i = 0; i < run->scene().world.bodies.size(); ++i)
-            sizes.push_back(size_of(run->scene(), i));
+        for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
         Track track{.simulation = run,
-                    .bodies = recorded_bodies(run->scene()),
+                    .view = frames_.camera.view.value_or(scene.view),
+                    .start = movable_balls(scene),
+                    .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
+                    .bodies = recorded_bodies(scene),
                     .sizes = sizes,
                     .poses = {},
                     .velocities = {},
@@ -89,28 +97,34 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
         tracks_.push_back(std::move(track));
     }
     block_length_ = std::clamp(most_numbers / numbers, 16L, 256L);
-    if (frames_.camera.fit) survey_ = survey(panels, frames);
-    write_head(panels, frames);
+    write_head(panels);
 }
 
-// As the film has it.
-View Replay::view_of(const Choices& choices, const BuiltScene& scene) const {
-    const View view = choices.frames.camera.view.value_or(scene.view);
+// As add_overview() and the film have them, which run the scene once before they draw it: the page gets its cameras
+// at the end.
+std::vector<View> Replay::views() const {
+    std::vector<Ball> reached;
+    for (const Track& track : tracks_) add_corners(track.reached, track.simulation->scene(), reached);
     const double aspect = static_cast<double>(frames_.width) / frames_.height;
-    return frames_.camera.fit ? fitted(view, survey_.reached, aspect) : view;
+    std::vector<View> views;
+    for (const Track& track : tracks_) {
+        const View view = has_camera_ ? track.view
+                                      : overview(track.view, tracks_.front().start, reached,
+                                                 least_aspect(frames_, tracks_.size()));
+        views.push_back(frames_.camera.fit ? fitted(view, reached, aspect) : view);
+    }
+    return views;
 }
 
-void Replay::write_head(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
+void Replay::write_head(const std::vector<ComparedRun>& panels) {
     const Choices& first = panels.front().choices;
     Json about;
     about["scene"] = first.description.name;
     about["caption"] = caption_of(first);
     about["command"] = choices_.command;
     about["version"] = version_text();
-    about["frames_planned"] = frames.front().size();
-    about["frames_a_second"] = frames_.film_rate().value();
     about["play_speed"] = frames_.play_speed.value();
-    about["seconds_a_frame"] = (frames_.play_speed / frames_.film_rate()).value();
+    about["seconds_a_frame"] = (first.settings.dt * Rational{choices_.steps_a_frame, 1}).value();
     about["width"] = frames_.width;
     about["height"] = frames_.height;
     about["units"] = {{"position", position_unit}, {"orientation", orientation_unit}, {"velocity", velocity_unit}};
@@ -123,14 +137,14 @@ void Replay::write_head(const std::vector<ComparedRun>& panels, const std::vecto
     }
     about["legend"] = legend();
     about["runs"] = panels.size();
+    about["degrees_a_second"] = frames_.camera.degrees_a_second;
     if (frames_.compare) about["compared"] = frames_.compare->option;
     page_ = page_about(about);
     file_.write(page_.before);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const Simulation& run = *tracks_[i].simulation;
-        const View view = view_of(panels[i].choices, run.scene());
         file_.write(data_block(fmt::format("data-part=\"stage\" data-run=\"{}\"", i),
-                               stage_of(panels[i], run, view).dump(-1, ' ', true, Json::error_handler_t::replace)));
+                               stage_of(panels[i], run).dump(-1, ' ', true, Json::error_handler_t::replace)));
         const std::string meshes = polyhedra_of(run);
         if (!meshes.empty()) {
             file_.write(data_block(fmt::format("data-part=\"meshes\" data-run=\"{}\"", i), meshes));
@@ -150,6 +164,10 @@ void Replay::record() {
 
 void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
     record_poses(track);
+    const BuiltScene& scene = track.simulation->scene();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (goes_about(scene.bodies[i])) track.reached[i].extend(scene.world.bodies[i].position);
+    }
     const Sample& sample = track.simulation->sample();
     const std::array measured{sample.kinetic_energy, sample.potential_energy, sample.penetration.max,
                               sample.max_speed, sample.residual};
@@ -229,8 +247,11 @@ void Replay::finish(const std::string& note) {
     end["frames"] = recorded_;
     end["note"] = note;
     for (const auto& [kind, values] : maxima_) end["typical"][std::string(name_of(kind))] = median(values);
-    for (const Track& track : tracks_) {
+    const std::vector<View> seen = views();
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        const Track& track = tracks_[i];
         const Sample& sample = track.simulation->sample();
+        end["cameras"].push_back(camera_of(seen[i], track.start));
         end["runs"].push_back(
             {{"steps", sample.step},
              {"time", sample.time},

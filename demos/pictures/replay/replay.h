@@ -3,9 +3,9 @@
 
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
+#include "demos/pictures/framing.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/page.h"
-#include "demos/pictures/survey.h"
 #include "demos/platform/output_file.h"
 #include "demos/runs/simulation.h"
 
@@ -21,6 +21,7 @@ void check_replay_name(const std::filesystem::path& file);
 
 struct ReplayChoices {
     std::filesystem::path file;
+    long steps_a_frame = 1;
     bool poses_only = false;  // neither velocities nor forces, which take most of the room
     std::string command;      // that makes the page, as the reader sees it
 };
@@ -29,10 +30,10 @@ struct ReplayChoices {
 // frame. The file appears whole in finish(), or not at all.
 class Replay {
   public:
-    // `runs` are those of the panels, in the same order, at their start; they must outlive the replay. `frames` are
-    // the frames of each. Throws OutputError as OutputFile does.
+    // `runs` are those of the panels, in the same order, at their start; they must outlive the replay. Throws
+    // OutputError as OutputFile does.
     Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-           std::vector<const Simulation*> runs, const std::vector<std::vector<Frame>>& frames);
+           const std::vector<const Simulation*>& runs);
 
     // Adds the current state of all runs as the next frame.
     void record();
@@ -48,6 +49,9 @@ class Replay {
     // One run and its frames since the last block.
     struct Track {
         const Simulation* simulation;
+        View view;                                                 // of the scene, or a direction alone
+        std::vector<Ball> start;                                   // what moves, and what it hangs on
+        std::vector<Eigen::AlignedBox3d> reached;                  // by each body of the scene so far
         std::vector<std::size_t> bodies;                           // recorded ones
         std::vector<double> sizes;                                 // m, of all bodies
         std::vector<std::vector<std::int64_t>> poses, velocities;  // per quantity and frame
@@ -56,8 +60,8 @@ class Replay {
         replay::ForceBlock forces;
     };
 
-    void write_head(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
-    View view_of(const Choices& choices, const BuiltScene& scene) const;
+    void write_head(const std::vector<ComparedRun>& panels);
+    std::vector<View> views() const;
     void record(Track& track, std::map<OverlayKind, double>& largest);
     void record_poses(Track& track) const;
     void record_velocities(Track& track) const;
@@ -68,7 +72,7 @@ class Replay {
     FrameChoices frames_;
     OutputFile file_;
     replay::Page page_;
-    Survey survey_;
+    bool has_camera_;
     std::vector<Track> tracks_;
     long block_length_ = 1;                              // frames
     long recorded_ = 0;                                  // frames

@@ -4,7 +4,6 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/plane_outline.h"
 #include "demos/pictures/replay/bytes.h"
-#include "demos/pictures/survey.h"
 #include "renderer/meshes/meshes.h"
 
 #include <algorithm>
@@ -142,9 +141,16 @@ double size_of(const BuiltScene& scene, std::size_t body) {
     return radius > 0.0 ? radius : 1.0;
 }
 
-Json stage_of(const ComparedRun& panel, const Simulation& simulation, const View& view) {
+Json camera_of(const View& view, std::span<const Ball> start) {
+    return {{"eye", three(view.eye)},
+            {"target", three(view.target)},
+            {"field_of_view", view.field_of_view},
+            {"across", reach_of(start, view).across}};
+}
+
+Json stage_of(const ComparedRun& panel, const Simulation& simulation) {
     const BuiltScene& scene = simulation.scene();
-    const renderer::Picture picture = draw_list(scene, view);
+    const renderer::Picture picture = draw_list(scene, panel.choices.frames.camera.view.value_or(scene.view));
     Json stage;
     stage["label"] = panel.label;
     stage["options"] = options_of(panel.choices);
@@ -154,11 +160,6 @@ Json stage_of(const ComparedRun& panel, const Simulation& simulation, const View
     stage["links"] = links_json(scene);
     if (picture.ground) stage["ground"] = picture.ground->height;
     stage["towards_sun"] = three(picture.towards_sun);
-    stage["camera"] = {{"eye", three(view.eye)},
-                       {"target", three(view.target)},
-                       {"field_of_view", view.field_of_view},
-                       {"across", reach_of(movable_balls(scene), view).across},
-                       {"degrees_a_second", panel.choices.frames.camera.degrees_a_second}};
     return stage;
 }
 

@@ -6,6 +6,7 @@
 #include "demos/runs/simulation.h"
 #include "demos/text/json.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,11 @@ std::vector<std::size_t> recorded_bodies(const BuiltScene& scene);
 // Length [m] that a body's errors are relative to: the radius of its bounding sphere, 1 for a plane.
 double size_of(const BuiltScene& scene, std::size_t body);
 
-// The run as the page needs it (see the README), seen from `view`. `panels` gives the options in force.
-Json stage_of(const ComparedRun& panel, const Simulation& simulation, const View& view);
+// The run as the page needs it, at its start.
+Json stage_of(const ComparedRun& panel, const Simulation& simulation);
+
+// A camera as the page needs it. `start`: what it has to show to the sides if there are several panels.
+Json camera_of(const View& view, std::span<const Ball> start);
 
 // Meshes of the polyhedra of a run, as numbered by stage_of; and those of box and square. Per mesh the numbers of
 // vertices and indices (32 bits each), per vertex corner and normal (six 32-bit floats), and the indices (16 bits

@@ -70,7 +70,7 @@ TEST_CASE("a replay must have a name and frames that it can have") {
     check_refused("render stack --replay run.html --at 1", "not of stills");
     check_refused("render stack funnel --replay run.html", "one scene at a time");
     check_refused("render stack --frames off", "must come with --video or --replay");
-    check_refused("run stack --replay run.html --dt 1/50", "rates that fit are 50");
+    check_refused("run stack --replay run.html --dt 1/50 --fps 60", "rates that fit are 50");
     const Ended ended = run_program("run stack --replay /nowhere/run.html");
     CHECK(ended.status == 4);
     CHECK(ended.err.find("/nowhere/run.html") != std::string::npos);
