@@ -150,15 +150,18 @@ Json Browser::call(const std::string& method, const Json& parameters) {
 }
 
 void Browser::open(const std::string& address, int width, int height) {
-    call("Page.navigate", {{"url", "about:blank"}});
+    const auto go_to = [&](const std::string& there) {
+        is_loaded_ = false;
+        call("Page.navigate", {{"url", there}});
+        while (!is_loaded_) note(next_message());
+    };
+    go_to("about:blank");  // another part of the same page would not load it
     call("Emulation.setDeviceMetricsOverride",
          {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
     messages_.clear();
     requests_.clear();
     address_ = address.substr(0, address.find('#'));
-    is_loaded_ = false;
-    call("Page.navigate", {{"url", address}});
-    while (!is_loaded_) note(next_message());
+    go_to(address);
 }
 
 Json Browser::value_of(const std::string& expression) {

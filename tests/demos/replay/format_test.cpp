@@ -124,7 +124,8 @@ TEST_CASE("the orientation of a turning body does not jump to the opposite quate
         Quaternion turn(Eigen::AngleAxisd(0.05 * i, axis));
         if (i % 3 == 0) turn.coeffs() *= -1.0;  // the same rotation
         const auto next = orientation_in_units(turn, last);
-        for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(next[k] - last[k]) <= 0.03 / orientation_unit);
+        for (std::size_t k = 0; k < 4; ++k)
+            CHECK(static_cast<double>(std::abs(next[k] - last[k])) <= 0.03 / orientation_unit);
         last = next;
     }
 }
