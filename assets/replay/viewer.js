@@ -289,6 +289,7 @@ const showLabels = () => {
         label.textContent = text;
         label.style.left = `${cell.x / ratio}px`;
         label.style.top = `${cell.y / ratio}px`;
+        label.style.maxWidth = `calc(${cell.width / ratio}px - 1.2rem)`;
         return label;
     }));
 };

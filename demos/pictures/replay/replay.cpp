@@ -120,7 +120,8 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     const Choices& first = panels.front().choices;
     Json about;
     about["scene"] = first.description.name;
-    about["caption"] = caption_of(first);
+    // What the caption says of one run need not be true of the others.
+    about["caption"] = panels.size() == 1 || frames_.compare ? caption_of(first) : first.description.name;
     about["command"] = choices_.command;
     about["version"] = version_text();
     about["play_speed"] = frames_.play_speed.value();
