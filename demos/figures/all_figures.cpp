@@ -19,6 +19,8 @@ std::span<const Figure> all_figures() {
         Figure{"pendulum_energy", "Energy of a pendulum", pendulum_energy},
         Figure{"stack_forces", "Contact forces of the stack", stack_forces},
         Figure{"arch_thickness", "How thin an arch may be", arch_thickness},
+        Figure{"domino_speed", "The wave along dominoes", domino_speed},
+        Figure{"platonic_energy", "Regular solids come to rest", platonic_energy},
     };
     return figures;
 }

@@ -33,6 +33,8 @@ Plate push_pump(FigureOutput& output, const Figure& figure);
 Plate intersecting_motion(FigureOutput& output, const Figure& figure);
 Plate pendulum_energy(FigureOutput& output, const Figure& figure);
 Plate arch_thickness(FigureOutput& output, const Figure& figure);
+Plate domino_speed(FigureOutput& output, const Figure& figure);
+Plate platonic_energy(FigureOutput& output, const Figure& figure);
 Plate stack_forces(FigureOutput& output, const Figure& figure);
 
 }  // namespace pushfactor::demos::figures

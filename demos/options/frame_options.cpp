@@ -129,12 +129,12 @@ const std::array frame_table{
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
         "overlay", "WHAT",
-        "contacts, forces, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per metre; "
-        "islands: a colour for each; rest: what is at rest, and what keeps the others awake; thrust: where contact "
-        "forces act as a whole; several with commas",
-        "some of contacts, forces, push, velocities, islands, rest, thrust with commas, forces, push and "
-        "velocities also "
-        "with a scale like forces:50",
+        "contacts, forces, torques, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per "
+        "metre; islands: a colour for each; rest: what is at rest, and what keeps the others awake; no-contacts: "
+        "lines between bodies that do not touch; thrust: where contact forces act as a whole; several with commas",
+        "some of contacts, forces, torques, push, velocities, islands, rest, no-contacts, thrust with commas, "
+        "forces, "
+        "torques, push and velocities also with a scale like forces:50",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",

@@ -9,8 +9,8 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> names{"contacts", "forces", "push",  "velocities",
-                                                "islands",  "rest",   "thrust"};
+constexpr std::array<std::string_view, 9> names{"contacts", "forces", "torques",     "push",  "velocities",
+                                                "islands",  "rest",   "no-contacts", "thrust"};
 
 }  // namespace
 

@@ -9,13 +9,15 @@
 namespace pushfactor::demos {
 
 enum class OverlayKind {
-    contacts,    // the contact points
-    forces,      // N, of contacts with their friction and of distances, as they enter the momenta
-    push,        // m/s, the push factors of contacts and distances
-    velocities,  // m/s, of the centres of mass, from the stored momenta
-    islands,     // colours of the bodies: one per island
-    rest,        // colours of the bodies: at rest, still, or moving (which keeps their island awake)
-    thrust,      // centres of pressure of touching pairs, joined within bodies that have two: the line of thrust
+    contacts,  // the contact points
+    forces,  // N, of contacts with their friction, of distances and joints, as they enter the momenta; from outside
+    torques,      // N m, from outside and of motors, along their axes
+    push,         // m/s, the push factors of contacts and distances
+    velocities,   // m/s, of the centres of mass, from the stored momenta; of moved bodies also around their axes
+    islands,      // colours of the bodies: one per island
+    rest,         // colours of the bodies: at rest, still, or moving (which keeps their island awake)
+    no_contacts,  // lines between bodies that do not touch each other
+    thrust,       // centres of pressure of touching pairs, joined within bodies that have two: the line of thrust
 };
 
 struct OverlayItem {
@@ -35,7 +37,8 @@ inline bool colours_bodies(OverlayKind kind) {
 
 // Whether the overlay has arrows, and so a scale.
 inline bool has_arrows(OverlayKind kind) {
-    return kind != OverlayKind::contacts && kind != OverlayKind::thrust && !colours_bodies(kind);
+    return kind != OverlayKind::contacts && kind != OverlayKind::thrust && kind != OverlayKind::no_contacts &&
+           !colours_bodies(kind);
 }
 
 }  // namespace pushfactor::demos

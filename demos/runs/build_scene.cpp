@@ -1,6 +1,6 @@
 #include "demos/options/choices.h"
 #include "demos/options/simulation_options.h"
-#include "demos/runs/scene.h"
+#include "demos/runs/scene_parts.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace pushfactor::demos {
@@ -19,7 +18,6 @@ namespace {
 
 using engine::Body;
 using engine::Vector3;
-namespace collision = engine::collision;
 
 Body make_body(const BodyDescription& described) {
     const auto& orientation = described.orientation;
@@ -86,26 +84,6 @@ void add_paths(BuiltScene& scene, const SceneDescription& description) {
     }
 }
 
-collision::Shape make_shape(const BodyDescription& described) {
-    return std::visit(
-        engine::Overloaded{
-            [](const BoxShape& box) -> collision::Shape { return collision::Box{0.5 * box.size}; },
-            [](const SphereShape& sphere) -> collision::Shape { return collision::Sphere{sphere.radius}; },
-            [](const PlaneShape&) -> collision::Shape { return collision::Plane{}; },
-            [](const PolyhedronShape& polyhedron) -> collision::Shape {
-                return collision::Polyhedron{polyhedron.mesh};
-            }},
-        described.shape);
-}
-
-int index_of(const std::string& name, const SceneDescription& description) {
-    const auto& bodies = description.bodies;
-    const auto found =
-        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == name; });
-    if (found == bodies.end()) throw engine::InvalidInput("body", name, "the name of a body of the scene");
-    return static_cast<int>(found - bodies.begin());
-}
-
 void add_forces(BuiltScene& scene, const SceneDescription& description) {
     if (!description.gravity.isZero()) {
         scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
@@ -118,224 +96,10 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
                           .frame = force.frame,
                           .from = force.from};
         if (force.until) poke.until = *force.until;
-        scene.world.forces.push_back(std::make_unique<engine::PokeForce>(poke));
+        auto source = std::make_unique<engine::PokeForce>(poke);
+        scene.pokes.push_back(source.get());
+        scene.world.forces.push_back(std::move(source));
     }
-}
-
-// Index of the static body that represents the world; created on first use.
-int world_body(BuiltScene& scene, std::optional<int>& known) {
-    if (!known) {
-        known = static_cast<int>(scene.world.bodies.size());
-        scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
-    }
-    return *known;
-}
-
-// Without a length it is what it is at the start, and a ball joint where the points are meant to be one: a number
-// with six digits misses by a millionth of the lever.
-double length_of(const DistanceDescription& described, const engine::Distance& distance,
-                 std::span<const Body> bodies) {
-    if (described.length) return *described.length;
-    const auto [from, to] = span_of(distance, bodies);
-    double levers = 0.0;
-    for (const auto& [body, point] :
-         {std::pair{distance.body_a, distance.point_a}, {distance.body_b, distance.point_b}}) {
-        if (!bodies[static_cast<std::size_t>(body)].is_static()) levers += point.norm();
-    }
-    const double length = (to - from).norm();
-    return length <= 1e-6 * levers + 1e-15 * (from.norm() + to.norm()) ? 0.0 : length;
-}
-
-// Length 0 has no direction to pull, push or limit a force along.
-void require_joint_without_bounds(const DistanceDescription& described) {
-    if (described.spring) {
-        throw engine::InvalidInput("length of the spring between " + described.a.body + " and " + described.b.body,
-                                   "0", "above 0, as a spring of no length has no direction");
-    }
-    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
-    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
-                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
-}
-
-// Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
-template <typename Described, typename Held>
-void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
-          std::optional<int>& world, Held& held) {
-    const auto body_index = [&](const std::string& name) {
-        return name == "world" ? world_body(scene, world) : index_of(name, description);
-    };
-    held.body_a = body_index(described.a.body);
-    held.body_b = body_index(described.b.body);
-    held.point_a = described.a.point;
-    held.point_b = described.b.point;
-    const auto is_static = [&](int body) { return scene.world.bodies[static_cast<std::size_t>(body)].is_static(); };
-    if (!is_static(held.body_a) || !is_static(held.body_b)) return;
-    throw engine::InvalidInput(std::string(what) + " between " + described.a.body + " and", described.b.body,
-                               "a movable body, as the other one is static");
-}
-
-void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                   std::optional<int>& world) {
-    if (description.distances.empty()) return;
-    std::vector<engine::Distance> distances;
-    for (const DistanceDescription& described : description.distances) {
-        engine::Distance distance;
-        join(scene, description, described, "distance", world, distance);
-        distance.length = length_of(described, distance, scene.world.bodies);
-        if (!std::isfinite(distance.length)) {
-            throw engine::InvalidInput(
-                "length of the distance between " + described.a.body + " and " + described.b.body, "beyond 1e308",
-                "finite");
-        }
-        if (is_ball_joint(distance)) require_joint_without_bounds(described);
-        distance.acts = described.acts;
-        if (described.max_force) distance.max_force = *described.max_force;
-        distance.spring = described.spring;
-        distances.push_back(distance);
-    }
-    const engine::Correction whole{engine::PushKind::persistent, 1.0};
-    auto source = std::make_unique<engine::DistanceConstraints>(
-        std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
-    if (description.state) source->set_forces(description.state->distance_forces);
-    scene.distances = source.get();
-    scene.world.constraints.push_back(std::move(source));
-}
-
-engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const Body& b) {
-    return {.axis = described.axis.normalized(),
-            .zero = described.zero.value_or(a.orientation.conjugate() * b.orientation),
-            .motor = described.motor,
-            .limits = described.limits};
-}
-
-void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                std::optional<int>& world) {
-    if (description.joints.empty()) return;
-    std::vector<engine::Joint> joints;
-    for (const JointDescription& described : description.joints) {
-        engine::Joint& joint = joints.emplace_back();
-        join(scene, description, described, "joint", world, joint);
-        if (!described.hinge) continue;
-        const auto& bodies = scene.world.bodies;
-        joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],
-                                 bodies[static_cast<std::size_t>(joint.body_b)]);
-    }
-    auto source =
-        std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
-    if (description.state) source->set_forces(description.state->joint_forces);
-    scene.joints = source.get();
-    scene.world.constraints.push_back(std::move(source));
-}
-
-std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const Vector3& gravity) {
-    switch (model) {
-        case FrictionModel::cone:
-            return std::make_unique<engine::ConeFriction>();
-        case FrictionModel::coulomb:
-            return std::make_unique<engine::CoulombFriction>();
-        case FrictionModel::paper:
-            break;
-    }
-    return std::make_unique<engine::WeightFriction>(gravity);
-}
-
-engine::RestitutionRule restitution_rule(RestitutionModel model) {
-    return model == RestitutionModel::sum ? engine::restitution_sum : engine::restitution_larger;
-}
-
-// The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.
-struct Numbers {
-    Numbers(const SceneDescription& description, std::string BodyDescription::*what) {
-        for (const BodyDescription& body : description.bodies) {
-            const std::string& name = body.*what;
-            of_bodies.push_back(name.empty() ? -1 : by_name.emplace(name, by_name.size()).first->second);
-        }
-    }
-    std::vector<int> of_bodies;
-    std::map<std::string, int> by_name;
-};
-
-std::unique_ptr<collision::PairFilter> make_filter(const SceneDescription& description) {
-    const Numbers groups(description, &BodyDescription::group);
-    std::vector<collision::Pair> pairs;
-    for (const auto& [a, b] : description.no_contacts) {
-        pairs.push_back({index_of(a, description), index_of(b, description)});
-    }
-    for (const JointDescription& joint : description.joints) {
-        if (joint.collide || joint.a.body == "world" || joint.b.body == "world") continue;
-        pairs.push_back({index_of(joint.a.body, description), index_of(joint.b.body, description)});
-    }
-    if (groups.by_name.empty() && pairs.empty()) return nullptr;
-    return std::make_unique<collision::PairFilter>(groups.by_name.empty() ? std::vector<int>() : groups.of_bodies,
-                                                   std::move(pairs));
-}
-
-// The options --friction and --restitution are for all pairs.
-std::unique_ptr<collision::MaterialPairs> make_materials(const SceneDescription& description,
-                                                         const Settings& settings) {
-    if (description.materials.empty()) return nullptr;
-    const auto numbers = Numbers(description, &BodyDescription::material).by_name;
-    auto materials = std::make_unique<collision::MaterialPairs>(static_cast<int>(numbers.size()));
-    const auto number_of = [&](const std::string& name) {
-        const auto found = numbers.find(name);
-        if (found == numbers.end()) throw engine::InvalidInput("material", name, "the material of a body");
-        return found->second;
-    };
-    for (const MaterialPairDescription& pair : description.materials) {
-        collision::MaterialPairs::Surface surface;
-        if (!settings.friction) surface.friction = pair.friction;
-        if (!settings.restitution) surface.restitution = pair.restitution;
-        materials->set(number_of(pair.a), number_of(pair.b), surface);
-    }
-    return materials;
-}
-
-std::vector<collision::Collider> make_colliders(const SceneDescription& description, const Settings& settings) {
-    const Numbers materials(description, &BodyDescription::material);
-    std::vector<collision::Collider> colliders;
-    for (int i = 0; i < static_cast<int>(description.bodies.size()); ++i) {
-        const BodyDescription& body = description.bodies[static_cast<std::size_t>(i)];
-        colliders.push_back({.body = i,
-                             .shape = make_shape(body),
-                             .friction = settings.friction.value_or(body.friction),
-                             .restitution = settings.restitution.value_or(body.restitution),
-                             .surface_velocity = body.surface_velocity,
-                             .surface_from = body.surface_from,
-                             .material = materials.of_bodies[static_cast<std::size_t>(i)]});
-    }
-    return colliders;
-}
-
-void add_contacts(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
-    if (!description.contacts) return;
-    const std::vector<collision::Collider> colliders = make_colliders(description, settings);
-    const auto any = [&](double collision::Collider::*what) {
-        return std::any_of(colliders.begin(), colliders.end(), [what](const auto& c) { return c.*what > 0.0; });
-    };
-    const engine::ContactChoices choices{
-        .correction = settings.contacts,
-        .slop = settings.slop,
-        .detection = {.margin = settings.margin, .reduce_to_four_points = settings.four_points},
-        .order = settings.row_order,
-    };
-    auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
-    auto materials = make_materials(description, settings);
-    if (any(&collision::Collider::friction) || (materials && materials->any_friction())) {
-        contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
-    }
-    if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
-        contacts->set_restitution(restitution_rule(settings.restitution_model));
-    }
-    if (settings.margin > 0.0)
-        contacts->set_continuous_collision(std::make_unique<collision::ContinuousCollision>());
-    if (settings.warm_start) {
-        contacts->set_cache(std::make_unique<engine::ContactCache>(
-            description.state ? description.state->contact_forces : engine::ContactCache{}));
-    }
-    contacts->set_materials(std::move(materials));
-    contacts->set_filter(make_filter(description));
-    scene.contacts = contacts.get();
-    scene.world.constraints.push_back(std::move(contacts));
 }
 
 // Bodies with contacts rotate by small turns, without them by splitting, which then keeps its order.
@@ -430,6 +194,14 @@ void resume(BuiltScene& scene, const RunState& state) {
 }
 
 }  // namespace
+
+int index_of(const std::string& name, const SceneDescription& description) {
+    const auto& bodies = description.bodies;
+    const auto found =
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == name; });
+    if (found == bodies.end()) throw engine::InvalidInput("body", name, "the name of a body of the scene");
+    return static_cast<int>(found - bodies.begin());
+}
 
 BuiltScene build_scene(const SceneDescription& description, const Settings& settings) {
     BuiltScene scene;

@@ -5,6 +5,7 @@
 #include "demos/options/settings.h"
 #include "demos/scenes/scene_description.h"
 #include "engine/constraints/contact_constraints.h"
+#include "engine/forces/poke.h"
 #include "engine/rattle.h"
 #include "engine/world.h"
 
@@ -24,6 +25,8 @@ struct BuiltScene {
     const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
     const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
     const engine::JointConstraints* joints = nullptr;        // part of the world; null without joints
+    std::vector<const engine::PokeForce*> pokes;             // part of the world: forces on single bodies
+    std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
     std::optional<double> substeps_before{};  // of a resumed run: StepDivision::level()
 

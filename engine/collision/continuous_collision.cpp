@@ -60,7 +60,6 @@ constexpr double loose = 0.1;
 // by more than `loose` of its size if the force comes from small steps.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
                const ContinuousCollision::Step& step) {
-    if (kind == NewForce::none) return false;
     const double speed = step.dt * body.inverse_mass * force.head<3>().norm();
     const double rate = step.dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const double limit =
@@ -215,6 +214,7 @@ bool ContinuousCollision::any_thrown(std::span<const Vector6> forces, std::span<
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
+        if (changed[body] == NewForce::none) continue;
         fast_[i] = is_thrown(collider, step.bodies[body], forces[body], changed[body], step);
         any = any || fast_[i];
     }

@@ -60,7 +60,7 @@ Span span_of(const Joint& joint, std::span<const Body> bodies);
 double angle_of(const Joint& joint, std::span<const Body> bodies);
 
 // Rows of a joint, in their order: three of the point, two of the axis, motor, lower and upper limit.
-inline constexpr std::size_t most_joint_rows = 8;
+inline constexpr std::size_t most_joint_rows = 8, motor_row = 5;
 std::size_t row_count(const Joint& joint);
 
 // Solution of each row of a joint [N], zero for those that it does not have.

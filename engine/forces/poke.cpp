@@ -11,10 +11,9 @@ bool PokeForce::acts_at(double time) const {
 void PokeForce::add_forces(const ForcedBodies& bodies, double time) {
     if (!acts_at(time)) return;
     Body& body = bodies[static_cast<std::size_t>(poke_.body)];
-    const bool turns = poke_.frame == Poke::Frame::body;
-    const Vector3 force = turns ? Vector3(body.orientation * poke_.force) : poke_.force;
+    const Vector3 force = this->force(body.orientation);
     body.force += force;
-    body.torque += turns ? Vector3(body.orientation * poke_.torque) : poke_.torque;
+    body.torque += torque(body.orientation);
     if (!poke_.point.isZero(0.0)) body.torque += (body.orientation * poke_.point).cross(force);
 }
 

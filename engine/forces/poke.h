@@ -29,8 +29,17 @@ class PokeForce : public ForceSource {
     SomeBodies pushed_anew(double from, double until) const override;
     bool turns_unseen(int body) const override;
 
+    const Poke& poke() const { return poke_; }
+    bool acts_at(double time) const;  // s
+
+    // Force and torque beside it in the world frame [N, N m], for a body with this orientation.
+    Vector3 force(const Quaternion& orientation) const { return in_world(poke_.force, orientation); }
+    Vector3 torque(const Quaternion& orientation) const { return in_world(poke_.torque, orientation); }
+
   private:
-    bool acts_at(double time) const;
+    Vector3 in_world(const Vector3& vector, const Quaternion& orientation) const {
+        return poke_.frame == Poke::Frame::body ? Vector3(orientation * vector) : vector;
+    }
 
     Poke poke_;
 };

@@ -83,6 +83,36 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
     });
 }
 
+namespace {
+
+// Of the rows of some runs. Whether soft rows are among them is decided here, because a test per row costs all
+// scenes.
+template <bool any_soft>
+[[gnu::always_inline]] inline double largest_of(const SystemEquation& system, const Columns& lambda,
+                                                Eigen::Index column, std::span<const RowRun> runs,
+                                                std::span<const Vector6> accelerations) {
+    double largest = 0.0;
+    RowResiduals residuals(system, lambda, column);
+    for (const RowRun& run : runs) {
+        const Vector6 &of_a = accelerations[at(run.a)], &of_b = accelerations[at(run.b)];
+        for (int j = run.begin; j < run.end; ++j) {
+            const ConstraintRow& row = system.rows[at(j)];
+            double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
+            if constexpr (any_soft) w += soft_part(row, lambda, j, column);
+            const double miss = residuals.next(j, w);
+            if (!(miss <= largest)) largest = miss;
+        }
+    }
+    return largest;
+}
+
+[[gnu::noinline]] double largest_of_soft(const SystemEquation& system, const Columns& lambda, Eigen::Index column,
+                                         std::span<const RowRun> runs, std::span<const Vector6> accelerations) {
+    return largest_of<true>(system, lambda, column, runs, accelerations);
+}
+
+}  // namespace
+
 double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
                         Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
                         Threads* threads) {
@@ -94,27 +124,15 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
             accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
         }
     });
-    const bool any_soft = island.has(RowDigest::soft);
-    const auto largest_of = [&](std::span<const RowRun> runs) __attribute__((always_inline)) {
-        double largest = 0.0;
-        RowResiduals residuals(system, lambda, column);
-        for (const RowRun& run : runs) {
-            const Vector6 &of_a = accelerations[at(run.a)], &of_b = accelerations[at(run.b)];
-            for (int j = run.begin; j < run.end; ++j) {
-                const ConstraintRow& row = system.rows[at(j)];
-                double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column);
-                if (any_soft) w += soft_part(row, lambda, j, column);
-                const double miss = residuals.next(j, w);
-                if (!(miss <= largest)) largest = miss;
-            }
-        }
-        return largest;
+    const auto of_runs = [&](std::span<const RowRun> runs) __attribute__((always_inline)) {
+        return island.has(RowDigest::soft) ? largest_of_soft(system, lambda, column, runs, accelerations)
+                                           : largest_of<false>(system, lambda, column, runs, accelerations);
     };
-    if (!threads) return largest_of(island.runs);
+    if (!threads) return of_runs(island.runs);
     std::vector<double> of_parts(parts_of(threads, island.runs.size(), runs_of_a_part));
     share_parts(threads, island.runs.size(), runs_of_a_part,
                 [&](std::size_t part, std::size_t begin, std::size_t end) {
-                    of_parts[part] = largest_of(island.runs.subspan(begin, end - begin));
+                    of_parts[part] = of_runs(island.runs.subspan(begin, end - begin));
                 });
     return *std::max_element(of_parts.begin(), of_parts.end());
 }

@@ -6,6 +6,11 @@
 #include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/engine/collision/hulls.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -43,7 +48,113 @@ const PolyhedronShape& polyhedron_of(const SceneDescription& scene, std::size_t 
     return std::get<PolyhedronShape>(scene.bodies[body].shape);
 }
 
+// A box of (1, 0.4, 0.6) m, or the hull of its corners, in a scene file: the file's frame of the body is turned by
+// `turn` and then moved by `shift` from the frame of the box.
+struct FrameOfFile {
+    engine::Quaternion turn = engine::Quaternion::Identity();
+    Vector3 shift = Vector3::Zero();
+    bool is_polyhedron = false;
+
+    static nlohmann::json numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+    static nlohmann::json numbers(const engine::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+    nlohmann::json point(const Vector3& of_box) const { return numbers(Vector3(turn * of_box + shift)); }
+    nlohmann::json direction(const Vector3& of_box) const { return numbers(Vector3(turn * of_box)); }
+    engine::Quaternion turned(const engine::Quaternion& box) const { return box * turn.conjugate(); }
+
+    nlohmann::json place(const Vector3& position, const engine::Quaternion& orientation) const {
+        const engine::Quaternion own = turned(orientation);
+        return {{"position_m", numbers(Vector3(position - own * shift))}, {"orientation_wxyz", numbers(own)}};
+    }
+    nlohmann::json body(const std::string& name, const Vector3& position,
+                        const engine::Quaternion& orientation) const {
+        nlohmann::json json = place(position, orientation);
+        json["name"] = name;
+        if (!is_polyhedron) {
+            json["shape"] = "box";
+            json["size_m"] = {1, 0.4, 0.6};
+            return json;
+        }
+        json["shape"] = "polyhedron";
+        for (const Vector3& corner : tests::box_points({0.5, 0.2, 0.3})) json["points_m"].push_back(point(corner));
+        return json;
+    }
+};
+
+// Whatever a file says of a body in its frame: a moved body hangs up a second one by a hinge, on which a third one
+// hangs by a bar, pushed and turned in its own frame.
+std::string hanging_boxes(const FrameOfFile& frame) {
+    const engine::Quaternion straight = engine::Quaternion::Identity();
+    const engine::Quaternion aslant(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()));
+    nlohmann::json top = frame.body("top", {0, 5, 0}, aslant);
+    top["static"] = true;
+    top["motion"]["poses"] = {frame.place({0.5, 5, 0}, straight), frame.place({0, 5.5, 0.5}, aslant)};
+    top["motion"]["poses"][0]["time_s"] = 0.5;
+    top["motion"]["poses"][1]["time_s"] = 1.2;
+    nlohmann::json middle = frame.body("middle", {0, 4, 0}, straight), low = frame.body("low", {0, 3, 0}, aslant);
+    middle["mass_kg"] = 2;
+    low["mass_kg"] = 1;
+    nlohmann::json scene{{"version", 1}, {"bodies", {top, middle, low}}};
+    const Vector3 over(0.1, 0.5, 0.2);  // from the middle to the hinge
+    const Vector3 of_top = aslant.conjugate() * Vector3(0.1, -0.5, 0.2);
+    scene["joints"] = {
+        {{"type", "hinge"},
+         {"a", {{"body", "top"}, {"point_m", frame.point(of_top)}}},
+         {"b", {{"body", "middle"}, {"point_m", frame.point(over)}}},
+         {"axis", frame.direction(aslant.conjugate() * Vector3::UnitZ())},
+         {"zero_wxyz", frame.numbers(engine::Quaternion(frame.turn * aslant.conjugate() * frame.turn.conjugate()))},
+         {"limits_rad", {-0.05, 0.3}}}};
+    scene["distance_constraints"] = {{{"a", {{"body", "middle"}, {"point_m", frame.point({0.4, -0.2, 0})}}},
+                                      {"b", {{"body", "low"}, {"point_m", frame.point({0, 0.2, 0.1})}}}}};
+    scene["forces"] = {{{"body", "low"},
+                        {"frame", "body"},
+                        {"force_n", frame.direction({3, 0, 1})},
+                        {"point_m", frame.point({0.5, 0, 0})},
+                        {"torque_n_m", frame.direction({0, 0.5, 0})}}};
+    return scene.dump();
+}
+
+// World places of the eight corners of each body after some steps, in any order.
+using Corners = std::vector<std::vector<Vector3>>;
+Corners corners_after(const std::string& text, long steps) {
+    const SceneDescription scene = read(text);
+    Settings settings = preset_settings("exact");
+    settings.rotation = Rotation::exponential;  // splitting depends on the order of the principal axes
+    Simulation run(build_scene(scene, settings), settings);
+    while (run.sample().step < steps) run.advance();
+    Corners corners;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const auto* const polyhedron = std::get_if<PolyhedronShape>(&scene.bodies[i].shape);
+        std::vector<Vector3>& own = corners.emplace_back(tests::box_points({0.5, 0.2, 0.3}));
+        if (polyhedron) own.assign(polyhedron->points().begin(), polyhedron->points().end());
+        const engine::Body& body = run.scene().world.bodies[i];
+        for (Vector3& corner : own) corner = body.position + body.orientation * corner;
+    }
+    return corners;
+}
+
+double largest_distance(const Corners& from, const Corners& to) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        for (const Vector3& corner : from[i]) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Vector3& other : to[i]) nearest = std::min(nearest, (corner - other).norm());
+            largest = std::max(largest, nearest);
+        }
+    }
+    return largest;
+}
+
 }  // namespace
+
+TEST_CASE("joints, axes, bars, forces and motions of a polyhedron are in the frame of its points") {
+    const auto expected = corners_after(hanging_boxes({}), 90);
+    const engine::Quaternion turn(Eigen::AngleAxisd(1.1, Vector3(3, -1, 2).normalized()));
+    for (const FrameOfFile& frame : {FrameOfFile{.is_polyhedron = true},
+                                     FrameOfFile{.turn = turn, .shift = {4, -2, 7}, .is_polyhedron = true}}) {
+        CHECK(largest_distance(expected, corners_after(hanging_boxes(frame), 90)) < 1e-9);
+    }
+}
 
 TEST_CASE(
     "a polyhedron's points are where the file puts them, whatever its centre of mass and principal axes are") {

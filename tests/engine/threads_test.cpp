@@ -331,9 +331,13 @@ TEST_CASE("after threads had to wait for each other, the caller works alone for 
         });
         return largest;
     };
-    if (largest_team(true) < 2) return;  // no other core was free
+    // A caller that the system itself keeps from running does not notice that it would have had to wait.
     int alone = 0;
-    while (alone < 1000 && largest_team(false) == 1) ++alone;
+    for (int attempt = 0; attempt < 10 && alone < 8; ++attempt) {
+        if (largest_team(true) < 2) return;  // no other core was free
+        alone = 0;
+        while (alone < 1000 && largest_team(false) == 1) ++alone;
+    }
     CHECK(alone >= 8);
     CHECK(alone < 1000);
 }

@@ -1,6 +1,7 @@
 #include "demos/pictures/overlays/overlay.h"
 
 #include "demos/pictures/overlays/acting.h"
+#include "demos/pictures/overlays/outside.h"
 #include "demos/pictures/overlays/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
@@ -127,7 +128,10 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::forces:
             return {{"contact force", colour("violet"), "N"},
                     {"bar force", colour("green"), "N"},
-                    {"joint force", colour("orange"), "N"}};
+                    {"joint force", colour("orange"), "N"},
+                    {"force from outside", colour("blue"), "N"}};
+        case OverlayKind::torques:
+            return {{"torque from outside", colour("blue"), "N m"}, {"torque of a motor", colour("orange"), "N m"}};
         case OverlayKind::push:
             return {{"push for this frame only", colour("orange"), "m/s"},
                     {"push that lasts", colour("vermilion"), "m/s"}};
@@ -140,15 +144,24 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
                     {"moves, or did a moment ago", colour("vermilion"), ""}};
         case OverlayKind::thrust:
             return {{"line of thrust, through the centres of pressure", colour("violet"), ""}};
+        case OverlayKind::no_contacts:
+            return {{"do not touch each other", colour("vermilion"), ""},
+                    {"one group, whose bodies do not touch", colour("blue"), ""}};
         case OverlayKind::velocities:
             break;
     }
-    return {{"velocity", colour("blue"), "m/s"}};
+    return {{"velocity", colour("blue"), "m/s"}, {"of a moved body", colour("orange"), "m/s"}};
 }
 
 std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     std::vector<Quantity> found;
-    if (kind == OverlayKind::velocities) add_velocities(scene, found);
+    if (kind == OverlayKind::velocities) {
+        add_velocities(scene, found);
+        add_moved_velocities(scene, 1, found);
+    }
+    if (kind == OverlayKind::forces) add_applied_forces(scene, 3, found);
+    if (kind == OverlayKind::torques) add_applied_torques(scene, 0, found);
+    if (kind == OverlayKind::no_contacts) add_untouching(scene, 0, 1, found);
     if (kind == OverlayKind::islands) add_islands(scene, found);
     if (kind == OverlayKind::rest) add_rest(scene, found);
     if (scene.world.rows().empty()) return found;
@@ -158,21 +171,53 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (scene.contacts && kind == OverlayKind::thrust) {
         for (const PressureCentre& centre : pressure_centres(scene)) found.push_back({.place = centre.place});
     }
+    if (scene.joints && kind == OverlayKind::torques) add_motor_torques(scene, 1, found);
     return found;
 }
 
+namespace {
+
+// What an overlay needs and the scene lacks; empty if nothing.
+std::string lack_of(const BuiltScene& scene, OverlayKind kind) {
+    const bool has_rows = scene.contacts || scene.distances || scene.joints;
+    switch (kind) {
+        case OverlayKind::velocities:
+            return "";
+        case OverlayKind::rest:
+            return scene.world.rest ? "" : "nothing rests without --rest on";
+        case OverlayKind::torques: {
+            const bool any_motor =
+                scene.joints && std::ranges::any_of(scene.joints->joints(), [](const auto& joint) {
+                    return joint.hinge && joint.hinge->motor;
+                });
+            return any_motor || !scene.pokes.empty() ? "" : "neither motors nor torques";
+        }
+        case OverlayKind::no_contacts: {
+            const bool any_group =
+                std::ranges::any_of(scene.bodies, [](const auto& body) { return !body.group.empty(); });
+            return any_group || !scene.no_contacts.empty() ? "" : "no pairs that do not touch";
+        }
+        case OverlayKind::contacts:
+        case OverlayKind::thrust:
+            return scene.contacts ? "" : has_rows ? "no contacts" : "neither contacts nor distances";
+        case OverlayKind::forces:
+            return has_rows || !scene.pokes.empty() ? "" : "neither contacts nor distances";
+        case OverlayKind::push:
+        case OverlayKind::islands:
+            return has_rows ? "" : "neither contacts nor distances";
+    }
+    return "";
+}
+
+}  // namespace
+
 void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& overlay) {
     for (const OverlayItem& item : overlay) {
-        if (item.kind == OverlayKind::rest && !scene.world.rest) {
-            throw UsageError("--overlay rest: nothing rests without --rest on");
-        }
-        const bool of_contacts_only = item.kind == OverlayKind::contacts || item.kind == OverlayKind::thrust;
-        const bool any = item.kind == OverlayKind::velocities || scene.contacts ||
-                         ((scene.distances || scene.joints) && !of_contacts_only);
-        if (any) continue;
-        throw UsageError(fmt::format(
-            "--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind), scene.name,
-            scene.distances || scene.joints ? "no contacts" : "neither contacts nor distances"));
+        const std::string lack = lack_of(scene, item.kind);
+        if (lack.empty()) continue;
+        if (item.kind == OverlayKind::rest) throw UsageError("--overlay rest: " + lack);
+        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show",
+                                     name_of(item.kind), scene.name, lack));
     }
 }
 
@@ -185,6 +230,9 @@ void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre
         const glm::vec3 place = to_glm(quantity.place);
         if (kind == OverlayKind::contacts || kind == OverlayKind::thrust) {
             picture.dots.push_back({.position = place, .colour = colour});
+        } else if (kind == OverlayKind::no_contacts) {
+            const glm::vec3 end = to_glm(quantity.place + quantity.value);
+            picture.arrows.push_back({.from = place, .to = end, .colour = colour, .head = false});
         } else {
             const glm::vec3 end = to_glm(quantity.place + quantity.value / units_a_metre);
             picture.arrows.push_back({.from = place, .to = end, .colour = colour});

@@ -1,8 +1,9 @@
-// Overlays: contact points, forces, push factors and velocities, with scale and legend, and colours of islands and
-// of bodies at rest.
+// Overlays: contact points, forces, torques, push factors and velocities, with scale and legend, colours of islands
+// and of bodies at rest, and lines between bodies that do not touch.
 #pragma once
 
 #include "demos/options/overlay_choice.h"
+#include "demos/pictures/overlays/quantity.h"
 #include "demos/runs/scene.h"
 #include "demos/text/palette.h"
 #include "renderer/picture/picture.h"
@@ -12,13 +13,6 @@
 
 namespace pushfactor::demos::pictures {
 
-// A quantity at a place in the world.
-struct Quantity {
-    engine::Vector3 place = engine::Vector3::Zero();  // m
-    engine::Vector3 value = engine::Vector3::Zero();  // N or m/s
-    std::size_t kind = 0;                             // index into the entries of the overlay's kind
-};
-
 // A line of an overlay's legend: "contact force" or "bar force" of forces, and so on.
 struct LegendEntry {
     std::string name;
@@ -27,8 +21,9 @@ struct LegendEntry {
 };
 std::vector<LegendEntry> entries_of(OverlayKind kind);
 
-// Quantities of the world's last step, at the contact points of the start of the step; only velocities before the
-// first step. A force is drawn on the body that it acts on: the movable one of a pair, else the upper one.
+// Quantities of the world's last step, at the contact points of the start of the step. Before the first step only
+// what does not come from rows: velocities, forces and torques from outside, pairs that do not touch. A force is
+// drawn on the body that it acts on: the movable one of a pair, else the upper one.
 std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind);
 
 // Throws UsageError for an overlay of a part that the scene lacks.

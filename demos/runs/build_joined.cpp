@@ -1,0 +1,121 @@
+#include "demos/runs/scene_parts.h"
+#include "demos/scenes/run_state.h"
+#include "engine/base/invalid_input.h"
+
+#include <cmath>
+
+namespace pushfactor::demos {
+
+namespace {
+
+using engine::Body;
+using engine::Vector3;
+
+// Index of the static body that represents the world; created on first use.
+int world_body(BuiltScene& scene, std::optional<int>& known) {
+    if (!known) {
+        known = static_cast<int>(scene.world.bodies.size());
+        scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
+    }
+    return *known;
+}
+
+// Without a length it is what it is at the start, and a ball joint where the points are meant to be one: a number
+// with six digits misses by a millionth of the lever.
+double length_of(const DistanceDescription& described, const engine::Distance& distance,
+                 std::span<const Body> bodies) {
+    if (described.length) return *described.length;
+    const auto [from, to] = span_of(distance, bodies);
+    double levers = 0.0;
+    for (const auto& [body, point] :
+         {std::pair{distance.body_a, distance.point_a}, {distance.body_b, distance.point_b}}) {
+        if (!bodies[static_cast<std::size_t>(body)].is_static()) levers += point.norm();
+    }
+    const double length = (to - from).norm();
+    return length <= 1e-6 * levers + 1e-15 * (from.norm() + to.norm()) ? 0.0 : length;
+}
+
+// Length 0 has no direction to pull, push or limit a force along.
+void require_joint_without_bounds(const DistanceDescription& described) {
+    if (described.spring) {
+        throw engine::InvalidInput("length of the spring between " + described.a.body + " and " + described.b.body,
+                                   "0", "above 0, as a spring of no length has no direction");
+    }
+    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
+    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
+                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
+}
+
+// Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
+template <typename Described, typename Held>
+void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
+          std::optional<int>& world, Held& held) {
+    const auto body_index = [&](const std::string& name) {
+        return name == "world" ? world_body(scene, world) : index_of(name, description);
+    };
+    held.body_a = body_index(described.a.body);
+    held.body_b = body_index(described.b.body);
+    held.point_a = described.a.point;
+    held.point_b = described.b.point;
+    const auto is_static = [&](int body) { return scene.world.bodies[static_cast<std::size_t>(body)].is_static(); };
+    if (!is_static(held.body_a) || !is_static(held.body_b)) return;
+    throw engine::InvalidInput(std::string(what) + " between " + described.a.body + " and", described.b.body,
+                               "a movable body, as the other one is static");
+}
+
+engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const Body& b) {
+    return {.axis = described.axis.normalized(),
+            .zero = described.zero.value_or(a.orientation.conjugate() * b.orientation),
+            .motor = described.motor,
+            .limits = described.limits};
+}
+
+}  // namespace
+
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                   std::optional<int>& world) {
+    if (description.distances.empty()) return;
+    std::vector<engine::Distance> distances;
+    for (const DistanceDescription& described : description.distances) {
+        engine::Distance distance;
+        join(scene, description, described, "distance", world, distance);
+        distance.length = length_of(described, distance, scene.world.bodies);
+        if (!std::isfinite(distance.length)) {
+            throw engine::InvalidInput(
+                "length of the distance between " + described.a.body + " and " + described.b.body, "beyond 1e308",
+                "finite");
+        }
+        if (is_ball_joint(distance)) require_joint_without_bounds(described);
+        distance.acts = described.acts;
+        if (described.max_force) distance.max_force = *described.max_force;
+        distance.spring = described.spring;
+        distances.push_back(distance);
+    }
+    const engine::Correction whole{engine::PushKind::persistent, 1.0};
+    auto source = std::make_unique<engine::DistanceConstraints>(
+        std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
+    if (description.state) source->set_forces(description.state->distance_forces);
+    scene.distances = source.get();
+    scene.world.constraints.push_back(std::move(source));
+}
+
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                std::optional<int>& world) {
+    if (description.joints.empty()) return;
+    std::vector<engine::Joint> joints;
+    for (const JointDescription& described : description.joints) {
+        engine::Joint& joint = joints.emplace_back();
+        join(scene, description, described, "joint", world, joint);
+        if (!described.hinge) continue;
+        const auto& bodies = scene.world.bodies;
+        joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],
+                                 bodies[static_cast<std::size_t>(joint.body_b)]);
+    }
+    auto source =
+        std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
+    if (description.state) source->set_forces(description.state->joint_forces);
+    scene.joints = source.get();
+    scene.world.constraints.push_back(std::move(source));
+}
+
+}  // namespace pushfactor::demos

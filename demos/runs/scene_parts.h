@@ -1,0 +1,24 @@
+// Steps of building a scene (scene.h), by what they add. Internal to this folder.
+#pragma once
+
+#include "demos/runs/scene.h"
+
+#include <optional>
+#include <string>
+
+namespace pushfactor::demos {
+
+// Index of a body of the scene. Throws engine::InvalidInput for an unknown name.
+int index_of(const std::string& name, const SceneDescription& description);
+
+// Each adds nothing if the description has none. `world` is the index of the static body that represents the world,
+// which is added when it is needed first.
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                   std::optional<int>& world);
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
+                std::optional<int>& world);
+
+// Contacts with their friction, restitution, and pairs that they leave out.
+void add_contacts(BuiltScene& scene, const SceneDescription& description, const Settings& settings);
+
+}  // namespace pushfactor::demos
