@@ -80,7 +80,7 @@ const forceFrames = (bytes, frames, units) => {
         const keys = (items) => {
             const index = new Map(), seen = new Map();
             for (let i = 0; i < items.length / 3; ++i) {
-                const key = items[3 * i] + 4 * (items[3 * i + 1] + units.length * items[3 * i + 2]);
+                const key = items[3 * i] + 8 * (items[3 * i + 1] + units.length * items[3 * i + 2]);
                 const number = seen.get(key) || 0;
                 seen.set(key, number + 1);
                 index.set(1024 * key + number, i);

@@ -182,8 +182,7 @@ const drawMarks = (marks, run) => {
     }
     if (state.show.has("velocities")) {
         tracks[run].stage.recorded.forEach((body, i) => {
-            if (tracks[run].stage.bodies[body].mass === undefined) return;
-            arrow(placeOf({run, body}), velocityOf(run, i).linear, "velocities", 0);
+            arrow(placeOf({run, body}), velocityOf(run, i).linear, "velocities", tracks[run].stage.bodies[body].mass === undefined ? 1 : 0);
         });
     }
 };
@@ -307,6 +306,7 @@ const showLegend = () => {
         const example = rounded(1.3 * 0.11 * distance * unitsAMetre(kind));
         about.legend[kind].forEach(({name, colour, unit: unitText}, i) => {
             if (kind === "forces" && !tracks.some((track) => hasForce(track, i))) return;
+            if (kind === "velocities" && i === 1 && !tracks.some(({stage}) => stage.recorded.some((body) => stage.bodies[body].mass === undefined))) return;
             const line = document.createElement("div"), mark = document.createElement("i"), text = document.createElement("span");
             text.textContent = unitText ? `${name}, ${shortNumber(example)} ${unitText}` : name;
             mark.style.background = css(colour);
@@ -317,7 +317,7 @@ const showLegend = () => {
     }
     $("legend").replaceChildren(...lines);
 };
-const hasForce = (track, entry) => entry === 0 || track.stage.links.length > 0;
+const hasForce = (track, entry) => entry === 0 || (entry === 3 ? track.stage.has_outside_forces : track.stage.links.length > 0);
 
 const fact = (name, value) => {
     const line = document.createElement("div"), term = document.createElement("dt"), text = document.createElement("dd");
@@ -370,8 +370,8 @@ const factsOf = (run, body) => {
             if (!isOn && !(acting[at + 2] === body && acting[at] < 2)) continue;
             const force = times(isOn ? 1 : -1, [acting[at + 6], acting[at + 7], acting[at + 8]]);
             if (norm(force) === 0) continue;
-            const other = acting[at + (isOn ? 2 : 1)], kind = acting[at] < 2 ? "" : acting[at] === 2 ? "bar to " : "joint to ";
-            const name = kind + bodies[other].name;
+            const other = bodies[acting[at + (isOn ? 2 : 1)]].name;
+            const name = acting[at] < 2 ? other : acting[at] === 2 ? `bar to ${other}` : acting[at] === 3 ? `joint to ${other}` : "the scene";
             const found = by.get(name) || {by: name, force: [0, 0, 0], points: 0};
             found.force = add(found.force, force);
             ++found.points;
@@ -803,7 +803,7 @@ const api = {
         const list = tracks[run].acting(state.frame), items = [];
         for (let at = 0; at < list.length; at += actingSize) {
             const three = (k) => [...list.subarray(at + k, at + k + 3)];
-            items.push({kind: ["touching", "within margin", "distance", "joint"][list[at]], body: list[at + 1], other: list[at + 2],
+            items.push({kind: ["touching", "within margin", "distance", "joint", "outside"][list[at]], body: list[at + 1], other: list[at + 2],
                 place: three(3), force: three(6), push: three(9), lastingPush: three(12)});
         }
         return items;

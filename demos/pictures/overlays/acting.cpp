@@ -108,6 +108,22 @@ void add_joints(const BuiltScene& scene, std::vector<Acting>& found) {
 
 }  // namespace
 
+std::vector<Acting> applied_in(const BuiltScene& scene) {
+    std::vector<Acting> found;
+    for (const engine::PokeForce* const source : scene.pokes) {
+        const int index = source->poke().body;
+        const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(index)];
+        const Vector3 force = source->force(body.orientation);
+        if (!source->acts_at(scene.world.time()) || force.isZero(0.0)) continue;
+        found.push_back({.kind = Acting::Kind::outside,
+                         .body = index,
+                         .other = index,
+                         .place = body.position + body.orientation * source->poke().point,
+                         .force = force});
+    }
+    return found;
+}
+
 std::vector<Acting> acting_in(const BuiltScene& scene) {
     std::vector<Acting> found;
     if (scene.world.rows().empty()) return found;

@@ -36,8 +36,8 @@ class ForceBlock {
     //
     //   who     0 if the list has the same kinds and bodies as the one before, else its length + 1, and per item
     //   the
-    //           kind (0 touching, 1 within the margin, 2 distance, 3 joint), the body less that of the item before,
-    //           and the other body less the body
+    //           kind (0 touching, 1 within the margin, 2 distance, 3 joint, 4 from outside), the body less that of
+    //           the item before, and the other body less the body
     //   where   per item x, y, z in position units of the body
     //   force   per item the exponent and three numbers of a Scaled
     //   push    per item the same twice: for this step only, and lasting

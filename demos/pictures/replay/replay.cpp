@@ -3,6 +3,7 @@
 #include "demos/pictures/caption.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/overview.h"
+#include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/integers.h"
 #include "demos/pictures/replay/poses.h"
 #include "demos/pictures/replay/stage.h"
@@ -177,7 +178,7 @@ void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
     record_velocities(track);
     double& speed = largest[OverlayKind::velocities];
     for (const engine::Body& body : track.simulation->scene().world.bodies) {
-        if (!body.is_static()) speed = std::max(speed, velocity(body).norm());
+        speed = std::max(speed, velocity(body).norm());
     }
     record_forces(track, largest);
 }
@@ -207,7 +208,9 @@ void Replay::record_velocities(Track& track) const {
 }
 
 void Replay::record_forces(Track& track, std::map<OverlayKind, double>& largest) const {
-    const std::vector<Acting> acting = acting_in(track.simulation->scene());
+    std::vector<Acting> acting = acting_in(track.simulation->scene());
+    const std::vector<Acting> applied = applied_in(track.simulation->scene());
+    acting.insert(acting.end(), applied.begin(), applied.end());
     double force = 0.0, push = 0.0;
     for (const Acting& at : acting) {
         force = std::max(force, at.force.norm());

@@ -158,6 +158,7 @@ Json stage_of(const ComparedRun& panel, const Simulation& simulation) {
     stage["bodies"] = bodies_of(scene, picture);
     stage["recorded"] = recorded_bodies(scene);
     stage["links"] = links_json(scene);
+    stage["has_outside_forces"] = !scene.pokes.empty();
     if (picture.ground) stage["ground"] = picture.ground->height;
     stage["towards_sun"] = three(picture.towards_sun);
     return stage;

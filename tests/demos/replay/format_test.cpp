@@ -147,7 +147,7 @@ TEST_CASE("forces that appear and vanish are read back to 1/1024, in their order
             const int count = frame % 8 == 0 ? 0 : static_cast<int>(random.in(0, 12));
             for (int i = 0; i < count; ++i) {
                 const double size = std::pow(10.0, random.in(-3, 6));
-                list.push_back({.kind = static_cast<Acting::Kind>(random.in(0, 3.999)),
+                list.push_back({.kind = static_cast<Acting::Kind>(random.in(0, 4.999)),
                                 .body = static_cast<int>(random.in(0, 2.999)),
                                 .other = static_cast<int>(random.in(0, 2.999)),
                                 .place = random.vector(-5, 5),
