@@ -86,6 +86,8 @@ void add_outputs(CLI::App& app, Request& request) {
            "poses: the replay without velocities and forces, for a smaller file [all]")
         ->type_name("all|poses")
         ->group(output_group);
+    add("--glb", request.glb,
+        "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps");
     add("--save-state", request.files.save_state, "the final state, as a scene file that resumes the run");
     app.add_flag("--timing", request.timing,
                  "CPU time of the steps in the CSV and the summary; the run uses one thread")
@@ -142,7 +144,8 @@ void add_run(CLI::App& app, Words& words) {
     add_scene(app, words);
     add_outputs(app, words.request);
     for (const FrameOption& option : frame_options()) {
-        if (option.name != "fps") continue;  // of the trajectory; a run has no other use for frame options
+        // Of the trajectory, of --glb and of --replay; a run has no other use for frame options.
+        if (option.name != "fps" && option.name != "camera" && option.name != "overlay") continue;
         add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
     }
 }

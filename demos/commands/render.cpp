@@ -2,6 +2,7 @@
 #include "demos/options/comparison.h"
 #include "demos/pictures/film.h"
 #include "demos/pictures/frame_writer.h"
+#include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
@@ -58,6 +59,7 @@ Job understand_job(const std::string& scene, const Request& request) {
                                          panel.label, job.frames.front().size(), job.frames.back().size()));
         }
     }
+    if (request.glb) pictures::check_glb(*request.glb, job.panels.front().choices);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.scene() : base;
     return job;
@@ -162,9 +164,19 @@ void render_job(Job& job, const Request& request, std::optional<pictures::Studio
     if (studio) takers.film.emplace(*studio, job.panels, simulations, job.frames);
     if (request.replay) {
         takers.replay.emplace(
-            pictures::ReplayChoices{
-                .file = *request.replay, .poses_only = request.replay_poses_only, .command = request.command_line},
+            pictures::ReplayChoices{.file = *request.replay,
+                                    .steps_a_frame = job.frames.front().size() > 1 ? job.frames.front()[1].step : 1,
+                                    .poses_only = request.replay_poses_only,
+                                    .command = request.command_line},
             job.panels, simulations);
+    }
+    if (request.glb) {
+        const pictures::Survey survey = takers.film ? takers.film->survey()
+                                        : pictures::needs_survey(job.panels.front().choices.frames)
+                                            ? pictures::survey(job.panels, job.frames)
+                                            : pictures::Survey{};
+        runs.front().add(
+            pictures::glb_record(*request.glb, job.panels.front().choices, survey, runs.front().simulation()));
     }
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
@@ -207,7 +219,7 @@ void refuse_shared_files(const Request& request) {
          {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
           std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
           std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video},
-          std::pair{"--replay", request.replay}}) {
+          std::pair{"--replay", request.replay}, std::pair{"--glb", request.glb}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
         const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video") ||
                                  option == std::string_view("--replay");

@@ -21,6 +21,7 @@ struct Request {
     std::optional<std::string> summary;  // path; "-" is standard output
     std::optional<std::string> out;      // folder for frames, figures or reports
     std::optional<std::string> video;    // path
+    std::optional<std::string> glb;      // path
     bool png = true;                     // write frames as PNG files
     std::optional<std::string> replay;   // path
     bool replay_poses_only = false;

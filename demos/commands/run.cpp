@@ -1,4 +1,6 @@
 #include "demos/commands/commands.h"
+#include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/overview.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
@@ -15,7 +17,7 @@ namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
     const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.save_state, request.replay};
+    return {files.csv, files.trajectory, files.rows, files.save_state, request.glb, request.replay};
 }
 
 // Folder of the first output file; the working folder without one.
@@ -28,7 +30,7 @@ std::filesystem::path folder_of_outputs(const Request& request) {
     return {};
 }
 
-// Takes all steps. If something stops them earlier, the CSV files and the replay keep the run so far.
+// Takes all steps. If something stops them earlier, the files keep the steps so far.
 void go_through(ObservedRun& observed, const std::string& name, long steps, pictures::Replay* replay, long every) {
     try {
         ProgressBar bar(name, steps);
@@ -59,13 +61,23 @@ long steps_a_frame(const Choices& choices) {
 }  // namespace
 
 void run(const Request& request) {
-    const std::vector<ComparedRun> runs{
-        {.label = "", .choices = understand(request.scenes.front(), request.given)}};
+    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
     const Choices& choices = runs.front().choices;
     const long steps = whole_steps(choices.settings);
     if (request.replay) pictures::check_replay_name(*request.replay);
-    const long every = steps_a_frame(choices);
+    const long every = request.replay ? steps_a_frame(choices) : 1;
+    std::vector<std::vector<Frame>> frames;
+    if (request.glb) {
+        pictures::check_glb(*request.glb, choices);
+        frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
+        pictures::add_overview(runs, frames);
+    }
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
+    if (request.glb) {
+        const bool needed = pictures::needs_survey(choices.frames);
+        const pictures::Survey survey = needed ? pictures::survey(runs, frames) : pictures::Survey{};
+        observed.add(pictures::glb_record(*request.glb, choices, survey, observed.simulation()));
+    }
     std::optional<pictures::Replay> replay;
     if (request.replay) {
         replay.emplace(pictures::ReplayChoices{.file = *request.replay,

@@ -61,8 +61,7 @@ void add_bar(const Vector3& from, const Vector3& to, double radius, renderer::Pi
 void add_spring(const Vector3& from, const Vector3& to, double length, double radius, renderer::Picture& picture) {
     constexpr int bends = 10;
     const Vector3 along = to - from;
-    if (!(along.norm() > 0.0)) return;
-    const Vector3 aside = 0.06 * length * along.unitOrthogonal();
+    const Vector3 aside = 0.06 * length * (along.norm() > 0.0 ? along.unitOrthogonal() : Vector3(Vector3::UnitX()));
     Vector3 last = from;
     for (int bend = 1; bend <= bends; ++bend) {
         const double share = (bend - 0.5) / bends;

@@ -14,8 +14,7 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-constexpr double typical_arrow = 0.11;  // its length as a share of the distance from eye to target
-constexpr double widest = 16.0 / 9.0;   // aspect ratio for which the scenes' views are made
+constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' views are made
 
 double distance_of(const View& view) {
     return (view.target - view.eye).norm();
@@ -37,7 +36,7 @@ Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<c
       runs_(std::move(runs)),
       caption_(caption_of(panels.front().choices)) {
     for (const Simulation* run : runs_) require_shown(run->scene(), choices_.overlay);
-    if (choices_.camera.fit || !choices_.overlay.empty()) survey_ = survey(panels, frames);
+    if (needs_survey(choices_)) survey_ = pictures::survey(panels, frames);
 
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -52,12 +51,7 @@ Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<c
     for (const Simulation* run : runs_) {
         views_.push_back(place_camera(run->scene(), panels.size() > 1 ? across : 0.0));
     }
-    for (const OverlayItem& item : choices_.overlay) {
-        const auto typical = survey_.typical.find(item.kind);
-        const double usual = typical == survey_.typical.end() ? 1.0 : typical->second;
-        const double chosen = usual / (typical_arrow * distance_of(views_.front()));
-        scales_.push_back({item.kind, item.units_a_metre.value_or(chosen)});
-    }
+    scales_ = scales_of(choices_.overlay, survey_, views_.front());
 }
 
 View Film::place_camera(const BuiltScene& scene, double across) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/pictures/layout.h"
-#include "demos/pictures/survey.h"
+#include "demos/pictures/overlays/scale.h"
 #include "demos/runs/simulation.h"
 
 #include <vector>
@@ -26,16 +26,14 @@ class Film {
     // The current state of the runs. Drawing uses only this snapshot, so that the runs may go on meanwhile.
     Snapshot look(const std::string& name) const;
 
+    // Made if the frame options need it.
+    const Survey& survey() const { return survey_; }
+
     // Draws a snapshot and its captions into `sheet`, whose memory is reused. Throws renderer::RendererError for
     // what cannot be drawn.
     void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:
-    struct Scale {
-        OverlayKind kind = OverlayKind::contacts;
-        double units_a_metre = 1.0;
-    };
-
     View place_camera(const BuiltScene& scene, double across) const;
     renderer::Picture look(std::size_t panel) const;
     std::vector<LegendLine> legend(const View& view) const;

@@ -20,6 +20,11 @@ struct Survey {
     std::set<std::pair<OverlayKind, std::size_t>> shown;  // legend entries that occur
 };
 
+// Whether camera or overlay depend on the whole run.
+inline bool needs_survey(const FrameChoices& choices) {
+    return choices.camera.fit || !choices.overlay.empty();
+}
+
 // Adds the corners of the box around all places of each body, as balls of the body's size.
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
 

@@ -1,4 +1,4 @@
-// Converts Eigen to GLM types, here alone: double to float, the same frames and units.
+// Converts Eigen to GLM types and back, here alone: double to float, the same frames and units.
 #pragma once
 
 #include "demos/text/palette.h"
@@ -20,6 +20,10 @@ inline glm::quat to_glm(const engine::Quaternion& q) {
 
 inline glm::vec3 to_glm(const Colour& colour) {
     return {colour.red, colour.green, colour.blue};
+}
+
+inline engine::Vector3 to_eigen(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
 }
 
 }  // namespace pushfactor::demos::pictures

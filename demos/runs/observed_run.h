@@ -22,6 +22,9 @@ class ObservedRun {
 
     const Simulation& simulation() const { return simulation_; }
 
+    // Adds a file that is written step by step, like the CSV files. Only before the first step.
+    void add(std::unique_ptr<Record> record) { records_.push_back(std::move(record)); }
+
     // Takes one step. If it becomes non-finite, the state before it is written as a scene file that fails in its
     // first step, and the message of NonFiniteError names the file.
     void advance();
@@ -29,7 +32,7 @@ class ObservedRun {
     // Completes the files and returns the summary.
     std::string finish();
 
-    // Completes the CSV files of a run that stopped early, with the lines so far. Returns a note per file, or the
+    // Completes the files of a run that stopped early, with the steps so far. Returns a note per file, or the
     // reason why it could not be written. Throws nothing.
     std::string keep_records();
 

@@ -1,4 +1,4 @@
-// The CSV files of a run, one class per file. Units are in the column names.
+// Files that grow with a run, and those that are CSV: one class per file, units in the column names.
 #pragma once
 
 #include "demos/platform/output_file.h"
@@ -12,7 +12,7 @@ class Record {
   public:
     virtual ~Record() = default;
     virtual void observe(const Simulation& simulation) = 0;  // after each step
-    virtual void finish() = 0;                               // completes the file with the lines so far
+    virtual void finish() = 0;                               // completes the file with the steps so far
     virtual std::string file_name() const = 0;
 };
 

@@ -167,7 +167,7 @@ void gather(const std::string& file, std::set<std::string>& found) {
 TEST_CASE("the pendulum wave includes no collision header, not even through another one") {
     std::set<std::string> wave, stack;
     gather("demos/scenes/named/pendulum_wave.cpp", wave);
-    gather("demos/runs/build_scene.cpp", stack);
+    gather("demos/runs/build/build_scene.cpp", stack);
     const auto of_contacts = [](const std::string& name) {
         return name.find("collision") != std::string::npos || name.find("contact") != std::string::npos;
     };

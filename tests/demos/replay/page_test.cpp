@@ -250,6 +250,26 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
     check_quiet(*browser);
 }
 
+TEST_CASE("a frame of a replay is as long as that of the run, whatever the steps and the speed of the film") {
+    const auto browser = open_browser();
+    if (!browser) return;
+    const Folder folder;
+    const auto seconds_a_frame = [&](const std::string& arguments) {
+        const Ended ended = shell(folder, "pushfactor " + arguments + " --replay run.html");
+        INFO(ended.err);
+        REQUIRE(ended.status == 0);
+        browser->open(address_of(folder, "run.html"), 400, 300);
+        browser->value_of("pushfactor.ready");
+        return browser->value_of("pushfactor.secondsAFrame").get<double>();
+    };
+    CHECK(seconds_a_frame("run stack --seconds 0.2 --dt 1/240") == Approx(1.0 / 60.0));
+    CHECK(seconds_a_frame("run stack --seconds 0.2 --dt 1/50") == Approx(1.0 / 50.0));
+    CHECK(seconds_a_frame("run stack --seconds 0.2 --fps 20") == Approx(1.0 / 20.0));
+    CHECK(seconds_a_frame("render stack --seconds 0.2 --dt 1/240 --play-speed 1/4 --frames off") ==
+          Approx(1.0 / 240.0));
+    CHECK(seconds_a_frame("render stack --seconds 0.2 --dt 1/240 --fps 30 --frames off") == Approx(1.0 / 30.0));
+}
+
 TEST_CASE("without WebGL 2 a replay says so and still has numbers and plots") {
     if (!find_browser()) {
         WARN("skipped: no Chromium is installed");

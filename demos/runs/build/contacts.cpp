@@ -1,4 +1,4 @@
-#include "demos/runs/scene_parts.h"
+#include "demos/runs/build/scene_parts.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"

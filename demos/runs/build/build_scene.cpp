@@ -1,6 +1,6 @@
 #include "demos/options/choices.h"
 #include "demos/options/simulation_options.h"
-#include "demos/runs/scene_parts.h"
+#include "demos/runs/build/scene_parts.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"

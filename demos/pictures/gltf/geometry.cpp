@@ -1,0 +1,157 @@
+#include "demos/pictures/gltf/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::pictures::gltf {
+
+namespace {
+
+using Triangles = std::vector<std::uint16_t>;
+
+// The mesh as the shaders place it (renderer/meshes/meshes.h).
+Geometry placed(const renderer::Mesh& mesh, const glm::vec3& half, float bevel) {
+    Geometry geometry;
+    for (const renderer::Vertex& vertex : mesh.vertices) {
+        geometry.positions.push_back(vertex.corner * (half - bevel) + vertex.normal * bevel);
+        geometry.normals.push_back(vertex.normal);
+    }
+    geometry.parts.push_back(mesh.indices);
+    return geometry;
+}
+
+// A surface of revolution about the y axis: rings of corners that share neither place nor normal with each other
+// where the profile has an edge.
+class Lathe {
+  public:
+    // A ring of corners at height y whose normals have these parts outwards and upwards.
+    void ring(float radius, float y, float outwards, float upwards) {
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2.0 * std::numbers::pi * side / sides;
+            const auto x = static_cast<float>(std::sin(angle)), z = static_cast<float>(std::cos(angle));
+            made_.positions.push_back({radius * x, y, radius * z});
+            made_.normals.push_back({outwards * x, upwards, outwards * z});
+        }
+    }
+
+    // Joins the last two rings, the lower of which came first.
+    void wall() {
+        const int upper = static_cast<int>(made_.positions.size()) - sides;
+        for (int side = 0; side < sides; ++side) {
+            const int next = (side + 1) % sides;
+            triangle(upper - sides + side, upper - sides + next, upper + next);
+            triangle(upper - sides + side, upper + next, upper + side);
+        }
+    }
+
+    // Fills the last ring, seen from above or from below.
+    void lid(bool from_above) {
+        const int first = static_cast<int>(made_.positions.size()) - sides;
+        for (int side = 1; side + 1 < sides; ++side) {
+            triangle(first, first + (from_above ? side : side + 1), first + (from_above ? side + 1 : side));
+        }
+    }
+
+    Geometry take() {
+        made_.parts = {triangles_};
+        return std::move(made_);
+    }
+
+  private:
+    static constexpr int sides = 16;
+
+    void triangle(int a, int b, int c) {
+        for (const int corner : {a, b, c}) triangles_.push_back(static_cast<std::uint16_t>(corner));
+    }
+
+    Geometry made_;
+    Triangles triangles_;
+};
+
+}  // namespace
+
+Geometry box(const glm::vec3& half_extents) {
+    constexpr float bevel = 0.08f;  // of the smallest half extent, as in renderer/picture/instances.cpp
+    return placed(renderer::box_mesh(), half_extents,
+                  bevel * std::min({half_extents.x, half_extents.y, half_extents.z}));
+}
+
+Geometry ball() {
+    const renderer::Mesh dome = renderer::dome_mesh(32, 8);  // a multiple of four sides: octants end on edges
+    Geometry geometry = placed(dome, glm::vec3(1.0f), 1.0f);
+    const std::size_t half = geometry.positions.size();
+    for (std::size_t i = 0; i < half; ++i) {
+        const glm::vec3 mirrored = geometry.positions[i] * glm::vec3(1.0f, 1.0f, -1.0f);
+        geometry.positions.push_back(mirrored);
+        geometry.normals.push_back(mirrored);
+    }
+    geometry.parts.assign(2, {});
+    for (std::size_t t = 0; t < dome.indices.size(); t += 3) {
+        float x = 0.0f, y = 0.0f;  // of the middle, times 3
+        for (std::size_t i = t; i < t + 3; ++i) {
+            x += geometry.positions[dome.indices[i]].x;
+            y += geometry.positions[dome.indices[i]].y;
+        }
+        const std::size_t upper = x * y > 0.0f ? 0 : 1;
+        for (std::size_t i = 0; i < 3; ++i) {
+            geometry.parts[upper].push_back(dome.indices[t + i]);
+            geometry.parts[1 - upper].push_back(static_cast<std::uint16_t>(half + dome.indices[t + 2 - i]));
+        }
+    }
+    return geometry;
+}
+
+Geometry polyhedron(const renderer::ConvexShape& shape) {
+    return placed(renderer::convex_mesh(shape), renderer::half_extents(shape), renderer::roundness(shape));
+}
+
+Geometry rod() {
+    Lathe lathe;
+    lathe.ring(1.0f, -1.0f, 0.0f, -1.0f);
+    lathe.lid(false);
+    lathe.ring(1.0f, -1.0f, 1.0f, 0.0f);
+    lathe.ring(1.0f, 1.0f, 1.0f, 0.0f);
+    lathe.wall();
+    lathe.ring(1.0f, 1.0f, 0.0f, 1.0f);
+    lathe.lid(true);
+    return lathe.take();
+}
+
+Geometry arrow() {
+    constexpr float shaft = 0.025f, head = 0.075f, neck = 0.75f;
+    const float slant = std::hypot(1.0f - neck, head);
+    Lathe lathe;
+    lathe.ring(shaft, 0.0f, 0.0f, -1.0f);
+    lathe.lid(false);
+    lathe.ring(shaft, 0.0f, 1.0f, 0.0f);
+    lathe.ring(shaft, neck, 1.0f, 0.0f);
+    lathe.wall();
+    lathe.ring(head, neck, 0.0f, -1.0f);
+    lathe.lid(false);
+    lathe.ring(head, neck, (1.0f - neck) / slant, head / slant);
+    lathe.ring(0.0f, 1.0f, (1.0f - neck) / slant, head / slant);
+    lathe.wall();
+    return lathe.take();
+}
+
+Geometry polygon(const std::vector<engine::Vector3>& corners) {
+    engine::Vector3 normal = engine::Vector3::Zero();
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        normal += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
+    }
+    Geometry geometry;
+    Triangles fan;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        geometry.positions.push_back(to_glm(corners[i]));
+        geometry.normals.push_back(to_glm(normal.normalized()));
+        if (i < 2) continue;
+        for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+            fan.push_back(static_cast<std::uint16_t>(corner));
+        }
+    }
+    geometry.parts.push_back(fan);
+    return geometry;
+}
+
+}  // namespace pushfactor::demos::pictures::gltf
