@@ -3,6 +3,7 @@
 
 #include "demos/text/json.h"
 #include "renderer/images/image.h"
+#include "tests/catch.h"
 #include "tests/demos/program.h"
 
 #include <sys/types.h>
