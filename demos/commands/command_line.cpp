@@ -73,6 +73,19 @@ void add_outputs(CLI::App& app, Request& request) {
     add("--trajectory", request.files.trajectory, "one line per body and step (per body and frame with --fps)");
     add("--rows", request.files.rows, "one line per constraint row and step, with its force");
     add("--summary", request.summary, "the summary as JSON [run: standard output]");
+    add("--replay", request.replay,
+        "a page (.html) that plays the run in a browser; at most 60 frames per second, or --fps");
+    app.add_option_function<std::string>(
+           "--replay-data",
+           [&request](const std::string& text) {
+               if (text != "all" && text != "poses") {
+                   throw UsageError(fmt::format("--replay-data {}: must be all or poses", text));
+               }
+               request.replay_poses_only = text == "poses";
+           },
+           "poses: the replay without velocities and forces, for a smaller file [all]")
+        ->type_name("all|poses")
+        ->group(output_group);
     add("--glb", request.glb,
         "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps");
     add("--save-state", request.files.save_state, "the final state, as a scene file that resumes the run");
@@ -98,7 +111,7 @@ void add_frames(CLI::App& app, Request& request) {
         ->group("Frames");
     app.add_option_function<std::string>(
            "--frames", [&request](const std::string& text) { request.png = understand_switch("--frames", text); },
-           "off: only the video, no PNG files [on]")
+           "off: no PNG files, only the video or the replay [on]")
         ->type_name("on|off")
         ->group("Frames");
 }
@@ -131,7 +144,7 @@ void add_run(CLI::App& app, Words& words) {
     add_scene(app, words);
     add_outputs(app, words.request);
     for (const FrameOption& option : frame_options()) {
-        // Of the trajectory and of --glb; a run has no other use for frame options.
+        // Of the trajectory, of --glb and of --replay; a run has no other use for frame options.
         if (option.name != "fps" && option.name != "camera" && option.name != "overlay") continue;
         add_given(app, words.request.given, option.name, option.placeholder, option.help, output_group);
     }
@@ -199,6 +212,15 @@ constexpr std::array commands{
     CommandWords{Request::Command::report, "report", "measurements of many runs, as CSV files and a page of plots",
                  add_report},
 };
+
+// A word of the command line as a shell takes it.
+std::string quoted(const std::string& word) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
 
 // CLI11 would list all unexpected arguments; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
@@ -273,6 +295,8 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
 
     Request& request = words.request;
     request.command = command_of(chosen);
+    request.command_line = "pushfactor";
+    for (int i = 1; i < argc; ++i) request.command_line += " " + quoted(argv[i]);
     if (words.config) add_config(*words.config, request.given);
     if (const auto* named = request.given.find("scene"); named && request.scenes.empty()) {
         request.scenes.push_back(named->text);

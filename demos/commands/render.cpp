@@ -4,6 +4,7 @@
 #include "demos/pictures/frame_writer.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
+#include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/producer.h"
 #include "demos/platform/progress.h"
@@ -80,13 +81,18 @@ std::string summary_of(const Job& job, std::vector<ObservedRun>& runs) {
     return summary.dump(2) + "\n";
 }
 
-// Steps the runs of a job to each frame and then to the end, and sends a snapshot per frame. Stops early when the
-// channel is closed or the program is interrupted.
+// What is made of a job's runs; either may be absent.
+struct Takers {
+    std::optional<pictures::Film> film{};
+    std::optional<pictures::Replay> replay{};
+};
+
+// Steps the runs of a job to each frame and then to the end, records the replay and sends a snapshot per frame,
+// which is empty without a film. Stops early when the channel is closed or the program is interrupted.
 class Shooting {
   public:
-    Shooting(const Job& job, std::vector<ObservedRun>& runs, const pictures::Film& film,
-             pictures::StageTimes* times)
-        : job_(job), runs_(runs), film_(film), times_(times) {}
+    Shooting(const Job& job, std::vector<ObservedRun>& runs, Takers& takers, pictures::StageTimes* times)
+        : job_(job), runs_(runs), takers_(takers), times_(times) {}
 
     void operator()(Channel<pictures::Snapshot>& moments) {
         const pictures::ThreadWatch thread(times_);
@@ -97,7 +103,10 @@ class Shooting {
                 if (!advance(i, job_.frames[i][frame].step, moments)) return;
             }
             watch.end("simulate");
-            pictures::Snapshot moment = film_.look(frames[frame].name);
+            if (takers_.replay) takers_.replay->record();
+            watch.end("replay");
+            pictures::Snapshot moment;
+            if (takers_.film) moment = takers_.film->look(frames[frame].name);
             watch.end("look");
             if (!moments.send(std::move(moment))) return;
         }
@@ -117,48 +126,66 @@ class Shooting {
 
     const Job& job_;
     std::vector<ObservedRun>& runs_;
-    const pictures::Film& film_;
+    Takers& takers_;
     pictures::StageTimes* times_;
 };
 
 // Simulates on one thread, draws on this one and encodes on others. An error on any of them ends all.
-void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, const pictures::Film& film,
+void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, Takers& takers,
                  pictures::StageTimes* times) {
     const Rational rate = job.panels.front().choices.frames.film_rate();
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times);
     const std::size_t count = job.frames.front().size();
     ProgressBar bar(job.scene(), static_cast<long>(count));
     constexpr std::size_t ahead = 2;
-    Producer<pictures::Snapshot> moments(ahead, Shooting(job, runs, film, times));
+    Producer<pictures::Snapshot> moments(ahead, Shooting(job, runs, takers, times));
     long drawn = 0;
     while (const auto moment = moments.next()) {
-        renderer::Image image = writer.blank();
-        film.draw(*moment, image);
-        writer.write(moment->name, std::move(image));
+        if (takers.film) {
+            renderer::Image image = writer.blank();
+            takers.film->draw(*moment, image);
+            writer.write(moment->name, std::move(image));
+        }
         bar.show(++drawn);
     }
     writer.flush();
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.written(), count, job.folder.string()));
     writer.finish();
+    if (takers.replay) takers.replay->finish();
 }
 
-void render_job(Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_job(Job& job, const Request& request, std::optional<pictures::Studio>& studio,
+                pictures::StageTimes* times) {
     pictures::add_overview(job.panels, job.frames);
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
-    const pictures::Film film(studio, job.panels, simulations, job.frames);
+    Takers takers;
+    if (studio) takers.film.emplace(*studio, job.panels, simulations, job.frames);
+    if (request.replay) {
+        takers.replay.emplace(
+            pictures::ReplayChoices{.file = *request.replay,
+                                    .steps_a_frame = job.frames.front().size() > 1 ? job.frames.front()[1].step : 1,
+                                    .poses_only = request.replay_poses_only,
+                                    .command = request.command_line},
+            job.panels, simulations);
+    }
     if (request.glb) {
-        runs.front().add(pictures::glb_record(*request.glb, job.panels.front().choices, film.survey(),
-                                              runs.front().simulation()));
+        const pictures::Survey survey = takers.film ? takers.film->survey()
+                                        : pictures::needs_survey(job.panels.front().choices.frames)
+                                            ? pictures::survey(job.panels, job.frames)
+                                            : pictures::Survey{};
+        runs.front().add(
+            pictures::glb_record(*request.glb, job.panels.front().choices, survey, runs.front().simulation()));
     }
     warn_of_strangers(job.folder, job.frames.front());
     write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
     try {
-        make_frames(job, request, runs, film, times);
+        make_frames(job, request, runs, takers, times);
     } catch (const OutputError&) {
         throw;
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        if (takers.replay) fmt::print(stderr, "{}", takers.replay->keep(error.what()));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.panels[i].label));
         }
@@ -192,18 +219,24 @@ void refuse_shared_files(const Request& request) {
          {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
           std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
           std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video},
-          std::pair{"--glb", request.glb}}) {
+          std::pair{"--replay", request.replay}, std::pair{"--glb", request.glb}}) {
         if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
-        const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video");
+        const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video") ||
+                                 option == std::string_view("--replay");
         if (compares && path && !one_for_all) {
             throw UsageError(fmt::format("{} {}: must be for one run, not with --compare", option, *path));
         }
     }
-    if (request.video && request.given.find("at")) {
-        throw UsageError(fmt::format("--video {}: must be of a sequence, not of stills (--at)", *request.video));
+    for (const auto& [option, path] :
+         {std::pair{"--video", request.video}, std::pair{"--replay", request.replay}}) {
+        if (!path || !request.given.find("at")) continue;
+        throw UsageError(fmt::format("{} {}: must be of a sequence, not of stills (--at)", option, *path));
     }
-    if (!request.png && !request.video) throw UsageError("--frames off: must come with --video");
+    if (!request.png && !request.video && !request.replay) {
+        throw UsageError("--frames off: must come with --video or --replay");
+    }
     if (request.video) pictures::check_video_name(*request.video);
+    if (request.replay) pictures::check_replay_name(*request.replay);
 }
 
 }  // namespace
@@ -225,7 +258,8 @@ void render(const Request& request) {
     std::optional<pictures::StageTimes> times;
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
-    pictures::Studio studio(jobs.front().panels.front().choices.frames.gl, watch);
+    std::optional<pictures::Studio> studio;
+    if (request.png || request.video) studio.emplace(jobs.front().panels.front().choices.frames.gl, watch);
     for (Job& job : jobs) render_job(job, request, studio, watch);
     if (times) print_times(jobs, *times);
 }

@@ -23,6 +23,9 @@ struct Request {
     std::optional<std::string> video;    // path
     std::optional<std::string> glb;      // path
     bool png = true;                     // write frames as PNG files
+    std::optional<std::string> replay;   // path
+    bool replay_poses_only = false;
+    std::string command_line;  // as typed, with quotes where a shell needs them
     bool timing = false;
     bool names_only = false;  // list
 

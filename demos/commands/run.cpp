@@ -1,6 +1,7 @@
 #include "demos/commands/commands.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
+#include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<std::optional<std::string>> data_files(const Request& request) {
     const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.save_state, request.glb};
+    return {files.csv, files.trajectory, files.rows, files.save_state, request.glb, request.replay};
 }
 
 // Folder of the first output file; the working folder without one.
@@ -30,20 +31,31 @@ std::filesystem::path folder_of_outputs(const Request& request) {
 }
 
 // Takes all steps. If something stops them earlier, the files keep the steps so far.
-void go_through(ObservedRun& observed, const std::string& name, long steps) {
+void go_through(ObservedRun& observed, const std::string& name, long steps, pictures::Replay* replay, long every) {
     try {
         ProgressBar bar(name, steps);
+        if (replay) replay->record();
         for (long step = 1; step <= steps; ++step) {
             stop_if_interrupted(fmt::format("{} of {} steps are done", step - 1, steps));
             observed.advance();
+            if (replay && step % every == 0) replay->record();
             bar.show(step);
         }
     } catch (const OutputError&) {
         throw;
-    } catch (const std::exception&) {
-        fmt::print(stderr, "{}{}", observed.keep_records(), observed.warnings());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}{}{}", observed.keep_records(), replay ? replay->keep(error.what()) : "",
+                   observed.warnings());
         throw;
     }
+}
+
+// Of a replay: those of --fps, else as few as make at most 60 frames per second.
+long steps_a_frame(const Choices& choices) {
+    const Rational& dt = choices.settings.dt;
+    if (choices.frames.fps) return demos::steps_a_frame(*choices.frames.fps, dt);
+    const Rational sixtieth = Rational{1, 60} / dt;
+    return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
 }
 
 }  // namespace
@@ -51,10 +63,13 @@ void go_through(ObservedRun& observed, const std::string& name, long steps) {
 void run(const Request& request) {
     std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
     const Choices& choices = runs.front().choices;
+    const long steps = whole_steps(choices.settings);
+    if (request.replay) pictures::check_replay_name(*request.replay);
+    const long every = request.replay ? steps_a_frame(choices) : 1;
     std::vector<std::vector<Frame>> frames;
     if (request.glb) {
         pictures::check_glb(*request.glb, choices);
-        frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
         pictures::add_overview(runs, frames);
     }
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
@@ -63,7 +78,16 @@ void run(const Request& request) {
         const pictures::Survey survey = needed ? pictures::survey(runs, frames) : pictures::Survey{};
         observed.add(pictures::glb_record(*request.glb, choices, survey, observed.simulation()));
     }
-    go_through(observed, choices.description.name, whole_steps(choices.settings));
+    std::optional<pictures::Replay> replay;
+    if (request.replay) {
+        replay.emplace(pictures::ReplayChoices{.file = *request.replay,
+                                               .steps_a_frame = every,
+                                               .poses_only = request.replay_poses_only,
+                                               .command = request.command_line},
+                       runs, std::vector{&observed.simulation()});
+    }
+    go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
+    if (replay) replay->finish();
     const std::string summary = observed.finish();
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();

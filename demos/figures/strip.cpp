@@ -1,12 +1,15 @@
 #include "demos/figures/strip.h"
 
+#include "demos/options/simulation_options.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/overlay.h"
+#include "demos/pictures/replay/replay.h"
 #include "demos/pictures/survey.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -50,6 +53,22 @@ View camera_of(const Strip& strip, double aspect) {
     return pictures::fitted(view, balls, aspect);
 }
 
+// What tells the run of a row from the others: its title, or the first option in which they differ.
+std::string label_of(const Strip& strip, std::size_t row) {
+    if (strip.runs.size() < 2) return "";
+    if (row < strip.titles.size()) {
+        std::string title = strip.titles[row];
+        std::ranges::replace(title, '\n', ' ');
+        return title;
+    }
+    for (const SimulationOption& option : simulation_options()) {
+        const std::string own = option.get(strip.runs[row].settings);
+        const auto is_other = [&](const Choices& run) { return option.get(run.settings) != own; };
+        if (std::ranges::any_of(strip.runs, is_other)) return std::string(option.name) + " " + own;
+    }
+    return "";
+}
+
 // Row titles, each vertically centred on its row.
 void write_titles(const Strip& strip, const Layout& layout, int margin, float size,
                   const pictures::Lettering& lettering, renderer::Image& image) {
@@ -61,6 +80,33 @@ void write_titles(const Strip& strip, const Layout& layout, int margin, float si
             lettering.text(image, line, {0.5f * static_cast<float>(margin), y}, size, true);
         }
     }
+}
+
+// The runs side by side, all up to the last time of the strip.
+void write_replay(const Strip& strip, const std::string& command, const std::filesystem::path& file) {
+    std::vector<ComparedRun> panels;
+    std::vector<Simulation> runs;
+    runs.reserve(strip.runs.size());
+    std::vector<const Simulation*> shown;
+    for (std::size_t r = 0; r < strip.runs.size(); ++r) {
+        panels.push_back({.label = label_of(strip, r), .choices = strip.runs[r]});
+        FrameChoices& frames = panels.back().choices.frames;
+        frames.camera = {.view = strip.view, .fit = strip.fit};
+        if (strip.overlay) frames.overlay = {*strip.overlay};
+        shown.push_back(&runs.emplace_back(panels.back().choices));
+    }
+    Rational end;
+    for (const Cell& cell : strip.cells) {
+        if (cell.time.value() > end.value()) end = cell.time;
+    }
+    pictures::Replay replay({.file = file, .command = command}, panels, shown);
+    replay.record();
+    for (long step = 1; step <= step_of(end, panels.front().choices.settings); ++step) {
+        stop_if_interrupted("the figure is not written");
+        for (Simulation& run : runs) run.advance();
+        replay.record();
+    }
+    replay.finish();
 }
 
 }  // namespace
@@ -99,7 +145,10 @@ renderer::Image draw_strip(FigureOutput& output, const Strip& strip) {
 
 Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip) {
     Plate plate;
-    plate.pictures.push_back(output.save(draw_strip(output, strip), std::string(figure.name)));
+    const std::string name(figure.name);
+    plate.pictures.push_back(output.save(draw_strip(output, strip), name));
+    write_replay(strip, "pushfactor figures " + name, output.file(name + ".html"));
+    plate.replays.push_back(name + ".html");
     return plate;
 }
 

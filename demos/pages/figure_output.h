@@ -18,6 +18,7 @@ class FigureOutput {
     int width() const { return width_; }      // pixels, of every figure
     int samples() const { return samples_; }  // renderings averaged per picture
     pictures::Studio& studio() { return studio_; }
+    std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
     // Writes the picture as NAME.png and returns that name. Throws OutputError.
     std::string save(const renderer::Image& image, const std::string& name) const;

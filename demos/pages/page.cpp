@@ -96,13 +96,26 @@ std::string files_of(const Section& section) {
     return text + "</p>\n";
 }
 
+std::string replays_of(const Section& section) {
+    const std::vector<std::string>& replays = section.plate.replays;
+    if (replays.empty()) return "";
+    const auto link = [](const std::string& replay, const std::string& text) {
+        return fmt::format(" <a href=\"{}\">{}</a>", html::link_to(replay), html::escaped(text));
+    };
+    if (replays.size() == 1) return "<p class=\"files\">" + link(replays.front(), "Replay") + "</p>\n";
+    std::string text = fmt::format("<details>\n<summary>{} replays</summary>\n<p class=\"files\">", replays.size());
+    for (const std::string& replay : replays) text += link(replay, std::filesystem::path(replay).stem());
+    return text + "</p>\n</details>\n";
+}
+
 std::string section_text(const Section& section, const std::string& anchor, bool has_contents) {
     const std::string marks = marks_of(section);
     return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n",
                        anchor, shown(section.heading)) +
            (marks.empty() ? "" : fmt::format("<p class=\"verdicts\">{}</p>\n", marks)) + figure_of(section) +
-           table_html(section.plate.table, section.heading) + commands_of(section) + files_of(section) +
-           (has_contents ? "<p class=\"up\"><a href=\"#contents\">↑ Contents</a></p>\n" : "") + "</section>\n";
+           replays_of(section) + table_html(section.plate.table, section.heading) + commands_of(section) +
+           files_of(section) + (has_contents ? "<p class=\"up\"><a href=\"#contents\">↑ Contents</a></p>\n" : "") +
+           "</section>\n";
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace pushfactor::demos {
 
 // Content under one heading. Files are in the folder of the page.
 struct Plate {
-    std::vector<std::string> pictures;  // PNG
-    std::vector<std::string> files;     // other formats: SVG, CSV
-    std::string caption;                // settings and measured numbers
-    std::vector<std::string> commands;  // that reproduce it with the program
+    std::vector<std::string> pictures;   // PNG
+    std::vector<std::string> files;      // other formats: SVG, CSV
+    std::vector<std::string> replays{};  // HTML, opened by their names
+    std::string caption;                 // settings and measured numbers
+    std::vector<std::string> commands;   // that reproduce it with the program
     TextTable table{};
 };
 

@@ -57,25 +57,6 @@ void add_bar(const Vector3& from, const Vector3& to, double radius, renderer::Pi
     picture.bars.push_back(bar);
 }
 
-// A hinge is a pin that sticks out of the smaller of its bodies, a ball joint a ball.
-void add_joints(const BuiltScene& scene, renderer::Picture& picture) {
-    if (!scene.joints) return;
-    for (const engine::Joint& joint : scene.joints->joints()) {
-        double size = std::numeric_limits<double>::infinity();
-        for (const int end : {joint.body_a, joint.body_b}) {
-            const auto i = static_cast<std::size_t>(end);
-            if (i < scene.bodies.size() && scene.bodies[i].mass) {
-                size = std::min(size, bounding_radius(scene.bodies[i]));
-            }
-        }
-        const engine::Span span = span_of(joint, scene.world.bodies);
-        const engine::Quaternion& frame = scene.world.bodies[static_cast<std::size_t>(joint.body_a)].orientation;
-        const Vector3 half = joint.hinge ? Vector3(0.5 * size * (frame * joint.hinge->axis)) : Vector3::Zero();
-        const double radius = std::max(least_radius(scene), std::min(0.1 * size, 0.04));
-        add_bar(span.from - half, span.to + half, radius, picture);
-    }
-}
-
 // A zigzag that closes as the spring is compressed.
 void add_spring(const Vector3& from, const Vector3& to, double length, double radius, renderer::Picture& picture) {
     constexpr int bends = 10;
@@ -91,17 +72,17 @@ void add_spring(const Vector3& from, const Vector3& to, double length, double ra
     add_bar(last, to, radius, picture);
 }
 
-void add_bars(const BuiltScene& scene, renderer::Picture& picture) {
-    if (!scene.distances) return;
-    const double least = least_radius(scene);
-    for (const engine::Distance& distance : scene.distances->distances()) {
-        const auto [from, to] = span_of(distance, scene.world.bodies);
-        const double radius = std::max(least, bar_radius(distance, scene));
-        if (distance.spring) {
-            add_spring(from, to, distance.length, radius, picture);
-        } else {
-            add_bar(from, to, radius, picture);
-        }
+void add_link(const BuiltScene& scene, const Link& link, renderer::Picture& picture) {
+    const auto& bodies = scene.world.bodies;
+    const engine::Body& a = bodies[static_cast<std::size_t>(link.body_a)];
+    const engine::Body& b = bodies[static_cast<std::size_t>(link.body_b)];
+    const Vector3 from = a.position + a.orientation * link.point_a;
+    const Vector3 to = b.position + b.orientation * link.point_b;
+    if (link.spring_length) {
+        add_spring(from, to, *link.spring_length, link.radius, picture);
+    } else {
+        const Vector3 half = a.orientation * link.half_pin;
+        add_bar(from - half, to + half, link.radius, picture);
     }
 }
 
@@ -154,9 +135,41 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
                 }},
             described.shape);
     }
-    add_bars(scene, picture);
-    add_joints(scene, picture);
+    for (const Link& link : links_of(scene)) add_link(scene, link, picture);
     return picture;
+}
+
+std::vector<Link> links_of(const BuiltScene& scene) {
+    std::vector<Link> links;
+    const double least = least_radius(scene);
+    if (scene.distances) {
+        for (const engine::Distance& distance : scene.distances->distances()) {
+            Link link{.body_a = distance.body_a,
+                      .body_b = distance.body_b,
+                      .point_a = distance.point_a,
+                      .point_b = distance.point_b,
+                      .radius = std::max(least, bar_radius(distance, scene))};
+            if (distance.spring) link.spring_length = distance.length;
+            links.push_back(link);
+        }
+    }
+    if (!scene.joints) return links;
+    for (const engine::Joint& joint : scene.joints->joints()) {
+        double size = std::numeric_limits<double>::infinity();
+        for (const int end : {joint.body_a, joint.body_b}) {
+            const auto i = static_cast<std::size_t>(end);
+            if (i < scene.bodies.size() && scene.bodies[i].mass) {
+                size = std::min(size, bounding_radius(scene.bodies[i]));
+            }
+        }
+        links.push_back({.body_a = joint.body_a,
+                         .body_b = joint.body_b,
+                         .point_a = joint.point_a,
+                         .point_b = joint.point_b,
+                         .half_pin = joint.hinge ? Vector3(0.5 * size * joint.hinge->axis) : Vector3::Zero(),
+                         .radius = std::max(least, std::min(0.1 * size, 0.04))});
+    }
+    return links;
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -4,7 +4,22 @@
 #include "demos/runs/scene.h"
 #include "renderer/picture/picture.h"
 
+#include <optional>
+#include <vector>
+
 namespace pushfactor::demos::pictures {
+
+// A bar, spring or joint as it is drawn: between a point of each of two bodies.
+struct Link {
+    int body_a = 0, body_b = 0;                          // of the world
+    engine::Vector3 point_a = engine::Vector3::Zero();   // m, body frame
+    engine::Vector3 point_b = engine::Vector3::Zero();   // m, body frame
+    engine::Vector3 half_pin = engine::Vector3::Zero();  // m, frame of a: how far a hinge's pin sticks out
+    std::optional<double> spring_length{};               // m, unloaded; a straight bar without
+    double radius = 0.0;                                 // m
+};
+// In the order of the picture's bars; the pin of a hinge sticks out of the smaller of its bodies.
+std::vector<Link> links_of(const BuiltScene& scene);
 
 // The scene as it is now, seen from `view`.
 renderer::Picture draw_list(const BuiltScene& scene, const View& view);

@@ -27,19 +27,25 @@ Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
 
 }  // namespace
 
+View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect) {
+    if (start.empty()) return view;
+    const Eigen::AlignedBox3d near = surroundings(start);
+    for (Ball& ball : reached) ball.centre = ball.centre.cwiseMax(near.min()).cwiseMin(near.max());
+    reached.insert(reached.end(), start.begin(), start.end());
+    return fitted(view, reached, aspect);
+}
+
+double least_aspect(const FrameChoices& frames, std::size_t panels) {
+    return static_cast<double>(frames.width) / static_cast<double>(panels) / frames.height;
+}
+
 void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
     const Choices& first = panels.front().choices;
     if (first.description.has_camera || first.frames.camera.view) return;
     const std::vector<Ball> start = movable_balls(build_scene(first));
     if (start.empty()) return;
-    std::vector<Ball> balls = survey(panels, frames).reached;
-    const Eigen::AlignedBox3d near = surroundings(start);
-    for (Ball& ball : balls) ball.centre = ball.centre.cwiseMax(near.min()).cwiseMin(near.max());
-    balls.insert(balls.end(), start.begin(), start.end());
-    // No panel is narrower than this, however they are arranged.
-    const double across = static_cast<double>(first.frames.width) / static_cast<double>(panels.size());
-    const double aspect = across / first.frames.height;
-    const View view = fitted(first.description.view, balls, aspect);
+    const View view = overview(first.description.view, start, survey(panels, frames).reached,
+                               least_aspect(first.frames, panels.size()));
     for (ComparedRun& panel : panels) panel.choices.description.view = view;
 }
 

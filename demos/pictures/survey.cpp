@@ -12,17 +12,6 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// Corners of the box around all places of each body: memory does not grow with the run.
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].isEmpty()) continue;
-        for (int corner = 0; corner < 8; ++corner) {
-            balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
-                             .radius = bounding_radius(scene.bodies[i])});
-        }
-    }
-}
-
 // Advances to a step. False if the run becomes non-finite before it; the run that is drawn reports that.
 bool reaches(Simulation& simulation, long step) {
     try {
@@ -37,6 +26,17 @@ bool reaches(Simulation& simulation, long step) {
 }
 
 }  // namespace
+
+// Boxes, so that memory does not grow with the run.
+void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].isEmpty()) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+            balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
+                             .radius = bounding_radius(scene.bodies[i])});
+        }
+    }
+}
 
 std::vector<Ball> movable_balls(const BuiltScene& scene) {
     std::vector<Ball> balls;

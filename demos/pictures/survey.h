@@ -25,6 +25,9 @@ inline bool needs_survey(const FrameChoices& choices) {
     return choices.camera.fit || !choices.overlay.empty();
 }
 
+// Adds the corners of the box around all places of each body, as balls of the body's size.
+void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
+
 // `frames` are those of the panels, in the same order.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
 

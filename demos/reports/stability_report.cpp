@@ -142,6 +142,9 @@ class StabilityReport {
         plate.table = lines_with_verdicts(own, trials);
         const std::string picture = gallery_.hang(chapter.name, trials);
         if (!picture.empty()) plate.pictures.push_back(picture);
+        for (const Trial& trial : trials) {
+            if (std::filesystem::exists(run_.folder() / trial.replay())) plate.replays.push_back(trial.replay());
+        }
         run_.sections.push_back({chapter.name, chapter.heading, plate});
         run_.write("stability.csv", csv_text(table_));
         run_.write_page(fmt::format(

@@ -1,5 +1,6 @@
 #include "demos/pictures/overlays/outside.h"
 
+#include "demos/pictures/overlays/acting.h"
 #include "engine/base/overloaded.h"
 
 #include <cmath>
@@ -11,14 +12,6 @@ using engine::Body;
 using engine::Vector3;
 
 namespace {
-
-template <typename Add>
-void each_acting(const BuiltScene& scene, const Add& add) {
-    for (const engine::PokeForce* source : scene.pokes) {
-        if (!source->acts_at(scene.world.time())) continue;
-        add(*source, scene.world.bodies[static_cast<std::size_t>(source->poke().body)]);
-    }
-}
 
 bool has_row_of(const engine::World& world, std::size_t row, std::size_t joint) {
     const engine::RowLabel& label = world.rows()[row].label;
@@ -33,19 +26,18 @@ double reach_of(const BodyDescription& body) {
 }  // namespace
 
 void add_applied_forces(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found) {
-    each_acting(scene, [&](const engine::PokeForce& source, const Body& body) {
-        const Vector3 force = source.force(body.orientation);
-        if (force.isZero(0.0)) return;
-        const Vector3 point = body.position + body.orientation * source.poke().point;
-        found.push_back({.place = point, .value = force, .kind = kind});
-    });
+    for (const Acting& at : applied_in(scene)) {
+        found.push_back({.place = at.place, .value = at.force, .kind = kind});
+    }
 }
 
 void add_applied_torques(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found) {
-    each_acting(scene, [&](const engine::PokeForce& source, const Body& body) {
-        const Vector3 torque = source.torque(body.orientation);
+    for (const engine::PokeForce* const source : scene.pokes) {
+        if (!source->acts_at(scene.world.time())) continue;
+        const Body& body = scene.world.bodies[static_cast<std::size_t>(source->poke().body)];
+        const Vector3 torque = source->torque(body.orientation);
         if (!torque.isZero(0.0)) found.push_back({.place = body.position, .value = torque, .kind = kind});
-    });
+    }
 }
 
 void add_motor_torques(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found) {

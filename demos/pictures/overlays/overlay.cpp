@@ -1,5 +1,6 @@
 #include "demos/pictures/overlays/overlay.h"
 
+#include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/overlays/outside.h"
 #include "demos/pictures/overlays/thrust.h"
 #include "demos/pictures/to_glm.h"
@@ -13,135 +14,30 @@ namespace {
 
 using engine::Vector3;
 
-// The solution of one row.
-struct RowAnswer {
-    const engine::ConstraintRow& row;
-    double lasting_force;  // N, acts on the momenta
-};
-
-RowAnswer answer_of(const engine::World& world, std::size_t row) {
-    const auto& lambda = world.lambda();
-    return {world.rows()[row], lambda(static_cast<Eigen::Index>(row), lambda.cols() - 1)};
-}
-
-// Body of a contact that its force is drawn on: 1 for b, -1 for a.
-double drawn_on(const engine::ContactSite& site, const engine::World& world) {
-    if (world.bodies[static_cast<std::size_t>(site.body_a)].is_static()) return 1.0;
-    if (world.bodies[static_cast<std::size_t>(site.body_b)].is_static()) return -1.0;
-    return site.normal.y() >= 0.0 ? 1.0 : -1.0;
-}
-
-Vector3 force_at(const engine::ContactSite& site, const engine::World& world) {
-    Vector3 force = site.normal * answer_of(world, site.normal_row).lasting_force;
-    for (std::size_t t = 0; site.friction_row && t < 2; ++t) {
-        force += site.tangents[t] * answer_of(world, *site.friction_row + t).lasting_force;
-    }
-    return drawn_on(site, world) * force;
-}
-
-void add_contacts(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (const auto& site : scene.contacts->sites()) {
-        const bool apart = answer_of(scene.world, site.normal_row).row.label.gap > 0.0;
-        found.push_back({.place = site.position, .kind = apart ? 1u : 0u});
+void add_contacts(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
+    for (const Acting& at : acting) {
+        const bool touches = at.kind == Acting::Kind::touching;
+        if (!touches && at.kind != Acting::Kind::within_margin) continue;
+        found.push_back({.place = at.place, .kind = touches ? 0u : 1u});
     }
 }
 
-void add_contact_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (const auto& site : scene.contacts->sites()) {
-        found.push_back({.place = site.position, .value = force_at(site, scene.world)});
+// Legend entry of a force.
+std::size_t entry_of(Acting::Kind kind) {
+    return kind == Acting::Kind::joint ? 2 : kind == Acting::Kind::distance ? 1 : 0;
+}
+
+void add_forces(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
+    for (const Acting& at : acting) {
+        found.push_back({.place = at.place, .value = at.force, .kind = entry_of(at.kind)});
     }
 }
 
-void add_contact_push(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (const auto& site : scene.contacts->sites()) {
-        const engine::PushFactor& push = answer_of(scene.world, site.normal_row).row.push;
-        const Vector3 outwards = drawn_on(site, scene.world) * site.normal;
-        found.push_back({.place = site.position, .value = push.correcting * outwards, .kind = 0});
-        found.push_back({.place = site.position, .value = push.lasting * outwards, .kind = 1});
+void add_push(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
+    for (const Acting& at : acting) {
+        found.push_back({.place = at.place, .value = at.correcting, .kind = 0});
+        found.push_back({.place = at.place, .value = at.lasting, .kind = 1});
     }
-}
-
-// Calls `add` with the place of each movable end of a distance and the vector on it; `number_of` gives per row the
-// component that pushes the ends apart.
-template <typename NumberOf, typename Add>
-void each_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
-    const engine::World& world = scene.world;
-    std::size_t row = 0;
-    for (const std::size_t acting : scene.distances->acting()) {
-        const engine::Distance& distance = scene.distances->distances()[acting];
-        const auto is_of_distance = [](engine::RowKind kind) {
-            return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
-        };
-        while (!is_of_distance(world.rows()[row].label.kind)) ++row;
-        const auto [from, to] = span_of(distance, world.bodies);
-        Vector3 on_b;
-        if (is_ball_joint(distance)) {
-            for (double& part : on_b) part = number_of(row++);
-        } else {
-            on_b = number_of(row++) * (to - from).normalized();
-        }
-        if (!world.bodies[static_cast<std::size_t>(distance.body_a)].is_static()) add(from, Vector3(-on_b));
-        if (!world.bodies[static_cast<std::size_t>(distance.body_b)].is_static()) add(to, on_b);
-    }
-}
-
-// The same for joints: the part at the point.
-template <typename NumberOf, typename Add>
-void each_joint_end(const BuiltScene& scene, const NumberOf& number_of, const Add& add) {
-    const engine::World& world = scene.world;
-    std::size_t row = 0;
-    for (const std::size_t acting : scene.joints->acting()) {
-        const engine::Joint& joint = scene.joints->joints()[acting];
-        const auto is_of_joint = [&](const engine::RowLabel& label) {
-            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(acting);
-        };
-        while (!is_of_joint(world.rows()[row].label)) ++row;
-        Vector3 on_b;
-        for (double& part : on_b) part = number_of(row++);
-        const auto [from, to] = span_of(joint, world.bodies);
-        if (!world.bodies[static_cast<std::size_t>(joint.body_a)].is_static()) add(from, Vector3(-on_b));
-        if (!world.bodies[static_cast<std::size_t>(joint.body_b)].is_static()) add(to, on_b);
-    }
-}
-
-void add_joint_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
-    each_joint_end(
-        scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
-        [&](const Vector3& place, const Vector3& force) {
-            found.push_back({.place = place, .value = force, .kind = 2});
-        });
-}
-
-void add_joint_push(const BuiltScene& scene, std::vector<Quantity>& found) {
-    const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
-        each_joint_end(
-            scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
-            [&](const Vector3& place, const Vector3& push) {
-                found.push_back({.place = place, .value = push, .kind = kind});
-            });
-    };
-    add(&engine::PushFactor::correcting, 0);
-    add(&engine::PushFactor::lasting, 1);
-}
-
-void add_distance_forces(const BuiltScene& scene, std::vector<Quantity>& found) {
-    each_end(
-        scene, [&](std::size_t row) { return answer_of(scene.world, row).lasting_force; },
-        [&](const Vector3& place, const Vector3& force) {
-            found.push_back({.place = place, .value = force, .kind = 1});
-        });
-}
-
-void add_distance_push(const BuiltScene& scene, std::vector<Quantity>& found) {
-    const auto add = [&](double engine::PushFactor::*part, unsigned kind) {
-        each_end(
-            scene, [&](std::size_t row) { return scene.world.rows()[row].push.*part; },
-            [&](const Vector3& place, const Vector3& push) {
-                found.push_back({.place = place, .value = push, .kind = kind});
-            });
-    };
-    add(&engine::PushFactor::correcting, 0);
-    add(&engine::PushFactor::lasting, 1);
 }
 
 void add_velocities(const BuiltScene& scene, std::vector<Quantity>& found) {
@@ -269,17 +165,13 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (kind == OverlayKind::islands) add_islands(scene, found);
     if (kind == OverlayKind::rest) add_rest(scene, found);
     if (scene.world.rows().empty()) return found;
-    if (scene.contacts && kind == OverlayKind::contacts) add_contacts(scene, found);
+    if (kind == OverlayKind::contacts) add_contacts(acting_in(scene), found);
+    if (kind == OverlayKind::forces) add_forces(acting_in(scene), found);
+    if (kind == OverlayKind::push) add_push(acting_in(scene), found);
     if (scene.contacts && kind == OverlayKind::thrust) {
         for (const PressureCentre& centre : pressure_centres(scene)) found.push_back({.place = centre.place});
     }
-    if (scene.contacts && kind == OverlayKind::forces) add_contact_forces(scene, found);
-    if (scene.contacts && kind == OverlayKind::push) add_contact_push(scene, found);
-    if (scene.distances && kind == OverlayKind::forces) add_distance_forces(scene, found);
-    if (scene.distances && kind == OverlayKind::push) add_distance_push(scene, found);
-    if (scene.joints && kind == OverlayKind::forces) add_joint_forces(scene, found);
     if (scene.joints && kind == OverlayKind::torques) add_motor_torques(scene, 1, found);
-    if (scene.joints && kind == OverlayKind::push) add_joint_push(scene, found);
     return found;
 }
 

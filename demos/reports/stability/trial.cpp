@@ -54,7 +54,8 @@ Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
 void Trial::start(const fs::path& program) {
     std::vector<std::string> words{"run", scene_};
     for (const auto& [name, text] : options_) words.insert(words.end(), {"--" + name, text});
-    words.insert(words.end(), {"--summary", file(".json"), "--save-state", state()});
+    words.insert(words.end(), {"--summary", file(".json"), "--save-state", state(), "--replay", file(".html"),
+                               "--replay-data", "poses"});
     for (const std::string& output : outputs_)
         words.insert(words.end(), {"--" + output, file("." + output + ".csv")});
     tool_ = std::make_unique<ChildProcess>(program.string(), "pushfactor", words);

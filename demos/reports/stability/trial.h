@@ -42,6 +42,9 @@ class Trial {
 
     const SceneDescription& start() const { return start_; }
 
+    // In the folder; missing if the run did not start.
+    std::string replay() const { return "runs/" + name() + ".html"; }
+
     // Scene file of the last state; missing if the run failed.
     std::filesystem::path state() const;
 

@@ -1,0 +1,111 @@
+#include "demos/pictures/replay/page.h"
+
+#include "demos/pictures/replay/bytes.h"
+#include "demos/pictures/replay/stage.h"
+#include "demos/platform/assets.h"
+#include "demos/text/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace pushfactor::demos::pictures::replay {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw OutputError("cannot read " + file.string());
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Without indentation, blank lines and comments, which are a third of a file and of no use in the page. A comment
+// begins with "// " at the start of a line or after a space, which no string of these files contains.
+std::string compact(const std::string& text) {
+    std::string result;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t comment = line.starts_with("// ") ? 0 : line.find(" // ");
+        line.resize(std::min(comment, line.size()));
+        const std::size_t start = line.find_first_not_of(' ');
+        if (start == std::string::npos) continue;
+        result += line.substr(start, line.find_last_not_of(' ') + 1 - start) + "\n";
+    }
+    return result;
+}
+
+std::string asset(const char* name) {
+    return text_of(asset_folder("replay") / name);
+}
+
+// In the order in which they need each other.
+std::string script() {
+    constexpr std::array files{"space.js", "decode.js", "scene.js", "draw.js", "marks.js", "plots.js", "viewer.js"};
+    std::string text;
+    for (const char* const file : files) text += compact(asset(file));
+    return text;
+}
+
+// The renderer's shaders and those of the viewer, by name.
+Json shaders() {
+    std::vector<fs::path> files;
+    for (const char* const folder : {"shaders", "replay"}) {
+        for (const auto& entry : fs::directory_iterator(asset_folder(folder))) {
+            const fs::path& path = entry.path();
+            if (path.extension() == ".vert" || path.extension() == ".frag") files.push_back(path);
+        }
+    }
+    std::ranges::sort(files);
+    Json texts = Json::object();
+    for (const fs::path& file : files) texts[file.filename().string()] = compact(text_of(file));
+    return texts;
+}
+
+// For a script element, which ends at the first "</".
+std::string inline_json(const Json& json) {
+    std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
+        text.replace(at, 1, "\\u003c");
+    }
+    return text;
+}
+
+void fill_in(std::string& text, std::string_view mark, const std::string& content) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string::npos) throw OutputError(fmt::format("page.html of the replays has no {}", mark));
+    text.replace(at, mark.size(), content);
+}
+
+}  // namespace
+
+Page page_about(const Json& about) {
+    std::string text = asset("page.html");
+    constexpr std::string_view data = "@data@";
+    const std::size_t at = text.find(data);
+    if (at == std::string::npos) throw OutputError("page.html of the replays has no @data@");
+    Page page{.before = text.substr(0, at), .after = text.substr(at + data.size())};
+    fill_in(page.before, "@style@",
+            compact(text_of(asset_folder("pages") / "page.css")) + compact(asset("replay.css")));
+    fill_in(page.before, "@about@", inline_json(about));
+    fill_in(page.after, "@meshes@", base64(deflated(common_meshes())));
+    fill_in(page.after, "@shaders@", inline_json(shaders()));
+    fill_in(page.after, "@script@", script());
+    return page;
+}
+
+std::string data_block(std::string_view attributes, std::string_view bytes) {
+    return fmt::format("<script type=\"application/octet-stream\" {}>{}</script>\n", attributes,
+                       base64(deflated(bytes)));
+}
+
+std::string end_block(const Json& end) {
+    return fmt::format("<script type=\"application/json\" id=\"end\">{}</script>\n", inline_json(end));
+}
+
+}  // namespace pushfactor::demos::pictures::replay

@@ -1,0 +1,279 @@
+#include "demos/pictures/replay/replay.h"
+
+#include "demos/pictures/caption.h"
+#include "demos/pictures/overlays/overlay.h"
+#include "demos/pictures/overview.h"
+#include "demos/pictures/replay/bytes.h"
+#include "demos/pictures/replay/integers.h"
+#include "demos/pictures/replay/poses.h"
+#include "demos/pictures/replay/stage.h"
+#include "demos/pictures/survey.h"
+#include "demos/platform/version.h"
+#include "demos/text/errors.h"
+#include "demos/text/median.h"
+#include "engine/bodies/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+using namespace replay;
+
+constexpr std::size_t numbers_per_pose = 7;
+constexpr std::size_t numbers_per_velocity = 6;
+
+// Below this share of the largest of a frame a force or push is rounding noise, which no arrow shows.
+constexpr double negligible = 1e-5;
+
+// Numbers in a block: 16 MB here, and as much in the page.
+constexpr long most_numbers = 1L << 21;
+
+// What the arrows of the page mean, as in the pictures.
+Json legend() {
+    Json legend;
+    for (const OverlayKind kind :
+         {OverlayKind::contacts, OverlayKind::forces, OverlayKind::push, OverlayKind::velocities}) {
+        for (const LegendEntry& entry : entries_of(kind)) {
+            legend[std::string(name_of(kind))].push_back(
+                {{"name", entry.name},
+                 {"colour", {entry.colour.red, entry.colour.green, entry.colour.blue}},
+                 {"unit", entry.unit}});
+        }
+    }
+    return legend;
+}
+
+std::string quantities_text(std::vector<std::vector<std::int64_t>>& quantities) {
+    std::string bytes;
+    for (std::vector<std::int64_t>& values : quantities) {
+        append_quantity(bytes, values);
+        values.clear();
+    }
+    return bytes;
+}
+
+std::vector<double> units_of(const std::vector<double>& sizes) {
+    std::vector<double> units;
+    for (const double size : sizes) units.push_back(position_unit * size);
+    return units;
+}
+
+}  // namespace
+
+void check_replay_name(const std::filesystem::path& file) {
+    if (file == "-" || file.extension() == ".html") return;
+    throw UsageError(fmt::format("--replay {}: must end in .html", file.string()));
+}
+
+Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
+               const std::vector<const Simulation*>& runs)
+    : choices_(choices),
+      frames_(panels.front().choices.frames),
+      file_(choices.file),
+      has_camera_(panels.front().choices.description.has_camera || frames_.camera.view) {
+    long numbers = 1;
+    for (const Simulation* const run : runs) {
+        const BuiltScene& scene = run->scene();
+        std::vector<double> sizes;
+        for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
+        Track track{.simulation = run,
+                    .view = frames_.camera.view.value_or(scene.view),
+                    .start = movable_balls(scene),
+                    .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
+                    .bodies = recorded_bodies(scene),
+                    .sizes = sizes,
+                    .poses = {},
+                    .velocities = {},
+                    .orientations = {},
+                    .measures = {},
+                    .forces = ForceBlock(units_of(sizes))};
+        track.poses.resize(numbers_per_pose * track.bodies.size());
+        track.velocities.resize(choices.poses_only ? 0 : numbers_per_velocity * track.bodies.size());
+        track.orientations.resize(track.bodies.size());
+        numbers += static_cast<long>(track.poses.size() + track.velocities.size());
+        tracks_.push_back(std::move(track));
+    }
+    block_length_ = std::clamp(most_numbers / numbers, 16L, 256L);
+    write_head(panels);
+}
+
+// As add_overview() and the film have them, which run the scene once before they draw it: the page gets its cameras
+// at the end.
+std::vector<View> Replay::views() const {
+    std::vector<Ball> reached;
+    for (const Track& track : tracks_) add_corners(track.reached, track.simulation->scene(), reached);
+    const double aspect = static_cast<double>(frames_.width) / frames_.height;
+    std::vector<View> views;
+    for (const Track& track : tracks_) {
+        const View view = has_camera_ ? track.view
+                                      : overview(track.view, tracks_.front().start, reached,
+                                                 least_aspect(frames_, tracks_.size()));
+        views.push_back(frames_.camera.fit ? fitted(view, reached, aspect) : view);
+    }
+    return views;
+}
+
+void Replay::write_head(const std::vector<ComparedRun>& panels) {
+    const Choices& first = panels.front().choices;
+    Json about;
+    about["scene"] = first.description.name;
+    // What the caption says of one run need not be true of the others.
+    about["caption"] = panels.size() == 1 || frames_.compare ? caption_of(first) : first.description.name;
+    about["command"] = choices_.command;
+    about["version"] = version_text();
+    about["play_speed"] = frames_.play_speed.value();
+    about["seconds_a_frame"] = (first.settings.dt * Rational{choices_.steps_a_frame, 1}).value();
+    about["width"] = frames_.width;
+    about["height"] = frames_.height;
+    about["units"] = {{"position", position_unit}, {"orientation", orientation_unit}, {"velocity", velocity_unit}};
+    about["parts"] = choices_.poses_only ? Json{"poses"} : Json{"poses", "velocities", "forces"};
+    about["overlay"] = Json::array();
+    for (const OverlayItem& item : frames_.overlay) {
+        Json shown{{"kind", name_of(item.kind)}};
+        if (item.units_a_metre) shown["units_a_metre"] = *item.units_a_metre;
+        about["overlay"].push_back(shown);
+    }
+    about["legend"] = legend();
+    about["runs"] = panels.size();
+    about["degrees_a_second"] = frames_.camera.degrees_a_second;
+    if (frames_.compare) about["compared"] = frames_.compare->option;
+    page_ = page_about(about);
+    file_.write(page_.before);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Simulation& run = *tracks_[i].simulation;
+        file_.write(data_block(fmt::format("data-part=\"stage\" data-run=\"{}\"", i),
+                               stage_of(panels[i], run).dump(-1, ' ', true, Json::error_handler_t::replace)));
+        const std::string meshes = polyhedra_of(run);
+        if (!meshes.empty()) {
+            file_.write(data_block(fmt::format("data-part=\"meshes\" data-run=\"{}\"", i), meshes));
+        }
+    }
+}
+
+void Replay::record() {
+    std::map<OverlayKind, double> largest;
+    for (Track& track : tracks_) record(track, largest);
+    for (const auto& [kind, value] : largest) {
+        if (value > 0.0) maxima_[kind].push_back(value);
+    }
+    ++recorded_;
+    if (++in_block_ == block_length_) write_blocks();
+}
+
+void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
+    record_poses(track);
+    const BuiltScene& scene = track.simulation->scene();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (goes_about(scene.bodies[i])) track.reached[i].extend(scene.world.bodies[i].position);
+    }
+    const Sample& sample = track.simulation->sample();
+    const std::array measured{sample.kinetic_energy, sample.potential_energy, sample.penetration.max,
+                              sample.max_speed, sample.residual};
+    for (std::size_t i = 0; i < measured.size(); ++i) track.measures[i].push_back(static_cast<float>(measured[i]));
+    if (choices_.poses_only) return;
+    record_velocities(track);
+    double& speed = largest[OverlayKind::velocities];
+    for (const engine::Body& body : track.simulation->scene().world.bodies) {
+        speed = std::max(speed, velocity(body).norm());
+    }
+    record_forces(track, largest);
+}
+
+void Replay::record_poses(Track& track) const {
+    for (std::size_t i = 0; i < track.bodies.size(); ++i) {
+        const engine::Body& body = track.simulation->scene().world.bodies[track.bodies[i]];
+        const auto position = vector_in_units(body.position, position_unit * track.sizes[track.bodies[i]]);
+        track.orientations[i] = orientation_in_units(body.orientation, track.orientations[i]);
+        for (std::size_t k = 0; k < 3; ++k) track.poses[numbers_per_pose * i + k].push_back(position[k]);
+        for (std::size_t k = 0; k < 4; ++k) {
+            track.poses[numbers_per_pose * i + 3 + k].push_back(track.orientations[i][k]);
+        }
+    }
+}
+
+void Replay::record_velocities(Track& track) const {
+    for (std::size_t i = 0; i < track.bodies.size(); ++i) {
+        const engine::Body& body = track.simulation->scene().world.bodies[track.bodies[i]];
+        const auto linear = vector_in_units(velocity(body), velocity_unit * track.sizes[track.bodies[i]]);
+        const auto angular = vector_in_units(angular_velocity(body), velocity_unit);
+        for (std::size_t k = 0; k < 3; ++k) {
+            track.velocities[numbers_per_velocity * i + k].push_back(linear[k]);
+            track.velocities[numbers_per_velocity * i + 3 + k].push_back(angular[k]);
+        }
+    }
+}
+
+void Replay::record_forces(Track& track, std::map<OverlayKind, double>& largest) const {
+    std::vector<Acting> acting = acting_in(track.simulation->scene());
+    const std::vector<Acting> applied = applied_in(track.simulation->scene());
+    acting.insert(acting.end(), applied.begin(), applied.end());
+    double force = 0.0, push = 0.0;
+    for (const Acting& at : acting) {
+        force = std::max(force, at.force.norm());
+        push = std::max({push, at.correcting.norm(), at.lasting.norm()});
+    }
+    track.forces.add(acting, negligible * force, negligible * push);
+    largest[OverlayKind::forces] = std::max(largest[OverlayKind::forces], force);
+    largest[OverlayKind::push] = std::max(largest[OverlayKind::push], push);
+}
+
+void Replay::write_blocks() {
+    if (in_block_ == 0) return;
+    for (std::size_t run = 0; run < tracks_.size(); ++run) {
+        Track& track = tracks_[run];
+        const auto write = [&](const char* part, const std::string& bytes) {
+            file_.write(
+                data_block(fmt::format("data-part=\"{}\" data-run=\"{}\" data-first=\"{}\" data-count=\"{}\"", part,
+                                       run, recorded_ - in_block_, in_block_),
+                           bytes));
+        };
+        write("poses", quantities_text(track.poses));
+        std::string measures;
+        for (std::vector<float>& values : track.measures) {
+            for (const float value : values) append_raw(measures, value);
+            values.clear();
+        }
+        write("measures", measures);
+        if (choices_.poses_only) continue;
+        write("velocities", quantities_text(track.velocities));
+        write("forces", track.forces.take());
+    }
+    in_block_ = 0;
+}
+
+void Replay::finish(const std::string& note) {
+    write_blocks();
+    Json end;
+    end["frames"] = recorded_;
+    end["note"] = note;
+    for (const auto& [kind, values] : maxima_) end["typical"][std::string(name_of(kind))] = median(values);
+    const std::vector<View> seen = views();
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        const Track& track = tracks_[i];
+        const Sample& sample = track.simulation->sample();
+        end["cameras"].push_back(camera_of(seen[i], track.start));
+        end["runs"].push_back(
+            {{"steps", sample.step},
+             {"time", sample.time},
+             {"state_hash", fmt::format("{:016x}", engine::state_hash(track.simulation->scene().world.bodies))}});
+    }
+    file_.write(end_block(end));
+    file_.write(page_.after);
+    file_.commit();
+}
+
+std::string Replay::keep(const std::string& why) {
+    try {
+        finish(why);
+        return fmt::format("pushfactor: note: {} holds the run up to frame {}, where it stopped\n", file_.name(),
+                           recorded_ - 1);
+    } catch (const OutputError& error) {
+        return fmt::format("pushfactor: note: {}\n", error.what());
+    }
+}
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,83 @@
+// A run, or several side by side, as one HTML file that plays in a browser.
+#pragma once
+
+#include "demos/options/comparison.h"
+#include "demos/options/frame_options.h"
+#include "demos/pictures/framing.h"
+#include "demos/pictures/replay/forces.h"
+#include "demos/pictures/replay/page.h"
+#include "demos/platform/output_file.h"
+#include "demos/runs/simulation.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::pictures {
+
+// Throws UsageError unless the name ends in .html or is that of standard output.
+void check_replay_name(const std::filesystem::path& file);
+
+struct ReplayChoices {
+    std::filesystem::path file;
+    long steps_a_frame = 1;
+    bool poses_only = false;  // neither velocities nor forces, which take most of the room
+    std::string command;      // that makes the page, as the reader sees it
+};
+
+// Written block by block while the runs go on: memory does not grow with their length, but for a few numbers per
+// frame. The file appears whole in finish(), or not at all.
+class Replay {
+  public:
+    // `runs` are those of the panels, in the same order, at their start; they must outlive the replay. Throws
+    // OutputError as OutputFile does.
+    Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
+           const std::vector<const Simulation*>& runs);
+
+    // Adds the current state of all runs as the next frame.
+    void record();
+
+    // Completes the file with the frames so far. `note` tells why there are no more; empty for a whole run.
+    void finish(const std::string& note = "");
+
+    // The same for a run that stopped early. Returns a note, or the reason why the file could not be written.
+    // Throws nothing.
+    std::string keep(const std::string& why);
+
+  private:
+    // One run and its frames since the last block.
+    struct Track {
+        const Simulation* simulation;
+        View view;                                                 // of the scene, or a direction alone
+        std::vector<Ball> start;                                   // what moves, and what it hangs on
+        std::vector<Eigen::AlignedBox3d> reached;                  // by each body of the scene so far
+        std::vector<std::size_t> bodies;                           // recorded ones
+        std::vector<double> sizes;                                 // m, of all bodies
+        std::vector<std::vector<std::int64_t>> poses, velocities;  // per quantity and frame
+        std::vector<std::array<std::int64_t, 4>> orientations;     // of the last frame
+        std::array<std::vector<float>, 5> measures;                // per measure and frame
+        replay::ForceBlock forces;
+    };
+
+    void write_head(const std::vector<ComparedRun>& panels);
+    std::vector<View> views() const;
+    void record(Track& track, std::map<OverlayKind, double>& largest);
+    void record_poses(Track& track) const;
+    void record_velocities(Track& track) const;
+    void record_forces(Track& track, std::map<OverlayKind, double>& largest) const;
+    void write_blocks();
+
+    ReplayChoices choices_;
+    FrameChoices frames_;
+    OutputFile file_;
+    replay::Page page_;
+    bool has_camera_;
+    std::vector<Track> tracks_;
+    long block_length_ = 1;                              // frames
+    long recorded_ = 0;                                  // frames
+    long in_block_ = 0;                                  // of these
+    std::map<OverlayKind, std::vector<double>> maxima_;  // N or m/s, per frame
+};
+
+}  // namespace pushfactor::demos::pictures
