@@ -42,6 +42,11 @@ Vector3 velocity_with_forces(const Body& body, double dt) {
     return body.inverse_mass * (body.linear_momentum + dt * body.force);
 }
 
+// The same for a body that nothing holds.
+bool is_pressed_alone(const Collider& collider, const Body& body, const ContinuousCollision::Step& step) {
+    return is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
+}
+
 // Removes the part of a body's velocity that would close more along `normal` than the touch's gap. The other
 // body counts with its velocity before the step, because something holds its weight too.
 void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double margin, double dt,
@@ -157,8 +162,7 @@ bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& s
         fast_[i] = dangerous_[i] || (step.any_bounces && path > margin_of(collider, step));
         any = any || fast_[i];
         if (any_pressed || dangerous_[i]) continue;
-        any_pressed = could_be_pressed(collider, body, path, step) &&
-                      is_pressed(collider, body, velocity_with_forces(body, step.dt), step);
+        any_pressed = could_be_pressed(collider, body, path, step) && is_pressed_alone(collider, body, step);
     }
     if (any_moved) any = any_moved_fast(step) || any;
     if (!any_pressed) return any;
@@ -169,15 +173,13 @@ bool ContinuousCollision::any_fast(std::span<const Touch> touches, const Step& s
 // A moved body does not rest on anything, so what it may bounce is swept however slowly it comes; and it may pass
 // through what is smaller than itself.
 bool ContinuousCollision::any_moved_fast(const Step& step) {
-    const double smallest = smallest_movable(step.colliders, step.bodies);
     bool any = false;
     for (const int index : step.awake) {
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
         const Body& body = step.bodies[static_cast<std::size_t>(collider.body)];
         if (!body.is_moved()) continue;
-        dangerous_[i] =
-            is_finite(collider.shape) && path_of_moved(collider, body.prescribed, step.dt) > dangerous * smallest;
+        dangerous_[i] = may_pass_through(collider, body, step.colliders, step.bodies, step.dt);
         fast_[i] = dangerous_[i] || step.any_bounces;
         any = any || fast_[i];
     }
@@ -200,9 +202,11 @@ void ContinuousCollision::find_pressed(std::span<const Touch> touches, const Ste
     for (const int index : step.awake) {
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = step.colliders[i];
-        const auto body = static_cast<std::size_t>(collider.body);
-        if (dangerous_[i] || !is_pressed(collider, step.bodies[body], freely_[body], step)) continue;
-        fast_[i] = dangerous_[i] = true;
+        const auto number = static_cast<std::size_t>(collider.body);
+        const Body& body = step.bodies[number];
+        // Alone it has to be pressed too: whether another body of the world is must make no difference to it.
+        if (body.is_static() || dangerous_[i] || !is_pressed_alone(collider, body, step)) continue;
+        if (is_pressed(collider, body, freely_[number], step)) fast_[i] = dangerous_[i] = true;
     }
 }
 

@@ -15,15 +15,6 @@ double path_of_moved(const Collider& collider, const Motion& motion, double dt) 
     return path_of(collider, motion.velocity.norm(), rate, dt);
 }
 
-double smallest_movable(std::span<const Collider> colliders, std::span<const Body> bodies) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Collider& collider : colliders) {
-        const bool is_static = bodies[static_cast<std::size_t>(collider.body)].is_static();
-        if (!is_static) smallest = std::min(smallest, size_of(collider.shape));
-    }
-    return smallest;
-}
-
 Way::Way(const Collider& collider, const Body& body, double dt)
     : point_(body.position),
       up_(body.orientation * Vector3::UnitY()),
@@ -37,6 +28,19 @@ bool Way::meets(const Shape& shape, const Body& body, double margin) const {
     const Vector3 reach = half_extents(shape, pose_of(body).rotation) + Vector3::Constant(margin);
     if (is_plane_) return up_.dot(body.position - point_) - path_ < up_.cwiseAbs().dot(reach);
     return ((body.position - centre_).cwiseAbs().array() < (reach + reach_).array()).all();
+}
+
+bool may_pass_through(const Collider& moved, const Body& body, std::span<const Collider> colliders,
+                      std::span<const Body> bodies, double dt) {
+    if (!is_finite(moved.shape)) return false;
+    const Way way(moved, body, dt);
+    const double path = path_of_moved(moved, body.prescribed, dt);
+    return std::any_of(colliders.begin(), colliders.end(), [&](const Collider& other) {
+        const Body& met = bodies[static_cast<std::size_t>(other.body)];
+        // Faster ones than `near` are swept themselves.
+        const double near = dangerous * size_of(other.shape);
+        return !met.is_static() && path > near && way.meets(other.shape, met, near);
+    });
 }
 
 void Foresight::look_ahead(std::span<const Collider> colliders, std::span<const Body> bodies, double dt,
@@ -68,9 +72,8 @@ double Foresight::path_of_step(const Collider& collider) const {
 
 double Foresight::path_of_moved(const Collider& collider, const Body& body) const {
     if (body.prescribed.is_none()) return 0.0;
-    const double path = collision::path_of_moved(collider, body.prescribed, dt_);
-    const bool is_swept = is_finite(collider.shape) && path > dangerous * smallest_movable(colliders_, bodies_);
-    return is_swept ? 0.0 : path;
+    if (may_pass_through(collider, body, colliders_, bodies_, dt_)) return 0.0;
+    return collision::path_of_moved(collider, body.prescribed, dt_);
 }
 
 double Foresight::closing(int body_a, int body_b, const Vector3& normal, const Vector3& point) const {

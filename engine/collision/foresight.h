@@ -23,9 +23,6 @@ namespace pushfactor::engine::collision {
 // Path per step, as a share of its size, from which on a body could tunnel or end deep inside another.
 inline constexpr double dangerous = 0.25;
 
-// Smallest size of a movable body [m], by which a moved one (path.h) is fast: size of what it could pass through.
-double smallest_movable(std::span<const Collider> colliders, std::span<const Body> bodies);
-
 // The space that a moved body needs in a step.
 class Way {
   public:
@@ -40,6 +37,11 @@ class Way {
     double path_ = 0.0;       // m, of any point
     bool is_plane_;
 };
+
+// Whether a moved body's path in a step of `dt` [s] takes it through movable bodies: by more than `dangerous` of
+// the size of one that it may meet. Of bodies out of its way the answer does not depend.
+bool may_pass_through(const Collider& moved, const Body& body, std::span<const Collider> colliders,
+                      std::span<const Body> bodies, double dt);
 
 class Foresight {
   public:
