@@ -6,7 +6,6 @@
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
 #include "demos/text/errors.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,6 +49,16 @@ void go_through(ObservedRun& observed, const std::string& name, long steps, pict
     }
 }
 
+// What only a picture uses must not be ignored; a config file may have it for render.
+void refuse_unused(const Request& request) {
+    if (request.glb || request.replay) return;
+    for (const char* const name : {"camera", "overlay"}) {
+        const auto* const given = request.given.find(name);
+        if (!given || !given->field.starts_with("--")) continue;
+        throw UsageError(fmt::format("{} {}: must come with --glb or --replay", given->field, given->text));
+    }
+}
+
 // Of a replay: those of --fps, else as few as make at most 60 frames per second.
 long steps_a_frame(const Choices& choices) {
     const Rational& dt = choices.settings.dt;
@@ -61,6 +70,7 @@ long steps_a_frame(const Choices& choices) {
 }  // namespace
 
 void run(const Request& request) {
+    refuse_unused(request);
     std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
     const Choices& choices = runs.front().choices;
     const long steps = whole_steps(choices.settings);

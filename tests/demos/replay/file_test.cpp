@@ -64,6 +64,7 @@ TEST_CASE("a replay asks for nothing from elsewhere") {
 }
 
 TEST_CASE("a replay must have a name and frames that it can have") {
+    check_refused("run stack --overlay forces", "--overlay forces: must come with --glb or --replay");
     check_refused("run stack --replay run.mp4", "--replay run.mp4: must end in .html");
     check_refused("render stack --replay run.htm", "must end in .html");
     check_refused("run stack --replay run.html --replay-data forces", "--replay-data forces: must be all or poses");
