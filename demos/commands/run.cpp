@@ -6,6 +6,7 @@
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
 #include "demos/text/errors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -34,8 +34,7 @@ class ForceBlock {
     // The bytes of all frames since the last call: the lengths of four parts, and the parts. Per frame, as
     // integers:
     //
-    //   who     0 if the list has the same kinds and bodies as the one before, else its length + 1, and per item
-    //   the
+    //   who     0 if kinds and bodies are those of the list before, else its length + 1, and per item the
     //           kind (0 touching, 1 within the margin, 2 distance, 3 joint, 4 from outside), the body less that of
     //           the item before, and the other body less the body
     //   where   per item x, y, z in position units of the body
