@@ -34,7 +34,8 @@
 
     for (const button of buttons) button.addEventListener("click", () => choose(button.value));
     for (const stage of document.querySelectorAll(".stage")) {
-        stage.addEventListener("click", () => {
+        stage.addEventListener("click", (event) => {
+            if (["swap", "slider"].includes(body.dataset.mode)) event.preventDefault();
             if (body.dataset.mode !== "swap") return;
             blink(false);
             swap();
@@ -60,5 +61,6 @@
         }
     });
     modes.hidden = false;
-    choose("side");
+    const asked = location.hash.slice(1);  // page.html#swap
+    choose(buttons.some((button) => button.value === asked) ? asked : "side");
 })();

@@ -1,4 +1,5 @@
 #include "demos/commands/commands.h"
+#include "demos/pages/job_summary.h"
 #include "demos/pages/junit.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
@@ -204,8 +205,9 @@ void write_results(const Request& request, const std::vector<FolderVerdict>& ver
     const std::string made_with = "pushfactor " + version_text() + (driver.empty() ? "" : ", " + driver);
     make_folder(folder);
     write_file(folder / "index.html", page_of(verdicts, made_with));
-    if (request.junit) write_file(*request.junit, junit_xml(junit_of(verdicts), std::time(nullptr)));
-    if (request.markdown) write_file(*request.markdown, markdown_of(verdicts));
+    const std::vector<SuiteVerdict> suites = suites_of(verdicts);
+    if (request.junit) write_file(*request.junit, junit_xml(suites, std::time(nullptr)));
+    if (request.markdown) write_file(*request.markdown, job_summary(headline(verdicts), suites));
 }
 
 void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated) {

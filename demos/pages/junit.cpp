@@ -3,8 +3,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace pushfactor::demos {
 
 namespace {
@@ -40,31 +38,26 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-long failures_of(const JunitSuite& suite) {
-    return std::count_if(suite.cases.begin(), suite.cases.end(),
-                         [](const auto& one) { return !one.failure.empty(); });
-}
-
-std::string case_xml(const JunitSuite& suite, const JunitCase& one) {
+std::string case_xml(const SuiteVerdict& suite, const CaseVerdict& one) {
     const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
                                           escaped(suite.name), escaped(one.name));
     if (one.failure.empty()) return start + "/>\n";
     return fmt::format("{}>\n      <failure type=\"difference\" message=\"{}\">{}</failure>\n    </testcase>\n",
-                       start, escaped(one.failure), escaped(one.output.empty() ? one.failure : one.output));
+                       start, escaped(one.failure), escaped(one.failure));
 }
 
 }  // namespace
 
-std::string junit_xml(std::span<const JunitSuite> suites, std::time_t time) {
+std::string junit_xml(std::span<const SuiteVerdict> suites, std::time_t time) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     const std::string timestamp = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(time));
     int id = 0;
-    for (const JunitSuite& suite : suites) {
+    for (const SuiteVerdict& suite : suites) {
         text += fmt::format(
             "  <testsuite name=\"{}\" package=\"pushfactor\" id=\"{}\" timestamp=\"{}\" hostname=\"localhost\" "
             "tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\">\n    <properties/>\n",
-            escaped(suite.name), id++, timestamp, suite.cases.size(), failures_of(suite), suite.seconds);
-        for (const JunitCase& one : suite.cases) text += case_xml(suite, one);
+            escaped(suite.name), id++, timestamp, suite.cases.size(), suite.failures(), suite.seconds);
+        for (const CaseVerdict& one : suite.cases) text += case_xml(suite, one);
         text += "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
     }
     return text + "</testsuites>\n";

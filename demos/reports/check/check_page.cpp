@@ -100,16 +100,6 @@ std::string plural(long count, const char* word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-// In a cell of a Markdown table, as text.
-std::string cell(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (std::string_view("|\\`*_<>[]#&~").find(c) != std::string_view::npos) result += '\\';
-        result += c == '\n' ? ' ' : c;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string headline(std::span<const FolderVerdict> folders) {
@@ -152,44 +142,16 @@ std::string page_of(std::span<const FolderVerdict> folders, const std::string& m
     return document(headline(folders), opening, body, assets);
 }
 
-std::string markdown_of(std::span<const FolderVerdict> folders, std::size_t most_bytes) {
-    std::string text = fmt::format("### {}\n\n| | folder | pictures | differ | run |\n|---|---|---|---|---|\n",
-                                   cell(headline(folders)));
-    const std::string cut = "\n…and more, which this summary has no room for.\n";
-    const auto add = [&](const std::string& line) {
-        if (text.size() + line.size() + cut.size() > most_bytes) return false;
-        text += line;
-        return true;
-    };
+std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {
+    std::vector<SuiteVerdict> suites;
     for (const FolderVerdict& folder : folders) {
-        std::string runs;
+        SuiteVerdict& suite = suites.emplace_back(SuiteVerdict{.name = folder.name, .seconds = folder.seconds});
         for (const RunVerdict& run : folder.runs) {
-            if (!run.holds) runs += (runs.empty() ? "" : "; ") + run.subject + ": " + run.text;
-        }
-        const auto differ = std::count_if(folder.pictures.begin(), folder.pictures.end(),
-                                          [](const PictureVerdict& picture) { return !picture.holds(); });
-        if (!add(fmt::format("| {} | {} | {} | {} | {} |\n", folder.failures() == 0 ? "✅" : "❌", cell(folder.name),
-                             folder.pictures.size(), differ, cell(runs)))) {
-            return text + cut;
-        }
-    }
-    const std::vector<Entry> entries = worst_first(folders);
-    if (!entries.empty() && !add("\n| picture | finding |\n|---|---|\n")) return text + cut;
-    for (const Entry& entry : entries) {
-        if (!add(fmt::format("| {} | {} |\n", cell(entry.name()), cell(entry.picture->text)))) return text + cut;
-    }
-    return text;
-}
-
-std::vector<JunitSuite> junit_of(std::span<const FolderVerdict> folders) {
-    std::vector<JunitSuite> suites;
-    for (const FolderVerdict& folder : folders) {
-        JunitSuite& suite = suites.emplace_back(JunitSuite{.name = folder.name, .seconds = folder.seconds});
-        for (const RunVerdict& run : folder.runs) {
-            suite.cases.push_back({.name = run.subject, .failure = run.holds ? "" : run.text});
+            suite.cases.push_back({.name = run.subject, .failure = run.holds ? "" : run.text, .badness = 3.0});
         }
         for (const PictureVerdict& picture : folder.pictures) {
-            suite.cases.push_back({.name = picture.name, .failure = picture.holds() ? "" : picture.text});
+            suite.cases.push_back(
+                {.name = picture.name, .failure = picture.holds() ? "" : picture.text, .badness = picture.badness});
         }
     }
     return suites;

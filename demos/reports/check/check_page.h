@@ -1,7 +1,7 @@
-// What a check found, for people: a page, and a summary in Markdown.
+// What a check found, as a page for people, and as verdicts.
 #pragma once
 
-#include "demos/pages/junit.h"
+#include "demos/pages/verdicts.h"
 #include "demos/reports/check/verdict.h"
 
 #include <span>
@@ -17,10 +17,7 @@ std::string headline(std::span<const FolderVerdict> folders);
 // the others. Its pictures are in folders beside it. `made_with` is text. Throws OutputError as document() does.
 std::string page_of(std::span<const FolderVerdict> folders, const std::string& made_with);
 
-// GitHub's Markdown: headline, folders, and the worst differences, `most_bytes` at most.
-std::string markdown_of(std::span<const FolderVerdict> folders, std::size_t most_bytes = 500'000);
-
 // One suite per folder, one case per picture and per run.
-std::vector<JunitSuite> junit_of(std::span<const FolderVerdict> folders);
+std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders);
 
 }  // namespace pushfactor::demos::reports::check

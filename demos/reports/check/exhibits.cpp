@@ -16,7 +16,23 @@ void write_bytes(const std::filesystem::path& file, const Bytes& bytes) {
     write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+bool is_exhibit(const std::filesystem::path& file) {
+    const std::string name = file.filename();
+    return name.ends_with(expected_file("")) || name.ends_with(actual_file("")) ||
+           name.ends_with(difference_file(""));
+}
+
 }  // namespace
+
+Exhibits::Exhibits(std::filesystem::path folder) : folder_(std::move(folder)) {
+    if (!std::filesystem::is_directory(folder_)) return;
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+        if (is_exhibit(entry.path())) old.push_back(entry.path());
+    }
+    std::error_code ignored;
+    for (const auto& file : old) std::filesystem::remove(file, ignored);
+}
 
 void Exhibits::offer(const Compared& compared) {
     if (compared.verdict.holds()) return;

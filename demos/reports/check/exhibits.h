@@ -25,8 +25,8 @@ class Exhibits {
   public:
     static constexpr std::size_t most = 20;
 
-    // Pictures go to `folder`, which is made with the first one.
-    explicit Exhibits(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    // Pictures go to `folder`, which is made with the first one. Those of an earlier check are removed.
+    explicit Exhibits(std::filesystem::path folder);
 
     // Keeps the pictures on disk while they are among the worst.
     void offer(const Compared& compared);
