@@ -105,7 +105,8 @@ class StabilityReport {
             complete_chapters();
         }
         const std::string headline =
-            fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_.size());
+            unexpected_.empty() ? fmt::format("{} runs are as expected", trials_.size())
+                                : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_.size());
         run_.write(headline, suites());
         if (unexpected_.empty()) return;
         throw CheckError(fmt::format("{}, the first is {}; see {}", headline, unexpected_.front(),
