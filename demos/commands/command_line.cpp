@@ -194,8 +194,15 @@ void add_report(CLI::App& app, Words& words) {
            "atlas: its maps [all]")
         ->type_name("PART")
         ->delimiter(',');
-    app.add_flag("--problems", request.problems,
-                 "error: also write the frozen problems as JSON, for other solvers");
+    app.add_option("--problems", request.problems,
+                   "error: contact problems of FCLib instead of our own frozen ones: a file or a folder (.hdf5)")
+        ->type_name("FILE|DIR");
+    app.add_option("--beside", request.beside,
+                   "error: other solvers on the same problems, a CSV file with the columns of problems.csv")
+        ->type_name("FILE");
+    app.add_option("--export", request.exported,
+                   "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib")
+        ->type_name("DIR");
     add_verdict_files(app, request);
 }
 

@@ -48,7 +48,9 @@ struct Request {
     bool quick = false;
     std::optional<std::string> junit, markdown;  // paths; of report stability and check
     CheckRequest check;
-    bool problems = false;  // also write the report's frozen problems
+    std::optional<std::string> problems;  // file or folder of contact problems
+    std::optional<std::string> beside;    // CSV file of other solvers on these
+    std::optional<std::string> exported;  // folder for frozen problems
 };
 
 }  // namespace pushfactor::demos

@@ -3,6 +3,9 @@
 #include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/error/consistency.h"
+#include "demos/reports/error/contact_problems/contact_moments.h"
+#include "demos/reports/error/contact_problems/problem_sections.h"
+#include "demos/reports/error/contact_problems/rows_of_contacts.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/reports/error/points.h"
 #include "demos/reports/error/work_plot.h"
@@ -123,20 +126,30 @@ class ErrorReport {
     explicit ErrorReport(StudyRun& run)
         : run_(run),
           experiments_(run.wanted(error_experiments(run.quick()), &Experiment::scene)),
-          moments_(run.wants(frozen_part) ? hard_moments(run.quick()) : std::vector<FrozenMoment>{}) {
+          moments_(run.wants(frozen_part) && run.request().problems.empty() ? hard_moments(run.quick())
+                                                                            : std::vector<FrozenMoment>{}) {
+        if (run_.wants(frozen_part)) {
+            for (const auto& file : run_.request().problems) problems_.push_back(read_fclib(file));
+        }
+        if (run_.request().exported) exports_ = contact_moments(run_.quick());
         if (run_.wants(consistency_part)) plan_ = consistency_plan(run_.quick());
     }
 
     void make() {
-        if (run_.problems()) make_folder(run_.folder() / "problems");
         run_.write("about.json", json_text(about_this()));
-        std::size_t total = moments_.size() + plan_.cases.size();
+        if (run_.request().exported) make_folder(*run_.request().exported);
+        std::size_t total = moments_.size() + problems_.size() + exports_.size() + plan_.cases.size();
         for (const Experiment& sweep : experiments_) {
             for (const Method& method : sweep.methods) total += method.values.size();
         }
         run_.begin(total);
         for (const Experiment& sweep : experiments_) add_experiment(sweep);
         for (const FrozenMoment& moment : moments_) add_moment(moment);
+        for (const ContactMoment& moment : exports_) {
+            export_problem(freeze(moment, run_.check()), moment.name);
+            run_.count_run();
+        }
+        if (!problems_.empty()) add_problems();
         if (!plan_.cases.empty()) add_consistency();
     }
 
@@ -183,10 +196,7 @@ class ErrorReport {
                             .theory = {}};
         Plate plate;
         plate.commands = {command_text("run", moment.scene, moment.options)};
-        if (run_.problems()) {
-            plate.files = {"problems/" + plot.name + ".json"};
-            run_.write(plate.files.front(), problem.text());
-        }
+        if (run_.request().exported) export_problem(problem, plot.name);
         run_.count_run();
         add(plot, "Frozen: " + moment.name,
             fmt::format(
@@ -196,6 +206,29 @@ class ErrorReport {
                 problem.system().row_count(), problem.system().column_count(),
                 problem.system().column_count() == 1 ? "" : "s"),
             plate);
+    }
+
+    void export_problem(const FrozenProblem& problem, const std::string& name) const {
+        const std::filesystem::path folder = *run_.request().exported;
+        write_file(folder / (name + ".json"), problem.text());
+        const std::optional<GlobalProblem> global = global_form(problem);
+        if (global && has_fclib()) write_fclib(*global, folder / (name + ".hdf5"));
+    }
+
+    void add_problems() {
+        ProblemSections sections(run_.request().beside);
+        for (const ContactProblem& problem : problems_) {
+            const ProblemSection section = sections.add(problem, run_.quick(), run_.check(), run_.machine());
+            run_.write("problems.csv", table_of(sections.points()));
+            run_.count_run();
+            add(section.plot, section.heading, section.caption);
+        }
+        for (const double error : {1e-4, 1e-8}) {
+            Plate plate = sections.profile(error, run_.folder(), run_.machine());
+            run_.sections.push_back({fmt::format("profile_{:.0e}", error),
+                                     fmt::format("All problems to an error of {:.0e}", error), std::move(plate)});
+            write_page();
+        }
     }
 
     void add_consistency() {
@@ -236,6 +269,10 @@ class ErrorReport {
         plate.caption = caption;
         draw_work_plot(plot, run_.folder(), plate);
         run_.sections.push_back({plot.name, heading, std::move(plate)});
+        write_page();
+    }
+
+    void write_page() const {
         run_.write_page(fmt::format(
             "True errors (against closed forms, exact motion, converged forces) against the work "
             "of a method; lower left is better. Work is counted in multiply-adds of the solver and is the same "
@@ -247,6 +284,8 @@ class ErrorReport {
     StudyRun& run_;
     std::vector<Experiment> experiments_;
     std::vector<FrozenMoment> moments_;
+    std::vector<ContactProblem> problems_;
+    std::vector<ContactMoment> exports_;
     ConsistencyPlan plan_;
     std::vector<ErrorPoint> points_;
     std::vector<FrozenPoint> frozen_;

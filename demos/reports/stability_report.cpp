@@ -104,9 +104,9 @@ class StabilityReport {
             if (!end_some()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
             complete_chapters();
         }
-        const std::string headline =
-            unexpected_.empty() ? fmt::format("{} runs are as expected", trials_.size())
-                                : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_.size());
+        const std::string headline = unexpected_.empty() ? fmt::format("{} runs are as expected", trials_.size())
+                                                         : fmt::format("{} of {} runs are not as expected",
+                                                                       unexpected_.size(), trials_.size());
         run_.write(headline, suites());
         if (unexpected_.empty()) return;
         throw CheckError(fmt::format("{}, the first is {}; see {}", headline, unexpected_.front(),

@@ -29,10 +29,12 @@ struct Study {
 
 struct StudyRequest {
     std::filesystem::path folder;
-    bool quick = false;                              // few and short runs
-    bool problems = false;                           // also write frozen problems; error report only
-    std::vector<std::string> parts{};                // all when empty
-    std::optional<std::string> junit{}, markdown{};  // paths, for the verdicts of a study that judges
+    bool quick = false;                               // few and short runs
+    std::vector<std::filesystem::path> problems{};    // of others, for the error report
+    std::optional<std::filesystem::path> beside{};    // points of other solvers on them
+    std::optional<std::filesystem::path> exported{};  // folder for frozen problems
+    std::vector<std::string> parts{};                 // all when empty
+    std::optional<std::string> junit{}, markdown{};   // paths, for the verdicts of a study that judges
 };
 
 // A running study: its folder, request, progress and interruption, tables and page.
@@ -41,7 +43,7 @@ class StudyRun {
     StudyRun(const Study& study, StudyRequest request);
 
     bool quick() const { return request_.quick; }
-    bool problems() const { return request_.problems; }
+    const StudyRequest& request() const { return request_; }
     const std::filesystem::path& folder() const { return request_.folder; }
     const std::string& machine() const { return machine_; }  // program, compiler and processor
     bool wants(const std::string& part) const;

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace pushfactor::demos::reports::error {
 
 namespace {
@@ -31,9 +29,6 @@ FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) 
 }
 
 constexpr std::size_t most_rows_of_dense = 200;
-
-const std::map<std::string, const char*> colours{
-    {"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}};
 
 }  // namespace
 
@@ -112,9 +107,8 @@ std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points) {
         if (point.method.starts_with("dense")) continue;
         if (lines.empty() || lines.back().name != point.method) {
             const bool warm = point.method.ends_with("warm");
-            const auto colour = colours.find(point.method.substr(0, point.method.find(',')));
             lines.push_back({.name = point.method,
-                             .colour = colour == colours.end() ? "grey" : colour->second,
+                             .colour = colour_of_solver(point.method),
                              .dash = warm ? 1 : 2,
                              .mark = warm ? 7 : 5,
                              .points = {}});

@@ -98,6 +98,13 @@ FrozenProblem::FrozenProblem(std::string name, const engine::World& world)
     }
 }
 
+FrozenProblem::FrozenProblem(std::string name, std::vector<ConstraintRow> rows, engine::SystemEquation system)
+    : name_(std::move(name)), rows_(std::move(rows)), system_(std::move(system)) {
+    system_.rows = rows_;
+    guess_ = engine::Columns::Zero(system_.row_count(), system_.column_count());
+    weigh_rows(system_);
+}
+
 FrozenProblem::FrozenProblem(const std::filesystem::path& file) {
     const Json document = read_json_file(file, "frozen problem " + file.string());
     const JsonReader json(document, file.string());

@@ -48,6 +48,9 @@ class FrozenProblem {
     // The system of the world's last step.
     FrozenProblem(std::string name, const engine::World& world);
 
+    // Such a system, with a guess of zero. Its `diagonal` and `digests` are computed here, and its rows are `rows`.
+    FrozenProblem(std::string name, std::vector<engine::ConstraintRow> rows, engine::SystemEquation system);
+
     // Throws UsageError that names the file, the place in it, the value and what is allowed.
     explicit FrozenProblem(const std::filesystem::path& file);
 

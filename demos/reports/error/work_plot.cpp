@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace pushfactor::demos::reports::error {
 
@@ -192,6 +194,24 @@ std::string in_quotes(const std::string& word) {
 }
 
 }  // namespace
+
+std::string colour_of_solver(const std::string& method) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> colours{
+        {{"pgs", "blue"},
+         {"nncg", "green"},
+         {"jacobi", "orange"},
+         {"direct", "violet"},
+         {"auto", "vermilion"},
+         {"Siconos NSGS", "vermilion"},
+         {"Siconos projection", "orange"},
+         {"Siconos NSN_AC", "violet"},
+         {"Siconos ADMM", "green"}}};
+    const std::string solver = method.substr(0, method.find(','));
+    for (const auto& [name, colour] : colours) {
+        if (solver == name) return std::string(colour);
+    }
+    return "grey";
+}
 
 void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate) {
     const Axes axes = axes_of(plot);

@@ -25,6 +25,9 @@ struct WorkLine {
     std::vector<WorkPoint> points;
 };
 
+// Colour of a method by the solver that its name begins with, the same on all plots: "pgs, cold".
+std::string colour_of_solver(const std::string& method);
+
 // Theory: a thin grey line.
 struct TheoryLine {
     std::string label;

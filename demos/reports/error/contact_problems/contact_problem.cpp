@@ -1,0 +1,33 @@
+#include "demos/reports/error/contact_problems/contact_problem.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pushfactor::demos::reports::error {
+
+double LocalProblem::asymmetry() const {
+    const SparseMatrix difference = matrix - SparseMatrix(matrix.transpose());
+    double largest = 0.0, scale = 0.0;
+    for (Eigen::Index k = 0; k < difference.nonZeros(); ++k) {
+        largest = std::max(largest, std::abs(difference.valuePtr()[k]));
+    }
+    for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k) scale = std::max(scale, std::abs(matrix.valuePtr()[k]));
+    return scale > 0.0 ? largest / scale : 0.0;
+}
+
+LocalProblem local_form(const GlobalProblem& problem) {
+    const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.mass);
+    if (factors.info() != Eigen::Success) throw std::runtime_error(problem.title + ": M is singular");
+    const SparseMatrix transposed = problem.axes.transpose();
+    LocalProblem local{.title = problem.title,
+                       .matrix = transposed * SparseMatrix(factors.solve(problem.axes)),
+                       .free = problem.given + transposed * factors.solve(problem.force),
+                       .mu = problem.mu};
+    local.matrix.makeCompressed();
+    return local;
+}
+
+}  // namespace pushfactor::demos::reports::error
