@@ -191,6 +191,11 @@ void add_report(CLI::App& app, Words& words) {
                  "error: also write the frozen problems as JSON, for other solvers");
 }
 
+void add_doctor(CLI::App& app, Words& words) {
+    app.add_option("--out", words.request.out, "write the test picture to this file (.png)")->type_name("FILE");
+    app.add_flag("--json", words.request.json, "print JSON: for each finding whether it is ok, and the line");
+}
+
 struct CommandWords {
     Request::Command command;
     const char* name;
@@ -211,6 +216,8 @@ constexpr std::array commands{
                  "the figures of the paper's sections 8, 10 and 12, and ours, as one page", add_figures},
     CommandWords{Request::Command::report, "report", "measurements of many runs, as CSV files and a page of plots",
                  add_report},
+    CommandWords{Request::Command::doctor, "doctor",
+                 "what is installed here: libraries, programs, font; whether pictures can be rendered", add_doctor},
 };
 
 // A word of the command line as a shell takes it.

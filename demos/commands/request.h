@@ -11,7 +11,7 @@
 namespace pushfactor::demos {
 
 struct Request {
-    enum class Command { list, scene, family, run, render, figures, report };
+    enum class Command { list, scene, family, run, render, figures, report, doctor };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
@@ -19,7 +19,7 @@ struct Request {
     GivenOptions given;                 // simulation, parameters of scene or family, and frames
     RunFiles files;
     std::optional<std::string> summary;  // path; "-" is standard output
-    std::optional<std::string> out;      // folder for frames, figures or reports
+    std::optional<std::string> out;      // folder for frames, figures or reports; file of doctor
     std::optional<std::string> video;    // path
     std::optional<std::string> glb;      // path
     bool png = true;                     // write frames as PNG files
@@ -36,6 +36,7 @@ struct Request {
     std::vector<std::string> reports;  // names; one
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
+    bool json = false;      // doctor
     bool problems = false;  // also write the report's frozen problems
 };
 

@@ -40,6 +40,7 @@ constexpr std::nullptr_t EGL_NO_SURFACE = nullptr;
 
 // EGL functions, loaded at run time.
 struct EglLibrary {
+    std::string path;
     void (*(*function)(const char* name))() = nullptr;
     EGLDisplay (*platform_display)(EGLenum platform, void* native, const EGLAttrib* attributes) = nullptr;
     const char* (*query_string)(EGLDisplay display, EGLint name) = nullptr;
@@ -55,6 +56,7 @@ struct EglLibrary {
 EglLibrary load_egl(const std::vector<std::string>& names) {
     const SharedLibrary library(names, "EGL", packages);
     EglLibrary egl;
+    egl.path = library.path();
     library.find("eglGetProcAddress", egl.function);
     library.find("eglGetPlatformDisplay", egl.platform_display);
     library.find("eglQueryString", egl.query_string);
@@ -129,6 +131,7 @@ class EglContext final : public OffscreenContext {
     void* function(const char* name) override { return reinterpret_cast<void*>(egl_.function(name)); }
 
     std::string description() const override { return "EGL"; }
+    std::string library() const override { return egl_.path; }
 
   private:
     EglLibrary egl_;

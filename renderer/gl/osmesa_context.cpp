@@ -21,6 +21,7 @@ constexpr int OSMESA_RGBA = 0x1908;
 
 // OSMesa functions, loaded at run time.
 struct OsmesaLibrary {
+    std::string path;
     OSMesaContext (*create_context)(const int* attributes, OSMesaContext shared) = nullptr;
     void (*destroy_context)(OSMesaContext context) = nullptr;
     GLboolean (*make_current)(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
@@ -32,6 +33,7 @@ struct OsmesaLibrary {
 OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
     const SharedLibrary library(names, "OSMesa", "install the package libosmesa6 (Mesa 25.0 or earlier)");
     OsmesaLibrary osmesa;
+    osmesa.path = library.path();
     library.find("OSMesaCreateContextAttribs", osmesa.create_context);
     library.find("OSMesaDestroyContext", osmesa.destroy_context);
     library.find("OSMesaMakeCurrent", osmesa.make_current);
@@ -73,6 +75,7 @@ class OsmesaContext final : public OffscreenContext {
     void* function(const char* name) override { return reinterpret_cast<void*>(osmesa_.function(name)); }
 
     std::string description() const override { return "OSMesa"; }
+    std::string library() const override { return osmesa_.path; }
 
   private:
     static constexpr int side = 16;  // pixels
