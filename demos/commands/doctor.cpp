@@ -119,8 +119,7 @@ void doctor(const Request& request) {
         picture,
     };
     write_file("-", request.json ? json_text_of(findings) : text_of(findings));
-    if (!picture.good)
-        throw CheckError("no picture can be rendered here; `pushfactor doctor` says what is missing");
+    if (!picture.good) throw CheckError("no picture can be drawn here: the list says what to install");
 }
 
 }  // namespace pushfactor::demos::commands
