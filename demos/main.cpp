@@ -44,6 +44,9 @@ int carry_out(const Request& request) {
         case Request::Command::check:
             commands::check(request);
             break;
+        case Request::Command::doctor:
+            commands::doctor(request);
+            break;
     }
     return done;
 }

@@ -9,6 +9,8 @@
 // The names of version 2, which the tests use.
 using Catch::Approx;
 namespace Catch {
+using Matchers::EndsWith;
+using Matchers::StartsWith;
 inline auto Contains(const std::string& text) {
     return Matchers::ContainsSubstring(text);
 }

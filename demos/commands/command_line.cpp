@@ -234,6 +234,11 @@ void add_check(CLI::App& app, Words& words) {
     add_verdict_files(app, request);
 }
 
+void add_doctor(CLI::App& app, Words& words) {
+    app.add_option("--out", words.request.out, "write the test picture to this file (.png)")->type_name("FILE");
+    app.add_flag("--json", words.request.json, "print JSON: for each finding whether it is ok, and the line");
+}
+
 struct CommandWords {
     Request::Command command;
     const char* name;
@@ -256,6 +261,8 @@ constexpr std::array command_table{
                  add_report},
     CommandWords{Request::Command::check, "check", "renders folders of pictures again and says what differs",
                  add_check},
+    CommandWords{Request::Command::doctor, "doctor",
+                 "what is installed here: libraries, programs, font; whether pictures can be rendered", add_doctor},
 };
 
 // A word of the command line as a shell takes it.

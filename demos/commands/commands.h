@@ -13,5 +13,6 @@ void render(const Request& request);
 void figures(const Request& request);
 void report(const Request& request);
 void check(const Request& request);
+void doctor(const Request& request);
 
 }  // namespace pushfactor::demos::commands

@@ -21,7 +21,7 @@ struct CheckRequest {
 };
 
 struct Request {
-    enum class Command { list, scene, family, run, render, figures, report, check };
+    enum class Command { list, scene, family, run, render, figures, report, check, doctor };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
@@ -29,7 +29,7 @@ struct Request {
     GivenOptions given;                 // simulation, parameters of scene or family, and frames
     RunFiles files;
     std::optional<std::string> summary;  // path; "-" is standard output
-    std::optional<std::string> out;      // folder for frames, figures or reports
+    std::optional<std::string> out;      // folder for frames, figures or reports; file of doctor
     std::optional<std::string> video;    // path
     std::optional<std::string> glb;      // path
     bool png = true;                     // write frames as PNG files
@@ -46,6 +46,7 @@ struct Request {
     std::vector<std::string> reports;  // names; one
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
+    bool json = false;                           // doctor
     std::optional<std::string> junit, markdown;  // paths; of report stability and check
     CheckRequest check;
     std::optional<std::string> problems;  // file or folder of contact problems

@@ -21,7 +21,11 @@ float letter_size(int height) {
     return std::clamp(static_cast<float>(height) / 36.0f, 11.0f, 64.0f);
 }
 
-Lettering::Lettering() : font_(PUSHFACTOR_FONT) {}
+Lettering::Lettering() : font_(font_file()) {}
+
+std::string Lettering::font_file() {
+    return PUSHFACTOR_FONT;
+}
 
 void Lettering::text(Image& image, const std::string& text, glm::vec2 at, float size, bool centred) const {
     if (centred) at.x -= 0.5f * font_.width(text, size);

@@ -22,6 +22,8 @@ class Lettering {
     // Throws renderer::RendererError when the font cannot be read.
     Lettering();
 
+    static std::string font_file();
+
     // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the
     // bottom left, a legend at the bottom right. `size` is the font size in pixels. Text that is too long is cut
     // and ends in "…".

@@ -85,6 +85,12 @@ fs::path require_program(const std::string& name, const std::string& package) {
     throw ChildProcessError(fmt::format("{} is not installed; on Debian: apt install {}", name, package));
 }
 
+// A shell, because a ChildProcess keeps only standard error, and of that only the end.
+std::string first_line_of(const fs::path& program, const std::string& argument) {
+    ChildProcess shell("sh", "dash", {"-c", "\"$0\" \"$1\" 2>&1 | head -n 1 >&2", program.string(), argument});
+    return shell.ending().words;
+}
+
 ChildProcess::ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments)
     : name_(name) {
     const fs::path program = require_program(name, package);

@@ -26,6 +26,9 @@ std::optional<std::filesystem::path> find_program(const std::string& name);
 // The same; throws ChildProcessError that names the package to install.
 std::filesystem::path require_program(const std::string& name, const std::string& package);
 
+// First line of what a program prints with this argument, such as "--version". Throws ChildProcessError.
+std::string first_line_of(const std::filesystem::path& program, const std::string& argument);
+
 // End of a tool: its exit status, 128 + n for signal n, and the last lines of its standard error.
 struct Ending {
     int status = 0;

@@ -3,6 +3,7 @@
 #include "renderer/base/renderer_error.h"
 
 #include <dlfcn.h>
+#include <link.h>
 
 namespace pushfactor::renderer {
 
@@ -14,6 +15,11 @@ SharedLibrary::SharedLibrary(const std::vector<std::string>& names, const std::s
         if (handle_ != nullptr) return;
     }
     throw RendererError("cannot load " + what + ", which draws without a display: " + remedy);
+}
+
+std::string SharedLibrary::path() const {
+    link_map* map = nullptr;
+    return dlinfo(handle_, RTLD_DI_LINKMAP, &map) == 0 ? map->l_name : name_;
 }
 
 void* SharedLibrary::symbol(const char* name) const {

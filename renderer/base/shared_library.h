@@ -19,6 +19,9 @@ class SharedLibrary {
         function = reinterpret_cast<Function>(symbol(name));
     }
 
+    // The file that was opened, with its path.
+    std::string path() const;
+
   private:
     void* symbol(const char* name) const;
 

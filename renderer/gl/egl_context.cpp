@@ -3,10 +3,9 @@
 #include "renderer/base/renderer_error.h"
 #include "renderer/base/shared_library.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
@@ -15,22 +14,49 @@ namespace {
 
 const char* const packages = "install the packages libegl1, libegl-mesa0 and libgl1-mesa-dri";
 
+// As in egl.h and eglext.h of https://github.com/KhronosGroup/EGL-Registry, which Debian packages together with X.
+using EGLint = std::int32_t;
+using EGLenum = unsigned int;
+using EGLBoolean = unsigned int;
+using EGLAttrib = std::intptr_t;
+using EGLDisplay = void*;
+using EGLConfig = void*;
+using EGLContext = void*;
+using EGLSurface = void*;
+constexpr EGLBoolean EGL_TRUE = 1;
+constexpr EGLint EGL_NONE = 0x3038;
+constexpr EGLint EGL_EXTENSIONS = 0x3055;
+constexpr EGLint EGL_CONTEXT_MAJOR_VERSION = 0x3098;
+constexpr EGLint EGL_CONTEXT_MINOR_VERSION = 0x30FB;
+constexpr EGLint EGL_CONTEXT_OPENGL_PROFILE_MASK = 0x30FD;
+constexpr EGLint EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT = 1;
+constexpr EGLenum EGL_OPENGL_API = 0x30A2;
+constexpr EGLenum EGL_PLATFORM_SURFACELESS_MESA = 0x31DD;
+constexpr std::nullptr_t EGL_DEFAULT_DISPLAY = nullptr;
+constexpr std::nullptr_t EGL_NO_DISPLAY = nullptr;
+constexpr std::nullptr_t EGL_NO_CONFIG_KHR = nullptr;
+constexpr std::nullptr_t EGL_NO_CONTEXT = nullptr;
+constexpr std::nullptr_t EGL_NO_SURFACE = nullptr;
+
 // EGL functions, loaded at run time.
 struct EglLibrary {
-    decltype(&eglGetProcAddress) function = nullptr;
-    decltype(&eglGetPlatformDisplay) platform_display = nullptr;
-    decltype(&eglQueryString) query_string = nullptr;
-    decltype(&eglInitialize) initialise = nullptr;
-    decltype(&eglBindAPI) bind_api = nullptr;
-    decltype(&eglCreateContext) create_context = nullptr;
-    decltype(&eglDestroyContext) destroy_context = nullptr;
-    decltype(&eglMakeCurrent) make_current = nullptr;
-    decltype(&eglGetCurrentContext) current_context = nullptr;
+    std::string path;
+    void (*(*function)(const char* name))() = nullptr;
+    EGLDisplay (*platform_display)(EGLenum platform, void* native, const EGLAttrib* attributes) = nullptr;
+    const char* (*query_string)(EGLDisplay display, EGLint name) = nullptr;
+    EGLBoolean (*initialise)(EGLDisplay display, EGLint* major, EGLint* minor) = nullptr;
+    EGLBoolean (*bind_api)(EGLenum api) = nullptr;
+    EGLContext (*create_context)(EGLDisplay display, EGLConfig config, EGLContext shared,
+                                 const EGLint* attributes) = nullptr;
+    EGLBoolean (*destroy_context)(EGLDisplay display, EGLContext context) = nullptr;
+    EGLBoolean (*make_current)(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) = nullptr;
+    EGLContext (*current_context)() = nullptr;
 };
 
 EglLibrary load_egl(const std::vector<std::string>& names) {
     const SharedLibrary library(names, "EGL", packages);
     EglLibrary egl;
+    egl.path = library.path();
     library.find("eglGetProcAddress", egl.function);
     library.find("eglGetPlatformDisplay", egl.platform_display);
     library.find("eglQueryString", egl.query_string);
@@ -47,8 +73,7 @@ EglLibrary load_egl(const std::vector<std::string>& names) {
 EGLDisplay open_display(const EglLibrary& egl) {
     constexpr int keep_what_is_set = 0;
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", keep_what_is_set);
-    const EGLDisplay display =
-        egl.platform_display(EGL_PLATFORM_SURFACELESS_MESA, reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr);
+    const EGLDisplay display = egl.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || egl.initialise(display, nullptr, nullptr) != EGL_TRUE) {
         throw RendererError(std::string("this EGL cannot draw without a display: ") + packages);
     }
@@ -106,6 +131,7 @@ class EglContext final : public OffscreenContext {
     void* function(const char* name) override { return reinterpret_cast<void*>(egl_.function(name)); }
 
     std::string description() const override { return "EGL"; }
+    std::string library() const override { return egl_.path; }
 
   private:
     EglLibrary egl_;

@@ -32,7 +32,7 @@ void check_version(const Gl& gl, const OffscreenContext& context) {
 Gl load_gl(OffscreenContext& context) {
     context.make_current();
     Gl gl;
-#define PUSHFACTOR_GL_LOAD(name) load(context, "gl" #name, gl.name);
+#define PUSHFACTOR_GL_LOAD(name, type) load(context, "gl" #name, gl.name);
     PUSHFACTOR_GL_FUNCTIONS(PUSHFACTOR_GL_LOAD)
 #undef PUSHFACTOR_GL_LOAD
     check_version(gl, context);

@@ -9,7 +9,7 @@ namespace pushfactor::renderer {
 class GlObject {
   public:
     // All of these kinds have the signatures of buffers.
-    GlObject(decltype(&glGenBuffers) generate, decltype(&glDeleteBuffers) remove) : remove_(remove) {
+    GlObject(decltype(Gl::GenBuffers) generate, decltype(Gl::DeleteBuffers) remove) : remove_(remove) {
         generate(1, &name_);
     }
     ~GlObject() { remove_(1, &name_); }
@@ -19,7 +19,7 @@ class GlObject {
     GLuint name() const { return name_; }
 
   private:
-    decltype(&glDeleteBuffers) remove_;
+    decltype(Gl::DeleteBuffers) remove_;
     GLuint name_ = 0;
 };
 

@@ -26,6 +26,9 @@ class OffscreenContext {
 
     // The back end, for messages: "OSMesa" or "EGL".
     virtual std::string description() const = 0;
+
+    // The library that was loaded for it, with its path.
+    virtual std::string library() const = 0;
 };
 
 // OpenGL back ends.
@@ -35,5 +38,9 @@ enum class ContextKind { osmesa, egl };
 // pictures with the same version of Mesa. Throws RendererError if none is available; the message names the packages
 // to install.
 std::unique_ptr<OffscreenContext> open_offscreen_context(std::optional<ContextKind> kind = std::nullopt);
+
+// What draws: "4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)". Makes the context current. Throws
+// RendererError if it is older than GL 3.3.
+std::string gl_version_of(OffscreenContext& context);
 
 }  // namespace pushfactor::renderer

@@ -2,8 +2,7 @@
 
 #include "renderer/base/renderer_error.h"
 #include "renderer/base/shared_library.h"
-
-#include <GL/osmesa.h>
+#include "renderer/gl/gl_types.h"
 
 #include <array>
 #include <cstdint>
@@ -11,18 +10,30 @@
 namespace pushfactor::renderer {
 namespace {
 
+// As in GL/osmesa.h of Mesa 22.3 (https://gitlab.freedesktop.org/mesa/mesa); Mesa 25.1 and later have no OSMesa.
+using OSMesaContext = struct osmesa_context*;
+constexpr int OSMESA_FORMAT = 0x22;
+constexpr int OSMESA_PROFILE = 0x33;
+constexpr int OSMESA_CORE_PROFILE = 0x34;
+constexpr int OSMESA_CONTEXT_MAJOR_VERSION = 0x36;
+constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
+constexpr int OSMESA_RGBA = 0x1908;
+
 // OSMesa functions, loaded at run time.
 struct OsmesaLibrary {
-    decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
-    decltype(&OSMesaDestroyContext) destroy_context = nullptr;
-    decltype(&OSMesaMakeCurrent) make_current = nullptr;
-    decltype(&OSMesaGetCurrentContext) current_context = nullptr;
-    decltype(&OSMesaGetProcAddress) function = nullptr;
+    std::string path;
+    OSMesaContext (*create_context)(const int* attributes, OSMesaContext shared) = nullptr;
+    void (*destroy_context)(OSMesaContext context) = nullptr;
+    GLboolean (*make_current)(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
+                              GLsizei height) = nullptr;
+    OSMesaContext (*current_context)() = nullptr;
+    void (*(*function)(const char* name))() = nullptr;
 };
 
 OsmesaLibrary load_osmesa(const std::vector<std::string>& names) {
-    const SharedLibrary library(names, "OSMesa", "install the package libosmesa6");
+    const SharedLibrary library(names, "OSMesa", "install the package libosmesa6 (Mesa 25.0 or earlier)");
     OsmesaLibrary osmesa;
+    osmesa.path = library.path();
     library.find("OSMesaCreateContextAttribs", osmesa.create_context);
     library.find("OSMesaDestroyContext", osmesa.destroy_context);
     library.find("OSMesaMakeCurrent", osmesa.make_current);
@@ -64,6 +75,7 @@ class OsmesaContext final : public OffscreenContext {
     void* function(const char* name) override { return reinterpret_cast<void*>(osmesa_.function(name)); }
 
     std::string description() const override { return "OSMesa"; }
+    std::string library() const override { return osmesa_.path; }
 
   private:
     static constexpr int side = 16;  // pixels

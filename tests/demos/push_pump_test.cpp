@@ -41,7 +41,7 @@ Settings with(pushfactor::engine::PushKind push) {
 
 }  // namespace
 
-TEST_CASE("8.1: a push that too few sweeps have solved makes energy of a wall; without one there is none") {
+TEST_CASE("8.1: a push that too few sweeps have solved makes energy of a wall, without one there is none") {
     using pushfactor::engine::PushKind;
     CHECK(energy_of_wall(with(PushKind::none)).rise < 0.01);
     CHECK(energy_of_wall(with(PushKind::persistent)).rise > 10.0);

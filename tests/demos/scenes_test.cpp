@@ -44,7 +44,7 @@ TEST_CASE("the pendulum grid holds all five objects for a minute") {
     CHECK(run.measurements.max_length_error() < 1e-3);
 }
 
-TEST_CASE("a poke of 60 N presses one sphere through the grid; the other four stay") {
+TEST_CASE("a poke of 60 N presses one sphere through the grid, the other four stay") {
     Run run(simulate("pendulum-grid", preset_settings("default"), {{"poke", "60"}, {"poke-at", "2"}}));
     run.advance(1.9);
     CHECK(run.measured("on_top") == 5.0);
@@ -137,7 +137,7 @@ TEST_CASE("a chain keeps its links under substeps, better than without") {
     CHECK(eight.measurements.max_length_error() < 0.2 * one.measurements.max_length_error());
 }
 
-TEST_CASE("a cube ten times as heavy stands on a light one; a thousand times is beyond 25 sweeps") {
+TEST_CASE("a cube ten times as heavy stands on a light one, a thousand times is beyond 25 sweeps") {
     Run ten(simulate("heavy-on-light", preset_settings("default"), {{"mass-ratio", "10"}}));
     ten.advance(10);
     CHECK(ten.measurements.outcome() == Outcome::rest);

@@ -160,7 +160,7 @@ TEST_CASE("a step forwards and a step back is where it began, and time too") {
     }
 }
 
-TEST_CASE("the energy of a pendulum swings within dt^2 and does not drift; the bar keeps its length") {
+TEST_CASE("the energy of a pendulum swings within dt^2 and does not drift, the bar keeps its length") {
     World world = simple_pendulum(0.8);
     const double start = energy(world);
     const auto largest_error = [&](int steps) {

@@ -151,7 +151,7 @@ TEST_CASE("shared work is done once, by as many slots as there are threads, each
     CHECK(Threads(0).count() == 1);
 }
 
-TEST_CASE("a team meets after each round of its work; outside of keep_at_hand() it is the caller alone") {
+TEST_CASE("a team meets after each round of its work, outside of keep_at_hand() it is the caller alone") {
     Threads threads(2);
     const auto count_rounds = [&] {
         std::vector<int> rounds(static_cast<std::size_t>(threads.count()), 0);

@@ -100,7 +100,7 @@ TEST_CASE("a body at rest stops a fast one that flies through where it lies") {
     CHECK(velocity(scene.world.bodies[1]).x() > 0.0);
 }
 
-TEST_CASE("a force that begins and one that ends wake what they act on; one that lasts lets it rest") {
+TEST_CASE("a force that begins and one that ends wake what they act on, one that lasts lets it rest") {
     ContactScene scene;
     add_ground_and_tower(scene);
     // Too weak to move the cube on its friction.

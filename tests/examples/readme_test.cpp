@@ -31,7 +31,7 @@ TEST_CASE("every example of the READMEs is compiled, and every compiled example 
     }
 }
 
-TEST_CASE("an example that is shown as it is has no fault; other code than C++ needs no mark") {
+TEST_CASE("an example that is shown as it is has no fault, other code than C++ needs no mark") {
     CHECK(faults_of("# A\n\n" + mark + block + "\n```\nint c;\n```\n", "#include <a>\n" + region).empty());
     CHECK(faults_of(mark + block + "and again\n" + mark + block, region).empty());
 }

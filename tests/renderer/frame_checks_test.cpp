@@ -52,6 +52,7 @@ class FailingContext final : public OffscreenContext {
         return context_->function(name);
     }
     std::string description() const override { return "a failing context"; }
+    std::string library() const override { return "none"; }
 
     std::string missing{};  // a removed function
     bool lost = false;

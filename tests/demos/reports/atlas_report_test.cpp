@@ -28,7 +28,7 @@ std::string cut_short(const std::string& csv) {
 
 }  // namespace
 
-TEST_CASE("one command makes a table, maps and a page; a command of the table gives its outcome and number again") {
+TEST_CASE("one command makes a table, maps and a page, a command of the table gives its outcome and number again") {
     const Folder folder;
     const Ended ended = shell(folder, quick_map);
     INFO(ended.err);

@@ -144,7 +144,7 @@ TEST_CASE("cards that lean touch what they lean on") {
             CHECK(corner.x() == Approx(0.0).margin(1e-12));
         }
         // The edge of the box is in the plane of the face of the card.
-        const BodyDescription& card = card_leaning(angle).bodies.back();
+        const BodyDescription card = card_leaning(angle).bodies.back();
         const Vector3 inside = card.orientation.conjugate() * (Vector3(0, 0.4, 0) - card.position);
         CHECK(inside.x() == Approx(0.5 * card_thickness));
     }

@@ -47,7 +47,7 @@ TEST_CASE("5.2.3: the printed sign doubles the error of a bar in one step, the m
     }
 }
 
-TEST_CASE("5.2.1: along p_ab itself a push in m/s corrects 1 / |p_ab| of the error; three ways correct it all") {
+TEST_CASE("5.2.1: along p_ab itself a push in m/s corrects 1 / |p_ab| of the error, three ways correct it all") {
     for (const double length : {0.2, 1.0, 20.0}) {
         const double error = 0.05 * length;
         const double apart = length + error;
@@ -123,7 +123,7 @@ TEST_CASE("5.3: whether the block of a static body is zero or not makes no diffe
     }
 }
 
-TEST_CASE("5.4: where g n is below zero the printed bounds cross and push a resting box; on a wall they are zero") {
+TEST_CASE("5.4: where g n is below zero the printed bounds cross and push a resting box, on a wall they are zero") {
     const double mu = 0.5, mass = 2.0;
     const std::vector<Body> bodies{static_body(Vector3::Zero()), resting_box(mass)};
     const Vector3 n = Vector3::UnitY();  // from a to b, so against gravity

@@ -109,7 +109,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "8.1: the constraint is met when f_cv turns the body as well; moving it alone leaves what the turn would do") {
+    "8.1: the constraint is met when f_cv turns the body as well, moving it alone leaves what the turn would do") {
     const std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1.0, {1.0, 0.4, 0.2}, {0, 0.2, 0})};
     std::vector<ConstraintRow> rows;
     write_contact_row(PairPoint({0, 1, bodies[0], bodies[1]}, {0.5, 0, 0}), Vector3::UnitY(), -0.01,
@@ -136,7 +136,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "8.1: beta below 1 keeps the contacts of a resting cube until rounding; a margin or a slop keeps them with 1") {
+    "8.1: beta below 1 keeps the contacts of a resting cube until rounding, a margin or a slop keeps them with 1") {
     const auto steps_without = [](double beta, double slop, double margin) {
         World world;
         world.bodies = {static_body(Vector3::Zero()), box_body(1.0, Vector3::Ones(), {0, 0.45, 0})};

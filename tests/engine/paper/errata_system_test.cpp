@@ -73,7 +73,7 @@ tests::Problem stack_of_five() {
 
 }  // namespace
 
-TEST_CASE("6.1.2: J has a line for each row and six columns for each body; nothing else multiplies with v") {
+TEST_CASE("6.1.2: J has a line for each row and six columns for each body, nothing else multiplies with v") {
     const Frozen frozen = tests::chain_problem(3).frozen();
     const MatrixX J = jacobian_of(frozen);
     const Eigen::Index n = 4, c = 3;
@@ -95,7 +95,7 @@ TEST_CASE("6.1.2: J has a line for each row and six columns for each body; nothi
     CHECK(12 * n != v.size());
 }
 
-TEST_CASE("6.1.3: M^-1 makes velocities of momenta; of velocities it makes another quantity") {
+TEST_CASE("6.1.3: M^-1 makes velocities of momenta, of velocities it makes another quantity") {
     Body body = box_body(3.0, {1.0, 0.4, 0.2}, {1, 0, 0});
     body.linear_momentum = {3, -6, 1};
     body.angular_momentum = {0.2, -0.1, 0.3};
@@ -173,7 +173,7 @@ TEST_CASE("6.2.9: within bounds A lambda - b is not zero but points out of them"
 }
 
 TEST_CASE(
-    "6.2.4: J v2 is the push with the inertia of the step's start; the next step begins with another velocity") {
+    "6.2.4: J v2 is the push with the inertia of the step's start, the next step begins with another velocity") {
     std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1.0, {1.0, 0.4, 0.2}, {1, 0, 0})};
     bodies[1].angular_momentum = {0.2, 0.5, -0.3};
     ConstraintRow row = row_along(Vector3::UnitX(), 0.0);

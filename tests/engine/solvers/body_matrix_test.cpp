@@ -80,7 +80,7 @@ TEST_CASE("the factors solve what dense ones solve, symmetric or not, whatever t
     }
 }
 
-TEST_CASE("a thread, a star and any other tree fill nothing in; a ring fills in one block per body at most") {
+TEST_CASE("a thread, a star and any other tree fill nothing in, a ring fills in one block per body at most") {
     const auto work = [](const Pairs& pairs, int bodies) {
         Elimination order;
         order.find(bodies, pairs);

@@ -71,7 +71,7 @@ TEST_CASE("on a column of n bodies jacobi's error shrinks by 1 - w (1 - cos(pi /
 }
 
 TEST_CASE(
-    "where faces touch in four points plain Jacobi is worse than nothing; the relaxed one gets there slowly") {
+    "where faces touch in four points plain Jacobi is worse than nothing, the relaxed one gets there slowly") {
     const Frozen frozen = tower(0.0, persistent).frozen();
     const double eigenvalue = largest_eigenvalue(frozen.system);
     CHECK(eigenvalue > 2.0);                  // weight 1 cannot converge

@@ -1,0 +1,51 @@
+#include "demos/pictures/graphics_check.h"
+
+#include "demos/pictures/studio.h"
+#include "demos/pictures/to_glm.h"
+#include "demos/platform/assets.h"
+#include "renderer/base/renderer_error.h"
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+constexpr Size size{320, 180};
+
+// A ball beside a stack of three cubes, in the colours of the palette.
+renderer::Picture test_picture() {
+    renderer::Picture picture;
+    picture.camera = {.eye = {3.0f, 2.6f, 7.0f}, .target = {0.4f, 1.2f, 0.0f}};
+    picture.ground = renderer::Ground{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float height = 0.5f + static_cast<float>(i);
+        picture.boxes.push_back({.position = {0.0f, height, 0.0f}, .colour = to_glm(palette[i])});
+    }
+    picture.spheres.push_back({.position = {1.6f, 0.5f, 0.5f}, .colour = to_glm(palette[3])});
+    return picture;
+}
+
+}  // namespace
+
+Graphics check_graphics(renderer::ContextKind kind) {
+    Graphics graphics;
+    try {
+        const auto context = renderer::open_offscreen_context(kind);
+        graphics.found = context->library() + ": " + renderer::gl_version_of(*context);
+        renderer::Renderer renderer(*context, size.width, size.height, asset_folder("shaders"));
+        renderer::Image picture = renderer.render(test_picture());
+        const renderer::Rectangle whole{0, 0, size.width, size.height};
+        Lettering().caption(picture, whole, "pushfactor doctor", letter_size(size.height));
+        graphics.picture = std::move(picture);
+    } catch (const renderer::RendererError& error) {
+        graphics.found += (graphics.found.empty() ? "" : "; ") + std::string(error.what());
+    }
+    return graphics;
+}
+
+std::uint64_t hash_of(const renderer::Image& image) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const std::uint8_t byte : image.rgb) hash = (hash ^ byte) * 1099511628211u;
+    return hash;
+}
+
+}  // namespace pushfactor::demos::pictures
