@@ -8,8 +8,6 @@ namespace pushfactor::engine {
 
 namespace {
 
-constexpr std::size_t rows_of_a_part = 1000;  // per thread task
-
 bool has_row_from(const Island& island, std::size_t first_row) {
     return static_cast<std::size_t>(island.runs.back().end) > first_row;
 }
@@ -185,7 +183,7 @@ double StepSolver::residual(const StepProblem& problem) const {
         const IslandSolver::Outcome& outcome = outcome_of(island);
         const double own = all_measured || outcome.in_small_steps
                                ? std::max(outcome.residuals[0], outcome.residuals[1])
-                               : natural_residual(problem.system, island, lambda_);
+                               : island_residual(problem.system, island, lambda_);
         if (!(own <= largest)) largest = own;
     }
     return largest;

@@ -174,7 +174,7 @@ TEST_CASE("what the sweep cannot decide about in so many waits keeps the touch t
         return collision::Moving{scene.colliders[i].shape, collision::pose_of(bodies[i]), motion_of(bodies[i])};
     };
     const collision::Course course =
-        follow(moving(0), moving(1), ContactScene::dt, {.tolerance = 2e-5, .margin = 2e-3, .permitted = 4e-4});
+        course_of(moving(0), moving(1), ContactScene::dt, {.tolerance = 2e-5, .margin = 2e-3, .permitted = 4e-4});
     CHECK(!course.meeting);
     CHECK(!course.decided);
     const collision::ContinuousCollision::Step step = scene.step_of(detection);
