@@ -41,6 +41,9 @@ int carry_out(const Request& request) {
         case Request::Command::report:
             commands::report(request);
             break;
+        case Request::Command::check:
+            commands::check(request);
+            break;
     }
     return done;
 }

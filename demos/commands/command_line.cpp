@@ -170,6 +170,13 @@ void add_figures(CLI::App& app, Words& words) {
         ->check(CLI::Range(1, 256));
 }
 
+// Verdicts for CI servers.
+void add_verdict_files(CLI::App& app, Request& request) {
+    app.add_option("--junit", request.junit, "the verdicts as JUnit XML")->type_name("FILE");
+    app.add_option("--markdown", request.markdown, "a summary as Markdown, for the summary of a job")
+        ->type_name("FILE");
+}
+
 void add_report(CLI::App& app, Words& words) {
     Request& request = words.request;
     app.add_option(
@@ -189,6 +196,35 @@ void add_report(CLI::App& app, Words& words) {
         ->delimiter(',');
     app.add_flag("--problems", request.problems,
                  "error: also write the frozen problems as JSON, for other solvers");
+    add_verdict_files(app, request);
+}
+
+void add_check(CLI::App& app, Words& words) {
+    Request& request = words.request;
+    CheckRequest& check = request.check;
+    app.add_option("FOLDER", check.folders,
+                   "folders of `render`, or folders of such: each is rendered again as its config.json says");
+    app.add_option("--against", check.against,
+                   "compare the PNG files of FOLDER with those of this folder instead; nothing is rendered")
+        ->type_name("DIR");
+    app.add_option("--tolerance", check.tolerance,
+                   "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 "
+                   "[equal where program and driver are the same, else 2:0.2%,16:0.02%]")
+        ->type_name("LIST");
+    app.add_option("--flip", check.flip, "largest mean FLIP error instead: what a person would see, 0 to 1")
+        ->type_name("N");
+    app.add_option("--physics", check.physics,
+                   "hash: the state at the end is equal to the bit; M: poses are within M metres and radians of "
+                   "trajectory.csv in the folder; off [hash]")
+        ->type_name("hash|M|off");
+    app.add_flag("--update", check.update,
+                 "accept the new pictures and summaries: prints what differs and replaces it");
+    app.add_option("--jobs", check.jobs, "folders that are checked at once [1]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+    add_given(app, request.given, "gl", "osmesa|egl", "OpenGL back end [as in the config.json]", "Options");
+    app.add_option("--out", request.out, "folder for the page and its pictures [out/check]")->type_name("DIR");
+    add_verdict_files(app, request);
 }
 
 struct CommandWords {
@@ -198,7 +234,7 @@ struct CommandWords {
     void (*add_options)(CLI::App&, Words&);
 };
 
-constexpr std::array commands{
+constexpr std::array command_table{
     CommandWords{Request::Command::list, "list", "the scenes: what happens, their parameters, what each is made of",
                  add_list},
     CommandWords{Request::Command::scene, "scene", "prints a scene as a JSON file that run and render accept",
@@ -211,6 +247,8 @@ constexpr std::array commands{
                  "the figures of the paper's sections 8, 10 and 12, and ours, as one page", add_figures},
     CommandWords{Request::Command::report, "report", "measurements of many runs, as CSV files and a page of plots",
                  add_report},
+    CommandWords{Request::Command::check, "check", "renders folders of pictures again and says what differs",
+                 add_check},
 };
 
 // A word of the command line as a shell takes it.
@@ -247,7 +285,7 @@ void refuse_extras(const CLI::App& app) {
 
 Request::Command command_of(const CLI::App& app) {
     const auto named = [&](const CommandWords& words) { return app.get_name() == words.name; };
-    return std::ranges::find_if(commands, named)->command;
+    return std::ranges::find_if(command_table, named)->command;
 }
 
 void check_scenes(const Request& request) {
@@ -274,7 +312,7 @@ std::optional<Request> parse_command_line(int argc, char** argv) {
     app.footer(exit_statuses);
     app.require_subcommand(0, 1);
     app.allow_extras();
-    for (const CommandWords& command : commands) {
+    for (const CommandWords& command : command_table) {
         CLI::App& added = *app.add_subcommand(command.name, command.description);
         command.add_options(added, words);
         added.allow_extras();

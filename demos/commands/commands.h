@@ -12,5 +12,6 @@ void run(const Request& request);
 void render(const Request& request);
 void figures(const Request& request);
 void report(const Request& request);
+void check(const Request& request);
 
 }  // namespace pushfactor::demos::commands

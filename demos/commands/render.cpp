@@ -1,16 +1,12 @@
 #include "demos/commands/commands.h"
-#include "demos/options/comparison.h"
-#include "demos/pictures/film.h"
-#include "demos/pictures/frame_writer.h"
+#include "demos/pictures/film/frame_writer.h"
+#include "demos/pictures/film/sequence.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
-#include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
-#include "demos/platform/producer.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
 #include "demos/text/errors.h"
-#include "demos/text/json.h"
 
 #include <fmt/format.h>
 
@@ -20,19 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One scene to render: its panels, the frames of each, and the output folder.
+// One scene to render, and its output folder.
 struct Job {
-    std::vector<ComparedRun> panels;
-    std::vector<std::vector<Frame>> frames;  // per panel, equally many in each
+    pictures::Sequence sequence;
     fs::path folder;
-
-    const std::string& scene() const { return panels.front().choices.description.name; }
-
-    // A run ends with its last still.
-    long last_step(std::size_t panel) const {
-        const Choices& choices = panels[panel].choices;
-        return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
-    }
 };
 
 // Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
@@ -50,136 +37,61 @@ void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames)
 }
 
 Job understand_job(const std::string& scene, const Request& request) {
-    Job job{.panels = compared_runs(scene, request.given), .frames = {}, .folder = {}};
-    for (const ComparedRun& panel : job.panels) {
-        const Choices& choices = panel.choices;
-        job.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
-        if (job.frames.back().size() != job.frames.front().size()) {
-            throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
-                                         panel.label, job.frames.front().size(), job.frames.back().size()));
-        }
-    }
-    if (request.glb) pictures::check_glb(*request.glb, job.panels.front().choices);
+    Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}};
+    if (request.glb) pictures::check_glb(*request.glb, job.sequence.panels.front().choices);
     const fs::path base = request.out.value_or("out");
-    job.folder = request.scenes.size() > 1 || !request.out ? base / job.scene() : base;
+    job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
 }
 
 std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
     std::vector<ObservedRun> runs;
-    for (const ComparedRun& panel : job.panels) {
+    for (const ComparedRun& panel : job.sequence.panels) {
         runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
     }
     return runs;
 }
 
-std::string summary_of(const Job& job, std::vector<ObservedRun>& runs) {
-    if (runs.size() == 1) return runs.front().finish();
-    Json summary;
-    summary["compare"] = job.panels.front().choices.frames.compare->option;
-    for (ObservedRun& run : runs) summary["panels"].push_back(Json::parse(run.finish()));
-    return summary.dump(2) + "\n";
-}
-
-// What is made of a job's runs; either may be absent.
-struct Takers {
-    std::optional<pictures::Film> film{};
-    std::optional<pictures::Replay> replay{};
-};
-
-// Steps the runs of a job to each frame and then to the end, records the replay and sends a snapshot per frame,
-// which is empty without a film. Stops early when the channel is closed or the program is interrupted.
-class Shooting {
-  public:
-    Shooting(const Job& job, std::vector<ObservedRun>& runs, Takers& takers, pictures::StageTimes* times)
-        : job_(job), runs_(runs), takers_(takers), times_(times) {}
-
-    void operator()(Channel<pictures::Snapshot>& moments) {
-        const pictures::ThreadWatch thread(times_);
-        const std::vector<Frame>& frames = job_.frames.front();
-        for (std::size_t frame = 0; frame < frames.size(); ++frame) {
-            pictures::StageWatch watch(times_);
-            for (std::size_t i = 0; i < runs_.size(); ++i) {
-                if (!advance(i, job_.frames[i][frame].step, moments)) return;
-            }
-            watch.end("simulate");
-            if (takers_.replay) takers_.replay->record();
-            watch.end("replay");
-            pictures::Snapshot moment;
-            if (takers_.film) moment = takers_.film->look(frames[frame].name);
-            watch.end("look");
-            if (!moments.send(std::move(moment))) return;
-        }
-        for (std::size_t i = 0; i < runs_.size(); ++i) {
-            if (!advance(i, job_.last_step(i), moments)) return;
-        }
-    }
-
-  private:
-    bool advance(std::size_t run, long step, const Channel<pictures::Snapshot>& moments) {
-        while (runs_[run].simulation().sample().step < step) {
-            if (interrupted() || moments.is_closed()) return false;
-            runs_[run].advance();
-        }
-        return true;
-    }
-
-    const Job& job_;
-    std::vector<ObservedRun>& runs_;
-    Takers& takers_;
-    pictures::StageTimes* times_;
-};
-
-// Simulates on one thread, draws on this one and encodes on others. An error on any of them ends all.
-void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, Takers& takers,
+// Throws what a thread threw; keeps the frames so far.
+void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
                  pictures::StageTimes* times) {
-    const Rational rate = job.panels.front().choices.frames.film_rate();
+    const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times);
-    const std::size_t count = job.frames.front().size();
-    ProgressBar bar(job.scene(), static_cast<long>(count));
-    constexpr std::size_t ahead = 2;
-    Producer<pictures::Snapshot> moments(ahead, Shooting(job, runs, takers, times));
-    long drawn = 0;
-    while (const auto moment = moments.next()) {
-        if (takers.film) {
-            renderer::Image image = writer.blank();
-            takers.film->draw(*moment, image);
-            writer.write(moment->name, std::move(image));
-        }
-        bar.show(++drawn);
-    }
-    writer.flush();
-    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.written(), count, job.folder.string()));
+    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.frame_count()));
+    take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
+    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.frame_count(),
+                                    job.folder.string()));
     writer.finish();
     if (takers.replay) takers.replay->finish();
 }
 
 void render_job(Job& job, const Request& request, std::optional<pictures::Studio>& studio,
                 pictures::StageTimes* times) {
-    pictures::add_overview(job.panels, job.frames);
+    pictures::add_overview(job.sequence.panels, job.sequence.frames);
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
-    Takers takers;
-    if (studio) takers.film.emplace(*studio, job.panels, simulations, job.frames);
+    pictures::Takers takers;
+    if (studio) takers.film.emplace(*studio, job.sequence.panels, simulations, job.sequence.frames);
     if (request.replay) {
         takers.replay.emplace(
-            pictures::ReplayChoices{.file = *request.replay,
-                                    .steps_a_frame = job.frames.front().size() > 1 ? job.frames.front()[1].step : 1,
-                                    .poses_only = request.replay_poses_only,
-                                    .command = request.command_line},
-            job.panels, simulations);
+            pictures::ReplayChoices{
+                .file = *request.replay,
+                .steps_a_frame = job.sequence.frames.front().size() > 1 ? job.sequence.frames.front()[1].step : 1,
+                .poses_only = request.replay_poses_only,
+                .command = request.command_line},
+            job.sequence.panels, simulations);
     }
     if (request.glb) {
         const pictures::Survey survey = takers.film ? takers.film->survey()
-                                        : pictures::needs_survey(job.panels.front().choices.frames)
-                                            ? pictures::survey(job.panels, job.frames)
+                                        : pictures::needs_survey(job.sequence.panels.front().choices.frames)
+                                            ? pictures::survey(job.sequence.panels, job.sequence.frames)
                                             : pictures::Survey{};
-        runs.front().add(
-            pictures::glb_record(*request.glb, job.panels.front().choices, survey, runs.front().simulation()));
+        runs.front().add(pictures::glb_record(*request.glb, job.sequence.panels.front().choices, survey,
+                                              runs.front().simulation()));
     }
-    warn_of_strangers(job.folder, job.frames.front());
-    write_file(job.folder / "config.json", config_text(job.panels.front().choices, request.given));
+    warn_of_strangers(job.folder, job.sequence.frames.front());
+    write_file(job.folder / "config.json", config_text(job.sequence.panels.front().choices, request.given));
     try {
         make_frames(job, request, runs, takers, times);
     } catch (const OutputError&) {
@@ -187,21 +99,22 @@ void render_job(Job& job, const Request& request, std::optional<pictures::Studio
     } catch (const std::exception& error) {
         if (takers.replay) fmt::print(stderr, "{}", takers.replay->keep(error.what()));
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.panels[i].label));
+            fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.sequence.panels[i].label));
         }
         throw;
     }
-    write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json", summary_of(job, runs));
+    write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
+               finish(job.sequence, runs, studio ? studio->driver() : ""));
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        fmt::print(stderr, "{}", runs[i].warnings(job.panels[i].label));
+        fmt::print(stderr, "{}", runs[i].warnings(job.sequence.panels[i].label));
     }
 }
 
 // On standard error, because data may be on standard output.
 void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times) {
     long frames = 0;
-    for (const Job& job : jobs) frames += static_cast<long>(job.frames.front().size());
-    const FrameChoices& choices = jobs.front().panels.front().choices.frames;
+    for (const Job& job : jobs) frames += static_cast<long>(job.sequence.frames.front().size());
+    const FrameChoices& choices = jobs.front().sequence.panels.front().choices.frames;
     fmt::print(stderr, "{}", times.table(frames));
     const pictures::StageTime least = pictures::time_of_empty_frame({choices.width, choices.height}, choices.gl);
     const pictures::StageTime encode = times.sum("encode");
@@ -259,7 +172,7 @@ void render(const Request& request) {
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     std::optional<pictures::Studio> studio;
-    if (request.png || request.video) studio.emplace(jobs.front().panels.front().choices.frames.gl, watch);
+    if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
     for (Job& job : jobs) render_job(job, request, studio, watch);
     if (times) print_times(jobs, *times);
 }

@@ -35,9 +35,20 @@ void report(const Request& request) {
     if (request.problems && name != "error")
         throw UsageError("--problems: must be given with report error, the only one that has them");
 
+    for (const auto& [option, file] :
+         {std::pair{"--junit", request.junit}, std::pair{"--markdown", request.markdown}}) {
+        if (file && !study->judges) {
+            throw UsageError(fmt::format("{} {}: must be with report stability, which judges", option, *file));
+        }
+    }
+
     const std::filesystem::path folder = request.out.value_or("out/report-" + name);
-    make_study(*study,
-               {.folder = folder, .quick = request.quick, .problems = request.problems, .parts = request.parts});
+    make_study(*study, {.folder = folder,
+                        .quick = request.quick,
+                        .problems = request.problems,
+                        .parts = request.parts,
+                        .junit = request.junit,
+                        .markdown = request.markdown});
     fmt::print("{}\n", (folder / "index.html").string());
 }
 

@@ -10,8 +10,18 @@
 
 namespace pushfactor::demos {
 
+// Of the command check.
+struct CheckRequest {
+    std::vector<std::string> folders;
+    std::optional<std::string> against;  // folder of pictures that are not rendered
+    std::optional<std::string> tolerance, flip;
+    std::string physics = "hash";
+    bool update = false;
+    int jobs = 1;
+};
+
 struct Request {
-    enum class Command { list, scene, family, run, render, figures, report };
+    enum class Command { list, scene, family, run, render, figures, report, check };
 
     Command command = Command::list;
     std::vector<std::string> scenes;
@@ -36,6 +46,8 @@ struct Request {
     std::vector<std::string> reports;  // names; one
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
+    std::optional<std::string> junit, markdown;  // paths; of report stability and check
+    CheckRequest check;
     bool problems = false;  // also write the report's frozen problems
 };
 

@@ -1,15 +1,14 @@
 #include "demos/pages/page.h"
 
+#include "demos/pages/document.h"
 #include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
-#include "demos/platform/assets.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <array>
+#include <filesystem>
 
 namespace pushfactor::demos {
 
@@ -17,13 +16,6 @@ namespace {
 
 // A page with more sections than that has a table of contents.
 constexpr std::size_t few_sections = 3;
-
-std::string asset(const std::string& name) {
-    const std::filesystem::path file = asset_folder("pages") / name;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw OutputError("cannot read " + file.string());
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string shown(const std::string& text) {
     return html::escaped(with_short_numbers(text));
@@ -123,18 +115,11 @@ std::string section_text(const Section& section, const std::string& anchor, bool
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {
     const std::vector<std::string> anchors = anchors_of(sections);
     const bool has_contents = sections.size() > few_sections;
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
-        "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<p>{2}</p>\n</header>\n",
-        html::escaped(title), asset("page.css"), shown(opening));
-    if (has_contents) text += contents(sections, anchors);
-    text += "<main>\n";
-    for (std::size_t i = 0; i < sections.size(); ++i) text += section_text(sections[i], anchors[i], has_contents);
-    return text +
-           fmt::format("</main>\n<p id=\"said\" role=\"status\"></p>\n<script>\n{}</script>\n</body>\n</html>\n",
-                       asset("page.js"));
+    std::string body = has_contents ? contents(sections, anchors) : "";
+    body += "<main>\n";
+    for (std::size_t i = 0; i < sections.size(); ++i) body += section_text(sections[i], anchors[i], has_contents);
+    const std::array<std::string, 2> assets{"page.css", "page.js"};
+    return document(title, opening, body + "</main>\n", assets);
 }
 
 }  // namespace pushfactor::demos

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "demos/pictures/lettering.h"
-#include "demos/pictures/stage_times.h"
+#include "demos/pictures/film/stage_times.h"
+#include "renderer/gl/driver.h"
 #include "renderer/renderer.h"
 
 #include <memory>
@@ -36,6 +37,8 @@ class Studio {
     }
 
     const Lettering& lettering() const { return lettering_; }
+
+    std::string driver() const { return renderer::driver_of(*context_); }
 
   private:
     struct Seat {

@@ -68,6 +68,21 @@ std::vector<std::vector<std::string>> lines_with_verdicts(const Table& table, st
     return lines;
 }
 
+// Empty if all verdicts hold.
+std::string failure_of(const Trial& trial) {
+    std::string text;
+    for (const Verdict& verdict : trial.verdicts()) {
+        if (verdict.holds) continue;
+        const std::string measured = verdict.check
+                                         ? fmt::format("{} is {}, ", text_of_measure(*verdict.check),
+                                                       verdict.value ? to_text(*verdict.value) : "unknown")
+                                         : "";
+        text += fmt::format("{}{}outcome {}, expected {}", text.empty() ? "" : "; ", measured, trial.outcome(),
+                            text_of_expected(trial, verdict));
+    }
+    return text.empty() ? text : text + "; " + trial.command();
+}
+
 // Chapters are completed in order; runs are concurrent.
 class StabilityReport {
   public:
@@ -89,13 +104,28 @@ class StabilityReport {
             if (!end_some()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
             complete_chapters();
         }
+        const std::string headline =
+            unexpected_.empty() ? fmt::format("{} runs are as expected", trials_.size())
+                                : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_.size());
+        run_.write(headline, suites());
         if (unexpected_.empty()) return;
-        throw CheckError(fmt::format("{} of {} runs are not as expected, the first is {}; see {}",
-                                     unexpected_.size(), trials_.size(), unexpected_.front(),
+        throw CheckError(fmt::format("{}, the first is {}; see {}", headline, unexpected_.front(),
                                      (run_.folder() / "stability.csv").string()));
     }
 
   private:
+    // One suite per chapter, one case per run.
+    std::vector<SuiteVerdict> suites() const {
+        std::vector<SuiteVerdict> suites;
+        for (std::size_t c = 0; c < chapters_.size(); ++c) {
+            SuiteVerdict& suite = suites.emplace_back(SuiteVerdict{.name = "stability/" + chapters_[c].name});
+            for (std::size_t i = c == 0 ? 0 : ends_[c - 1]; i < ends_[c]; ++i) {
+                suite.cases.push_back({.name = trials_[i].name(), .failure = failure_of(trials_[i])});
+            }
+        }
+        return suites;
+    }
+
     void start_some() {
         run_.stop_if_interrupted();
         const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
@@ -175,7 +205,7 @@ class StabilityReport {
 Study stability_study() {
     std::vector<std::string> parts;
     for (const Chapter& chapter : chapters(false)) parts.push_back(chapter.name);
-    return {"stability", "stability", parts, [](StudyRun& run) { StabilityReport(run).make(); }};
+    return {"stability", "stability", parts, [](StudyRun& run) { StabilityReport(run).make(); }, true};
 }
 
 }  // namespace pushfactor::demos::reports

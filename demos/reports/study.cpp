@@ -1,11 +1,14 @@
 #include "demos/reports/study.h"
 
 #include "demos/pages/about.h"
+#include "demos/pages/job_summary.h"
+#include "demos/pages/junit.h"
 #include "demos/platform/output_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 
 namespace pushfactor::demos::reports {
 
@@ -44,6 +47,11 @@ void StudyRun::write(const std::string& name, const std::string& text) const {
 
 void StudyRun::write(const std::string& name, const Table& table) const {
     write(name, fmt::format("# {}\n{}", machine_, csv_text(table)));
+}
+
+void StudyRun::write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const {
+    if (request_.junit) write_file(*request_.junit, junit_xml(verdicts, std::time(nullptr)));
+    if (request_.markdown) write_file(*request_.markdown, job_summary(headline, verdicts));
 }
 
 void StudyRun::write_page(const std::string& opening) const {

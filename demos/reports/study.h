@@ -3,6 +3,7 @@
 
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
+#include "demos/pages/verdicts.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,13 +24,15 @@ struct Study {
     std::string title;               // of the page
     std::vector<std::string> parts;  // for --only
     void (*make)(StudyRun& run);
+    bool judges = false;  // it writes verdicts
 };
 
 struct StudyRequest {
     std::filesystem::path folder;
-    bool quick = false;                // few and short runs
-    bool problems = false;             // also write frozen problems; error report only
-    std::vector<std::string> parts{};  // all when empty
+    bool quick = false;                              // few and short runs
+    bool problems = false;                           // also write frozen problems; error report only
+    std::vector<std::string> parts{};                // all when empty
+    std::optional<std::string> junit{}, markdown{};  // paths, for the verdicts of a study that judges
 };
 
 // A running study: its folder, request, progress and interruption, tables and page.
@@ -58,6 +62,9 @@ class StudyRun {
     // Writes a file, whole or not at all.
     void write(const std::string& name, const std::string& text) const;
     void write(const std::string& name, const Table& table) const;  // below a line with the machine
+
+    // Writes the files for CI servers that were asked for.
+    void write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const;
 
     std::vector<Section> sections{};
     void write_page(const std::string& opening) const;

@@ -11,7 +11,7 @@
 #include "tests/demos/program.h"
 #include "tests/random.h"
 
-#ifdef PUSHFACTOR_ASSIMP
+#if PUSHFACTOR_ASSIMP
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 #endif
@@ -330,7 +330,7 @@ TEST_CASE(
     CHECK(worst < 1e-6);
 }
 
-#ifdef PUSHFACTOR_ASSIMP
+#if PUSHFACTOR_ASSIMP
 TEST_CASE("assimp reads from a glTF file of every named scene the poses of the trajectory") {
     double worst = 0.0;
     std::size_t compared = 0;

@@ -1,7 +1,7 @@
 // Rest in the outputs of the program: summary, CSV, overlay.
+#include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
-#include "tests/renderer/decode_png.h"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ int pixels_of(const renderer::Image& image, std::size_t more, std::size_t less) 
 
 renderer::Image read_image(const Folder& folder, const std::string& name) {
     const std::string bytes = folder.read(name);
-    return renderer::decode_png({bytes.begin(), bytes.end()});
+    return renderer::decode_png(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
 }
 
 }  // namespace

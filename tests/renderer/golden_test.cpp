@@ -1,9 +1,9 @@
 // Frames against the golden images in assets/golden. After an intended change: build/release/tests/tests
 // "[golden-update]" regenerates them; look at them before you commit.
-#include "renderer/gl/gl.h"
+#include "renderer/gl/driver.h"
 #include "renderer/images/png.h"
+#include "renderer/images/read_png.h"
 #include "tests/catch.h"
-#include "tests/renderer/decode_png.h"
 #include "tests/renderer/image_difference.h"
 #include "tests/renderer/sample_pictures.h"
 
@@ -71,7 +71,7 @@ fs::path golden_file(const Sample& sample) {
 
 Image read_image(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    return decode_png({std::istreambuf_iterator<char>(stream), {}});
+    return decode_png(std::vector<std::uint8_t>{std::istreambuf_iterator<char>(stream), {}});
 }
 
 void write_image(const fs::path& file, const Image& image) {
@@ -82,27 +82,20 @@ void write_image(const fs::path& file, const Image& image) {
     REQUIRE(stream.good());
 }
 
-std::string description_of_gl() {
-    const auto context = open_offscreen_context();
-    const Gl gl = load_gl(*context);
-    const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(gl.GetString(name))); };
-    return text(GL_VERSION) + ", " + text(GL_RENDERER);
-}
-
 // Writes the drawn image and its difference for inspection, and reports where.
 std::string report(const Sample& sample, const Image& golden, const Image& drawn) {
     const fs::path folder = PUSHFACTOR_GOLDEN_REPORTS;
     const fs::path drawn_file = folder / (sample.name + ".png");
     const fs::path difference_file = folder / (sample.name + "_difference.png");
     write_image(drawn_file, drawn);
-    write_image(difference_file, picture_of_difference(golden, drawn));
-    const ImageDifference difference = image_difference(golden, drawn);
+    write_image(difference_file, heat_map(golden, drawn));
+    const ImageDifference difference(golden, drawn);
     return "drawn: " + drawn_file.string() + "\ndifference: " + difference_file.string() +
            "\ngolden: " + golden_file(sample).string() +
-           "\npixels that differ by more than 2 levels: " + std::to_string(100.0 * difference.seen) +
-           " % (0.2 allowed), by more than 16: " + std::to_string(100.0 * difference.large) +
-           " % (0.02 allowed), similarity " + std::to_string(difference.similarity) + " dB (at least 50)\n" +
-           description_of_gl();
+           "\npixels that differ by more than 2 levels: " + std::to_string(100.0 * difference.share_above(2)) +
+           " % (0.2 allowed), by more than 16: " + std::to_string(100.0 * difference.share_above(16)) +
+           " % (0.02 allowed), similarity " + std::to_string(difference.similarity()) + " dB (at least 50)\n" +
+           driver_of(*open_offscreen_context());
 }
 
 }  // namespace
@@ -118,7 +111,7 @@ TEST_CASE("Frames look as they are meant to") {
         const Image drawn = Studio(width, height, sample.samples).render(sample.picture);
         REQUIRE(golden.width == width);
         REQUIRE(golden.height == height);
-        if (!same_to_the_eye(image_difference(golden, drawn))) FAIL_CHECK(report(sample, golden, drawn));
+        if (!same_to_the_eye(ImageDifference(golden, drawn))) FAIL_CHECK(report(sample, golden, drawn));
     }
 }
 

@@ -2,6 +2,9 @@
 
 #include "tests/catch.h"
 
+#include <array>
+#include <cmath>
+
 using namespace pushfactor::renderer;
 
 namespace {
@@ -18,7 +21,7 @@ Image changed(int count, int step, int brighter) {
 }
 
 bool same(const Image& image) {
-    return same_to_the_eye(image_difference(grey, image)) && same_to_the_eye(image_difference(image, grey));
+    return same_to_the_eye(ImageDifference(grey, image)) && same_to_the_eye(ImageDifference(image, grey));
 }
 
 }  // namespace
@@ -46,9 +49,30 @@ TEST_CASE("Many differences too small to be seen add up") {
     CHECK_FALSE(same(changed(19508, 1, 1)));
 }
 
-TEST_CASE("The picture of a difference is black where there is none") {
-    const Image picture = picture_of_difference(grey, changed(1, 3, 3));
-    CHECK(picture.pixel(0, 0) == std::array<std::uint8_t, 3>{48, 0, 0});
-    CHECK(picture.pixel(1, 0) == std::array<std::uint8_t, 3>{0, 0, 0});
-    CHECK(picture_of_difference(grey, changed(1, 3, 100)).pixel(0, 0)[0] == 255);
+TEST_CASE("A difference is counted by pixel and level") {
+    const ImageDifference difference(grey, changed(20, 3, 17));
+    CHECK(difference.largest() == 17);
+    CHECK(difference.pixels_above(16) == 20);
+    CHECK(difference.pixels_above(17) == 0);
+    CHECK(difference.share_above(0) == Approx(20.0 / 10000.0));
+    CHECK(difference.rms() == Approx(17.0 * std::sqrt(20.0 / 30000.0)));
+    CHECK(difference.similarity() == Approx(20.0 * std::log10(255.0 / difference.rms())));
+    CHECK_FALSE(ImageDifference(grey, grey).any());
+    CHECK(std::isinf(ImageDifference(grey, grey).similarity()));
+}
+
+TEST_CASE("A heat map is lighter where the difference is larger, and faint where there is none") {
+    Image other = grey;
+    for (std::size_t i = 0; i < 100; ++i) other.rgb[3 * i] = static_cast<std::uint8_t>(100 + i);
+    const Image map = heat_map(grey, other);
+    const auto light = [&](int x) {
+        const auto pixel = map.pixel(x, 0);
+        return pixel[0] + pixel[1] + pixel[2];
+    };
+    CHECK(map.pixel(0, 0) == std::array<std::uint8_t, 3>{25, 25, 25});
+    CHECK(light(1) > light(0));
+    for (int x = 2; x < 100; ++x) {
+        INFO(x);
+        CHECK(light(x) >= light(x - 1));
+    }
 }

@@ -1,8 +1,8 @@
 #include "renderer/images/png.h"
 
 #include "renderer/base/renderer_error.h"
+#include "renderer/images/read_png.h"
 #include "tests/catch.h"
-#include "tests/renderer/decode_png.h"
 #include "tests/renderer/sample_pictures.h"
 
 #include <cstddef>
@@ -50,4 +50,18 @@ TEST_CASE("An image whose bytes do not fit its size is not encoded") {
     CHECK_THROWS_AS(encode_png(Image{}), RendererError);
     CHECK_THROWS_AS(encode_png(Image{2, 2, {1, 2, 3}}), RendererError);
     CHECK_THROWS_AS(encode_png(Image{-1, -1, {1, 2, 3}}), RendererError);
+}
+
+TEST_CASE("A file that is not a whole PNG is refused, whatever is missing or changed") {
+    const std::vector<std::uint8_t> png = encode_png(noise(40, 30));
+    for (std::size_t size = 0; size + 12 < png.size(); size += 97) {  // the last 12 bytes only end the file
+        INFO(size << " of " << png.size() << " bytes");
+        CHECK_THROWS_AS(decode_png(std::span(png).first(size)), RendererError);
+    }
+    for (std::size_t at = 0; at + 12 < png.size(); at += 101) {
+        std::vector<std::uint8_t> other = png;
+        other[at] ^= 0x10u;
+        INFO("byte " << at);
+        CHECK_THROWS_AS(decode_png(other), RendererError);
+    }
 }

@@ -39,7 +39,7 @@ Tag tag_of(const std::string& text) {
 }
 
 bool is_void(const std::string& name) {
-    return name == "DOCTYPE" || name == "meta" || name == "img";
+    return name == "DOCTYPE" || name == "meta" || name == "img" || name == "input";
 }
 
 // Of a well-formed page; otherwise the calling test fails.

@@ -1,5 +1,5 @@
 // Frames are written in order, whole, by several threads; the first error ends it.
-#include "demos/pictures/frame_writer.h"
+#include "demos/pictures/film/frame_writer.h"
 
 #include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
@@ -47,12 +47,12 @@ TEST_CASE("all frames are written, each with its own bytes") {
     const Folder folder;
     FrameWriter writer(folder.path(), true, std::nullopt, sixty);
     for (int i = 0; i < 40; ++i) {
-        Image image = writer.blank();
+        Image image = writer.queue().blank();
         image = frame(i);
-        writer.write(name(i), std::move(image));
+        writer.queue().send(name(i), std::move(image));
     }
     writer.finish();
-    CHECK(writer.written() == 40);
+    CHECK(writer.queue().ended() == 40);
     CHECK(folder.files().size() == 40);
     for (int i = 0; i < 40; ++i) CHECK(folder.read(name(i)) == png(frame(i)));
 }
@@ -61,7 +61,7 @@ TEST_CASE("while frames are written those that are there are the first ones") {
     const Folder folder;
     FrameWriter writer(folder.path(), true, std::nullopt, sixty);
     for (int i = 0; i < 60; ++i) {
-        writer.write(name(i), frame(i));
+        writer.queue().send(name(i), frame(i));
         bool before = true;
         // From the last to the first, as more may be written meanwhile.
         bool later = false;
@@ -78,10 +78,10 @@ TEST_CASE("while frames are written those that are there are the first ones") {
 TEST_CASE("the memory of frames that are written is used again") {
     const Folder folder;
     FrameWriter writer(folder.path(), true, std::nullopt, sixty);
-    for (int i = 0; i < 30; ++i) writer.write(name(i), frame(i));
-    writer.flush();
+    for (int i = 0; i < 30; ++i) writer.queue().send(name(i), frame(i));
+    writer.queue().flush();
     std::size_t kept = 0;
-    while (!writer.blank().rgb.empty()) ++kept;
+    while (!writer.queue().blank().rgb.empty()) ++kept;
     CHECK(kept >= 1);
     CHECK(kept <= 30);
 }
@@ -93,14 +93,14 @@ TEST_CASE("a frame that cannot be encoded ends the writing: those before it are 
         for (int i = 0; i < 100; ++i) {
             Image image = frame(i);
             if (i == 7) image.rgb.pop_back();
-            writer.write(name(i), std::move(image));
+            writer.queue().send(name(i), std::move(image));
         }
         writer.finish();
     };
     CHECK_THROWS_AS(write_all(), pushfactor::renderer::RendererError);
-    CHECK(writer.written() <= 7);
+    CHECK(writer.queue().ended() <= 7);
     const std::vector<std::string> files = folder.files();
-    CHECK(files.size() == writer.written());
+    CHECK(files.size() == writer.queue().ended());
     for (std::size_t i = 0; i < files.size(); ++i) {
         CHECK(files[i] == name(static_cast<int>(i)));
         CHECK(folder.read(files[i]) == png(frame(static_cast<int>(i))));
@@ -111,18 +111,18 @@ TEST_CASE("a folder that is gone is named, by the first of the threads that miss
     const Folder folder;
     FrameWriter writer(folder / "gone", true, std::nullopt, sixty);
     const auto write_all = [&] {
-        for (int i = 0; i < 100; ++i) writer.write(name(i), frame(i));
+        for (int i = 0; i < 100; ++i) writer.queue().send(name(i), frame(i));
         writer.finish();
     };
     CHECK_THROWS_WITH(write_all(), Catch::Contains("gone/" + name(0)) && Catch::Contains("No such file"));
-    CHECK(writer.written() == 0);
+    CHECK(writer.queue().ended() == 0);
 }
 
 TEST_CASE("a writer that is given up writes what it was given") {
     const Folder folder;
     {
         FrameWriter writer(folder.path(), true, std::nullopt, sixty);
-        for (int i = 0; i < 5; ++i) writer.write(name(i), frame(i));
+        for (int i = 0; i < 5; ++i) writer.queue().send(name(i), frame(i));
     }
     CHECK(folder.files().size() == 5);
 }

@@ -1,5 +1,5 @@
 // Videos, with a shell script instead of ffmpeg: tests its input and the handling of its exit.
-#include "demos/pictures/video.h"
+#include "demos/pictures/film/video.h"
 
 #include "demos/text/errors.h"
 #include "tests/catch.h"

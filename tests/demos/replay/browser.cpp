@@ -1,6 +1,6 @@
 #include "tests/demos/replay/browser.h"
 
-#include "tests/renderer/decode_png.h"
+#include "renderer/images/read_png.h"
 
 #include <fcntl.h>
 #include <poll.h>

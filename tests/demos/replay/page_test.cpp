@@ -1,9 +1,9 @@
 // Replays in a browser: what it draws, says and asks for, and how it is driven. Skipped with a warning where there
 // is no Chromium.
+#include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/replay/browser.h"
-#include "tests/renderer/decode_png.h"
 #include "tests/renderer/image_difference.h"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ std::string address_of(const Folder& folder, const std::string& file, const std:
 
 Image image_in(const Folder& folder, const std::string& name) {
     const std::string bytes = folder.read(name);
-    return pushfactor::renderer::decode_png({bytes.begin(), bytes.end()});
+    return pushfactor::renderer::decode_png(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
 }
 
 // Two thirds of the columns.
@@ -137,11 +137,11 @@ TEST_CASE(
             check_poses(browser->value_of("pushfactor.poses()"), units, table, 1 + frame * bodies, bodies);
         }
         // Frame 16 is shown now.
-        const auto difference =
-            image_difference(image_in(folder, "frames/frame_000016.png"), browser->screenshot());
-        INFO("similarity " << difference.similarity << " dB, seen " << difference.seen << ", large "
-                           << difference.large);
-        CHECK((same_driver ? same_to_the_eye(difference) : difference.similarity > 38.0));
+        const auto difference = pushfactor::renderer::ImageDifference(image_in(folder, "frames/frame_000016.png"),
+                                                                      browser->screenshot());
+        INFO("similarity " << difference.similarity() << " dB, seen " << difference.share_above(2) << ", large "
+                           << difference.share_above(16));
+        CHECK((same_driver ? pushfactor::renderer::same_to_the_eye(difference) : difference.similarity() > 38.0));
         check_quiet(*browser);
     }
 }
@@ -161,10 +161,10 @@ TEST_CASE("arrows of a replay are those of the picture") {
     const Image without = browser->screenshot();
     // The legend is in the picture's lower right corner, and not here; arrows are smoothed by the browser.
     const Image picture = left_part(image_in(folder, "frames/frame_000030.png"));
-    const auto difference = image_difference(picture, left_part(shown));
-    INFO("similarity " << difference.similarity << " dB, large " << difference.large);
-    CHECK(difference.similarity > 36.0);                                     // 40.6
-    CHECK(image_difference(picture, left_part(without)).similarity < 33.0);  // 30.6
+    const auto difference = pushfactor::renderer::ImageDifference(picture, left_part(shown));
+    INFO("similarity " << difference.similarity() << " dB, large " << difference.share_above(16));
+    CHECK(difference.similarity() > 36.0);                                                          // 40.6
+    CHECK(pushfactor::renderer::ImageDifference(picture, left_part(without)).similarity() < 33.0);  // 30.6
 }
 
 TEST_CASE("a replay is driven by keys, pointer and address") {
@@ -244,9 +244,9 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
               Approx(camera["eye"][k].get<double>()).epsilon(1e-5));
     }
     browser->value_of(settled);
-    const auto difference = image_difference(before, browser->screenshot());
-    INFO("similarity " << difference.similarity);
-    CHECK(difference.similarity > 40.0);
+    const auto difference = pushfactor::renderer::ImageDifference(before, browser->screenshot());
+    INFO("similarity " << difference.similarity());
+    CHECK(difference.similarity() > 40.0);
     check_quiet(*browser);
 }
 

@@ -1,4 +1,4 @@
-#include "demos/pictures/stage_times.h"
+#include "demos/pictures/film/stage_times.h"
 
 #include <fmt/format.h>
 #include <pthread.h>

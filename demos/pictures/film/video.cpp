@@ -1,4 +1,4 @@
-#include "demos/pictures/video.h"
+#include "demos/pictures/film/video.h"
 
 #include "demos/text/errors.h"
 

@@ -1,4 +1,4 @@
-#include "demos/pictures/film.h"
+#include "demos/pictures/film/film.h"
 
 #include "demos/pictures/caption.h"
 #include "demos/pictures/draw_list.h"

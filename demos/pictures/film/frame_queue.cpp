@@ -1,10 +1,7 @@
-#include "demos/pictures/frame_writer.h"
-
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
-#include "renderer/images/png.h"
+#include "demos/pictures/film/frame_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pushfactor::demos::pictures {
 
@@ -15,19 +12,17 @@ constexpr unsigned most_threads = 4;
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
-                         const Rational& fps, StageTimes* times)
-    : folder_(std::move(folder)), png_(png), video_name_(video), fps_(fps), times_(times), waiting_(waiting) {
+FrameQueue::FrameQueue(Work work, StageTimes* times) : work_(std::move(work)), times_(times), waiting_(waiting) {
     const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, most_threads);
-    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
 }
 
-FrameWriter::~FrameWriter() {
+FrameQueue::~FrameQueue() {
     waiting_.close();
     join();
 }
 
-renderer::Image FrameWriter::blank() {
+renderer::Image FrameQueue::blank() {
     const std::lock_guard lock(mutex_);
     if (blanks_.empty()) return {};
     renderer::Image image = std::move(blanks_.back());
@@ -35,34 +30,29 @@ renderer::Image FrameWriter::blank() {
     return image;
 }
 
-void FrameWriter::write(const std::string& name, renderer::Image image) {
+void FrameQueue::send(const std::string& name, renderer::Image image) {
     if (waiting_.send({sent_++, name, std::move(image)})) return;
     join();
     std::rethrow_exception(error_);
 }
 
-void FrameWriter::flush() {
+void FrameQueue::flush() {
     waiting_.close();
     join();
     if (error_) std::rethrow_exception(error_);
 }
 
-void FrameWriter::finish() {
-    flush();
-    if (video_) video_->finish();
-}
-
-std::size_t FrameWriter::written() const {
+std::size_t FrameQueue::ended() const {
     const std::lock_guard lock(mutex_);
     return turn_;
 }
 
-void FrameWriter::join() {
+void FrameQueue::join() {
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
 }
 
-void FrameWriter::work() {
+void FrameQueue::run() {
     const ThreadWatch watch(times_);
     try {
         while (auto frame = waiting_.receive()) handle(*frame);
@@ -71,33 +61,23 @@ void FrameWriter::work() {
     }
 }
 
-void FrameWriter::handle(Frame& frame) {
+void FrameQueue::handle(Frame& frame) {
     StageWatch watch(times_);
-    std::vector<std::uint8_t> bytes;
-    if (png_) bytes = renderer::encode_png(frame.image);
-    watch.end("encode");
+    const End end = work_(frame.name, frame.image, watch);
     if (!wait_for_turn(frame.number)) return;
     watch.skip();
-    put(frame, bytes);
-    watch.end("write");
+    end(watch);
     end_turn(frame);
 }
 
 // False after an error, when the turn never comes.
-bool FrameWriter::wait_for_turn(std::size_t number) {
+bool FrameQueue::wait_for_turn(std::size_t number) {
     std::unique_lock lock(mutex_);
     turned_.wait(lock, [&] { return turn_ == number || error_; });
     return !error_;
 }
 
-void FrameWriter::put(const Frame& frame, const std::vector<std::uint8_t>& bytes) {
-    if (png_) write_file(folder_ / frame.name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (!video_name_) return;
-    if (!video_) video_ = std::make_unique<Video>(*video_name_, frame.image.width, frame.image.height, fps_);
-    video_->add(frame.image);
-}
-
-void FrameWriter::end_turn(Frame& frame) {
+void FrameQueue::end_turn(Frame& frame) {
     const std::lock_guard lock(mutex_);
     ++turn_;
     blanks_.push_back(std::move(frame.image));
@@ -105,7 +85,7 @@ void FrameWriter::end_turn(Frame& frame) {
 }
 
 // Only the first error is kept; later ones are its consequences.
-void FrameWriter::note_error() {
+void FrameQueue::note_error() {
     waiting_.close();
     const std::lock_guard lock(mutex_);
     if (!error_) error_ = std::current_exception();

@@ -1,0 +1,42 @@
+#include "demos/pictures/film/frame_writer.h"
+
+#include "demos/platform/output_file.h"
+#include "renderer/images/png.h"
+
+#include <utility>
+
+namespace pushfactor::demos::pictures {
+
+FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
+                         const Rational& fps, StageTimes* times)
+    : folder_(std::move(folder)),
+      png_(png),
+      video_name_(video),
+      fps_(fps),
+      queue_([this](const std::string& name, const renderer::Image& image,
+                    StageWatch& watch) { return encode(name, image, watch); },
+             times) {}
+
+void FrameWriter::finish() {
+    queue_.flush();
+    if (video_) video_->finish();
+}
+
+FrameQueue::End FrameWriter::encode(const std::string& name, const renderer::Image& image, StageWatch& watch) {
+    std::vector<std::uint8_t> png;
+    if (png_) png = renderer::encode_png(image);
+    watch.end("encode");
+    return [this, &name, &image, png = std::move(png)](StageWatch& own) {
+        put(name, png, image);
+        own.end("write");
+    };
+}
+
+void FrameWriter::put(const std::string& name, const std::vector<std::uint8_t>& png, const renderer::Image& image) {
+    if (png_) write_file(folder_ / name, {reinterpret_cast<const char*>(png.data()), png.size()});
+    if (!video_name_) return;
+    if (!video_) video_ = std::make_unique<Video>(*video_name_, image.width, image.height, fps_);
+    video_->add(image);
+}
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,109 @@
+#include "demos/pictures/film/sequence.h"
+
+#include "demos/platform/producer.h"
+#include "demos/platform/progress.h"
+#include "demos/platform/version.h"
+#include "demos/text/errors.h"
+#include "demos/text/json.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+// Sends a snapshot per frame, which is empty without a film. Stops early when the channel is closed or the program
+// is interrupted.
+class Shooting {
+  public:
+    Shooting(const Sequence& sequence, std::vector<ObservedRun>& runs, Takers& takers, StageTimes* times)
+        : sequence_(sequence), runs_(runs), takers_(takers), times_(times) {}
+
+    void operator()(Channel<Snapshot>& moments) {
+        const ThreadWatch thread(times_);
+        const std::vector<Frame>& frames = sequence_.frames.front();
+        for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+            StageWatch watch(times_);
+            for (std::size_t i = 0; i < runs_.size(); ++i) {
+                if (!advance(i, sequence_.frames[i][frame].step, moments)) return;
+            }
+            watch.end("simulate");
+            if (takers_.replay) takers_.replay->record();
+            watch.end("replay");
+            Snapshot moment;
+            if (takers_.film) moment = takers_.film->look(frames[frame].name);
+            watch.end("look");
+            if (!moments.send(std::move(moment))) return;
+        }
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            if (!advance(i, sequence_.last_step(i), moments)) return;
+        }
+    }
+
+  private:
+    bool advance(std::size_t run, long step, const Channel<Snapshot>& moments) {
+        while (runs_[run].simulation().sample().step < step) {
+            if (interrupted() || moments.is_closed()) return false;
+            runs_[run].advance();
+        }
+        return true;
+    }
+
+    const Sequence& sequence_;
+    std::vector<ObservedRun>& runs_;
+    Takers& takers_;
+    StageTimes* times_;
+};
+
+}  // namespace
+
+long Sequence::last_step(std::size_t panel) const {
+    const Choices& choices = panels[panel].choices;
+    return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
+}
+
+Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
+    Sequence sequence{.panels = compared_runs(scene, given), .frames = {}};
+    for (const ComparedRun& panel : sequence.panels) {
+        const Choices& choices = panel.choices;
+        sequence.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        if (sequence.frames.back().size() != sequence.frame_count()) {
+            throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
+                                         panel.label, sequence.frame_count(), sequence.frames.back().size()));
+        }
+    }
+    return sequence;
+}
+
+void take_frames(const Sequence& sequence, std::vector<ObservedRun>& runs, Takers& takers, FrameQueue& queue,
+                 StageTimes* times, const std::function<void(long)>& progress) {
+    constexpr std::size_t ahead = 2;
+    Producer<Snapshot> moments(ahead, Shooting(sequence, runs, takers, times));
+    long drawn = 0;
+    while (const auto moment = moments.next()) {
+        if (takers.film) {
+            renderer::Image image = queue.blank();
+            takers.film->draw(*moment, image);
+            queue.send(moment->name, std::move(image));
+        }
+        progress(++drawn);
+    }
+    queue.flush();
+}
+
+std::string finish(const Sequence& sequence, std::vector<ObservedRun>& runs, const std::string& driver) {
+    Json summary;
+    if (runs.size() == 1) {
+        summary = Json::parse(runs.front().finish());
+    } else {
+        summary["compare"] = sequence.panels.front().choices.frames.compare->option;
+        for (ObservedRun& run : runs) summary["panels"].push_back(Json::parse(run.finish()));
+    }
+    summary["made_with"] = {{"program", version_text()}};
+    if (!driver.empty()) summary["made_with"]["driver"] = driver;
+    return summary.dump(2) + "\n";
+}
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,47 @@
+// The frames of a scene: its runs are stepped to them and drawn.
+#pragma once
+
+#include "demos/options/comparison.h"
+#include "demos/options/frame_options.h"
+#include "demos/pictures/film/film.h"
+#include "demos/pictures/film/frame_queue.h"
+#include "demos/pictures/replay/replay.h"
+#include "demos/runs/observed_run.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::pictures {
+
+struct Sequence {
+    std::vector<ComparedRun> panels;         // one, or those of a comparison
+    std::vector<std::vector<Frame>> frames;  // per panel, equally many in each
+
+    const std::string& scene() const { return panels.front().choices.description.name; }
+    std::size_t frame_count() const { return frames.front().size(); }
+    // A run ends with its last still.
+    long last_step(std::size_t panel) const;
+};
+
+// The frames that these options ask for. Throws UsageError.
+Sequence plan_sequence(const std::string& scene, const GivenOptions& given);
+
+// What is made of the runs of a sequence; either may be absent.
+struct Takers {
+    std::optional<Film> film{};
+    std::optional<Replay> replay{};
+};
+
+// Steps the runs to each frame and then to the end: simulates on one thread, draws on this one and sends the images
+// to `queue`, which is flushed. `progress` receives the number of frames so far. Ends early, without an error, when
+// the program is interrupted.
+void take_frames(const Sequence& sequence, std::vector<ObservedRun>& runs, Takers& takers, FrameQueue& queue,
+                 StageTimes* times, const std::function<void(long)>& progress);
+
+// Completes the files of the runs and returns their summary as JSON. `driver` is what drew (Studio::driver()), empty
+// if nothing was drawn.
+std::string finish(const Sequence& sequence, std::vector<ObservedRun>& runs, const std::string& driver);
+
+}  // namespace pushfactor::demos::pictures

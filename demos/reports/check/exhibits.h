@@ -1,0 +1,45 @@
+// The pictures of a page: expected, actual and their difference, of the worst that were found in a folder.
+#pragma once
+
+#include "demos/reports/check/comparison.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pushfactor::demos::reports::check {
+
+// Names of the files in the folder of the page.
+inline std::string expected_file(const std::string& name) {
+    return name + ".expected.png";
+}
+inline std::string actual_file(const std::string& name) {
+    return name + ".actual.png";
+}
+inline std::string difference_file(const std::string& name) {
+    return name + ".difference.png";
+}
+
+class Exhibits {
+  public:
+    static constexpr std::size_t most = 20;
+
+    // Pictures go to `folder`, which is made with the first one. Those of an earlier check are removed.
+    explicit Exhibits(std::filesystem::path folder);
+
+    // Keeps the pictures on disk while they are among the worst.
+    void offer(const Compared& compared);
+
+    // Marks the verdicts whose pictures are there.
+    void mark(std::vector<PictureVerdict>& verdicts) const;
+
+  private:
+    void write(const Compared& compared) const;
+    void remove(const std::string& name) const;
+
+    std::filesystem::path folder_;
+    std::vector<std::pair<double, std::string>> kept_;  // badness and name; a heap with the least bad on top
+};
+
+}  // namespace pushfactor::demos::reports::check
