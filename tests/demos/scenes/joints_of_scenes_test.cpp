@@ -11,6 +11,7 @@
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/demos/scenes/said_of.h"
 
 #include <cmath>
 
@@ -19,6 +20,7 @@ using namespace pushfactor::demos;
 using engine::RowKind;
 using engine::Vector3;
 using tests::Folder;
+using tests::said_of;
 
 namespace {
 
@@ -26,21 +28,6 @@ SceneDescription read(const std::string& text) {
     const Folder folder;
     folder.write("my.json", text);
     return read_scene_file(folder / "my.json");
-}
-
-std::string said_of(const std::string& text) {
-    const Folder folder;
-    folder.write("my.json", text);
-    try {
-        build_scene(understand((folder / "my.json").string(), {}));
-    } catch (const UsageError& error) {
-        const std::string message = error.what();
-        CHECK(std::count(message.begin(), message.end(), '\n') == 0);
-        return message;
-    } catch (const engine::InvalidInput& error) {
-        return error.what();
-    }
-    return "accepted";
 }
 
 // A cart on the ground: a box with two wheels that overlap it, on hinges with `hinge` as further keys.

@@ -3,7 +3,7 @@
 #include "engine/forces/poke.h"
 #include "engine/step/rest.h"
 #include "tests/catch.h"
-#include "tests/engine/rest_scene.h"
+#include "tests/engine/step/rest_scene.h"
 
 #include <algorithm>
 

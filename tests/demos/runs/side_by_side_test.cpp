@@ -4,7 +4,7 @@
 
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
-#include "tests/demos/similar_scene.h"
+#include "tests/demos/scenes/similar_scene.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
 

@@ -3,7 +3,7 @@
 
 #include "engine/constraints/distance_constraints.h"
 #include "tests/catch.h"
-#include "tests/engine/rest_scene.h"
+#include "tests/engine/step/rest_scene.h"
 
 #include <cmath>
 #include <numbers>

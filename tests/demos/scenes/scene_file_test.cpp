@@ -8,30 +8,18 @@
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/demos/scenes/said_of.h"
 
 #include <algorithm>
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
 using tests::Folder;
+using tests::said_of;
 
 namespace {
 
 const std::string ball = R"({"name": "ball", "shape": "sphere", "radius_m": 0.5, "mass_kg": 1})";
-
-std::string said_of(const std::string& text) {
-    const Folder folder;
-    folder.write("my.json", text);
-    try {
-        build_scene(understand((folder / "my.json").string(), {}));
-    } catch (const UsageError& error) {
-        const std::string message = error.what();
-        CHECK(std::count(message.begin(), message.end(), '\n') == 0);
-        CHECK_THAT(message, Catch::Contains("my.json"));
-        return message;
-    }
-    return "accepted";
-}
 
 std::string scene_of(const std::string& bodies, const std::string& rest = "") {
     return R"({"version": 1, "bodies": [)" + bodies + "]" + rest + "}";

@@ -6,7 +6,7 @@
 #include "demos/scenes/families/family.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
-#include "tests/demos/markdown.h"
+#include "tests/demos/commands/markdown.h"
 #include "tests/texts.h"
 
 #include <algorithm>

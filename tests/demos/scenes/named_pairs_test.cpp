@@ -6,6 +6,7 @@
 #include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/demos/scenes/said_of.h"
 
 #include <cmath>
 
@@ -14,6 +15,7 @@ using namespace pushfactor::demos;
 using engine::Quaternion;
 using engine::Vector3;
 using tests::Folder;
+using tests::said_of;
 
 namespace {
 
@@ -75,17 +77,6 @@ std::vector<double> slid(const SceneDescription& scene) {
         distances.push_back((simulation.scene().world.bodies[i].position - scene.bodies[i].position).norm());
     }
     return distances;
-}
-
-std::string said_of(const std::string& text) {
-    const Folder folder;
-    folder.write("my.json", text);
-    try {
-        build_scene(understand((folder / "my.json").string(), {}));
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "accepted";
 }
 
 std::string scene_with(const std::string& rest) {

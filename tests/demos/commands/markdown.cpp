@@ -1,4 +1,4 @@
-#include "tests/demos/markdown.h"
+#include "tests/demos/commands/markdown.h"
 
 #include "tests/texts.h"
 

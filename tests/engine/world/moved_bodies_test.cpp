@@ -1,58 +1,15 @@
 // Static bodies that are moved: what stands on them, meets them or hangs on them, against closed forms.
-#include "engine/bodies/path.h"
 #include "engine/constraints/distance_constraints.h"
-#include "engine/constraints/joint_constraints.h"
 #include "engine/energy_account.h"
-#include "engine/step/rest.h"
 #include "tests/catch.h"
-#include "tests/engine/contact_scene.h"
+#include "tests/engine/world/moved_scene.h"
 
 #include <cmath>
-#include <numbers>
 
 using namespace pushfactor::engine;
 using namespace pushfactor::tests;
 
 namespace {
-
-constexpr double g = 10.0;
-constexpr double pi = std::numbers::pi;
-
-Place place_of(const Body& body) {
-    return {body.position, body.orientation};
-}
-
-void move(ContactScene& scene, int body, const Motion& motion, const PathTimes& times = {}) {
-    const Body& own = scene.world.bodies[static_cast<std::size_t>(body)];
-    scene.world.move(body, std::make_unique<SteadyPath>(place_of(own), motion, times));
-}
-
-void shake(ContactScene& scene, int body, const Vector3& amplitude, double frequency, double phase) {
-    const Body& own = scene.world.bodies[static_cast<std::size_t>(body)];
-    scene.world.move(body, std::make_unique<Oscillation>(place_of(own), amplitude, frequency, phase, PathTimes{}));
-}
-
-Quaternion turned(double angle, const Vector3& axis = Vector3::UnitY()) {
-    return Quaternion(Eigen::AngleAxisd(angle, axis));
-}
-
-enum class Under { plate, plane, ball };
-
-// What moves is body 0, its surface at height 0.
-void add_under(ContactScene& scene, Under what, const Surface& surface = {}) {
-    switch (what) {
-        case Under::plate:
-            scene.add_plate({4, 1, 4}, {0, -0.5, 0}, surface);
-            break;
-        case Under::plane:
-            scene.add_ground(surface);
-            break;
-        case Under::ball:
-            scene.add(static_body({0, -2, 0}), collision::Sphere{2.0}, surface);
-    }
-}
-
-constexpr std::array all_under{Under::plate, Under::plane, Under::ball};
 
 // The largest gap between a cube and the shaker that it stands on, which begins at its lowest point.
 double largest_gap(Under what, double peak_acceleration, double dt) {
@@ -97,37 +54,6 @@ OnTable on_turntable(double rate, double mu, double radius, double dt) {
 }
 
 }  // namespace
-
-TEST_CASE("a path is where its closed form says, and its mean velocities lead from place to place") {
-    const Place start{{1, 2, 3}, turned(0.3, Vector3::UnitX())};
-    const SteadyPath steady(start, {{1, 0, -2}, {0, 30, 0}}, {.from = 1.0, .until = 3.0});
-    CHECK((steady.at(0.5).position - start.position).norm() == 0.0);
-    CHECK((steady.at(2.0).position - Vector3(2, 2, 1)).norm() < 1e-15);
-    CHECK(steady.at(2.0).orientation.angularDistance(turned(30.0) * start.orientation) < 1e-12);
-    CHECK((steady.at(9.0).position - Vector3(3, 2, -1)).norm() < 1e-15);
-    CHECK(steady.mean(0.5, 1.0).is_none());
-    CHECK(steady.mean(0.5, 1.0 + 1e-12).is_none());  // the sum of steps
-    CHECK((steady.mean(0.5, 1.5).velocity - Vector3(0.5, 0, -1)).norm() < 1e-14);
-    CHECK((steady.mean(1.0, 2.0).angular_velocity - Vector3(0, 30, 0)).norm() < 1e-12);  // many turns a step
-    CHECK(steady.mean(3.0 - 1e-12, 4.0).is_none());
-
-    const Oscillation shaker(start, {0, 0.2, 0}, 5.0, 0.7, {.from = 1.0});
-    const double height = 2.0 + 0.2 * (std::sin(2 * pi * 5 * 0.13 + 0.7) - std::sin(0.7));
-    CHECK(shaker.at(1.13).position.y() == Approx(height).epsilon(1e-12));
-    CHECK(shaker.at(1.0).position == start.position);
-
-    const PlaceTable table(start, {{1.0, {{2, 2, 3}, start.orientation}}, {1.5, {{2, 5, 3}, turned(2.0)}}});
-    CHECK((table.at(0.5).position - Vector3(1.5, 2, 3)).norm() < 1e-15);
-    CHECK(table.at(1.0 + 1e-11).position == Vector3(2, 2, 3));
-    CHECK(table.at(1.5).orientation.coeffs() == turned(2.0).coeffs());
-    CHECK(table.at(7.0).position == Vector3(2, 5, 3));
-    CHECK((table.mean(1.1, 1.2).velocity - Vector3(0, 6, 0)).norm() < 1e-12);
-    CHECK((table.mean(0.75, 1.25).velocity - Vector3(0.5, 3, 0)).norm() < 1e-12);
-    CHECK(table.mean(1.5, 2.0).is_none());
-    const Motion turning = table.mean(1.1, 1.2);
-    const Quaternion turn = turned(0.1 * turning.angular_velocity.norm(), turning.angular_velocity.normalized());
-    CHECK((turn * table.at(1.1).orientation).angularDistance(table.at(1.2).orientation) < 1e-12);
-}
 
 TEST_CASE("what stands on a shaker keeps in touch while its acceleration stays below g, and lifts off above") {
     const double dt = 1.0 / 480.0;
@@ -328,53 +254,6 @@ TEST_CASE("a table of places carries a cube to where it says") {
     CHECK(scene.world.bodies[1].orientation.angularDistance(end.orientation) < 1e-3);
 }
 
-TEST_CASE("a heap in small steps goes up and down with what it lies on") {
-    for (const double speed : {1.0, -0.3}) {
-        ContactScene scene;
-        add_under(scene, Under::plate);
-        for (int layer = 0; layer < 3; ++layer) {
-            for (int i = 0; i < 4; ++i) {
-                scene.add_box(Vector3::Constant(0.5), {0.55 * (i % 2), 0.25 + 0.5 * layer, 0.55 * (i / 2)});
-            }
-        }
-        scene.add_box({1.2, 0.2, 1.2}, {0.27, 1.6, 0.27});
-        move(scene, 0, {.velocity = {0, speed, 0}}, {.from = 0.5});
-        scene.build();
-        scene.world.small_steps = std::make_unique<SmallSteps>();
-        scene.world.solver = solvers::make_solver("pgs");
-        int small = 0;
-        for (int i = 0; i < 120; ++i) small += scene.world.step(ContactScene::dt).islands_in_small_steps;
-        INFO(speed);
-        CHECK(small > 10);
-        CHECK(scene.world.bodies.back().position.y() == Approx(1.6 + 1.5 * speed).margin(0.005));
-        CHECK(velocity(scene.world.bodies.back()).y() == Approx(speed).margin(0.01));
-        CHECK(scene.penetration() < 0.005);
-    }
-}
-
-TEST_CASE("small steps push a heap out of a plate that goes up or down as out of one that stands") {
-    std::vector<double> overlaps;
-    for (const double speed : {0.0, 1.0, -0.3}) {
-        ContactScene scene;
-        add_under(scene, Under::plate);
-        for (int i = 0; i < 9; ++i) scene.add_box(Vector3::Constant(0.5), {0.5 * (i % 3), 0.2, 0.5 * (i / 3)});
-        for (Body& body : scene.world.bodies) {
-            if (!body.is_static()) body.linear_momentum.y() = speed;
-        }
-        move(scene, 0, {.velocity = {0, speed, 0}});
-        scene.build();
-        scene.world.small_steps = std::make_unique<SmallSteps>(SmallStepDivision{.steps = 16, .sweeps = 4});
-        scene.world.solver = solvers::make_solver("pgs");
-        int small = 0;
-        for (int i = 0; i < 5; ++i) small += scene.world.step(ContactScene::dt).islands_in_small_steps;
-        CHECK(small > 0);
-        overlaps.push_back(scene.penetration());
-    }
-    CHECK(overlaps[0] < 0.03);
-    CHECK(overlaps[1] == Approx(overlaps[0]).margin(1e-4));
-    CHECK(overlaps[2] == Approx(overlaps[0]).margin(1e-4));
-}
-
 TEST_CASE("what a moved body meets within a step ends that step at its surface") {
     for (const Under what : all_under) {
         for (const bool turns : {false, true}) {
@@ -395,89 +274,6 @@ TEST_CASE("what a moved body meets within a step ends that step at its surface")
             CHECK(velocity(scene.world.bodies[1]).norm() > 1.0);
         }
     }
-}
-
-TEST_CASE("a stack at rest wakes in the step in which its table starts to move, and goes along without a jerk") {
-    ContactScene scene;
-    add_under(scene, Under::plate);
-    for (int i = 0; i < 3; ++i) scene.add_box(Vector3::Ones(), {0, 0.5 + i, 0});
-    scene.add_box(Vector3::Ones(), {50, 0.5, 0});
-    scene.add_plate({4, 1, 4}, {50, -0.5, 0});
-    // Begins slowly: the lowest point of a sinusoid, half a metre to and fro.
-    const Place start = place_of(scene.world.bodies[0]);
-    scene.world.move(0, std::make_unique<Oscillation>(start, Vector3(0.25, 0, 0), 0.25, -0.5 * pi,
-                                                      PathTimes{.from = 2.0, .until = 4.0}));
-    scene.build();
-    scene.world.rest = std::make_unique<Rest>();
-    for (int i = 1; i <= 120; ++i) scene.world.step(ContactScene::dt);
-    REQUIRE(scene.world.rest->count() == 4);
-    double fastest_change = 0.0;
-    Vector3 before = Vector3::Zero();
-    for (int i = 0; i < 120; ++i) {
-        const StepCount count = scene.world.step(ContactScene::dt);
-        REQUIRE(count.at_rest == 1);  // the cube elsewhere
-        const Vector3 now = velocity(scene.world.bodies[3]);
-        fastest_change = std::max(fastest_change, (now - before).norm() / ContactScene::dt);
-        before = now;
-        const double offset = scene.world.bodies[0].position.x();
-        for (std::size_t k = 1; k <= 3; ++k) {
-            CHECK(scene.world.bodies[k].position.x() == Approx(offset).margin(1e-6));
-        }
-    }
-    CHECK(fastest_change < 1.01 * 0.25 * std::pow(2 * pi * 0.25, 2));
-    // The table stands still again, and so do they.
-    for (int i = 0; i < 60; ++i) scene.world.step(ContactScene::dt);
-    CHECK(scene.world.rest->count() == 4);
-    CHECK(scene.world.bodies[3].position.x() == Approx(0.5).margin(1e-6));
-}
-
-TEST_CASE("a body does not rest on one that moves, with or without friction, nor hung on one") {
-    for (const double friction : {0.0, 0.5}) {
-        ContactScene scene;
-        add_under(scene, Under::plate, {.friction = friction});
-        scene.add_box(Vector3::Ones(), {0, 0.5, 0}, {0, 0, 0}, {.friction = friction});
-        move(scene, 0, {.velocity = {0.001, 0, 0}});
-        scene.build();
-        scene.world.rest = std::make_unique<Rest>();
-        for (int i = 0; i < 240; ++i) REQUIRE(scene.world.step(ContactScene::dt).at_rest == 0);
-    }
-}
-
-namespace {
-
-const Correction at_once{PushKind::persistent, 1.0};
-
-std::unique_ptr<ConstraintSource> two_bars() {
-    const std::vector bars{Distance{.body_a = 0, .body_b = 1}, Distance{.body_a = 3, .body_b = 2}};
-    return std::make_unique<DistanceConstraints>(bars, at_once, true);
-}
-
-std::unique_ptr<ConstraintSource> two_hinges() {
-    const std::vector hinges{Joint{.body_a = 0, .body_b = 1, .point_b = {0, 1, 0}, .hinge = Hinge{}},
-                             Joint{.body_a = 3, .body_b = 2, .point_a = {0, 1, 0}, .hinge = Hinge{}}};
-    return std::make_unique<JointConstraints>(hinges, at_once, true);
-}
-
-}  // namespace
-
-TEST_CASE("what hangs at rest wakes in the step in which the point that it hangs on starts to move") {
-    const bool hinges = GENERATE(false, true);
-    INFO("hinges " << hinges);
-    World world;
-    world.bodies = {static_body({0, 2, 0}), ball_body(1.0, 0.1, {0, 1, 0}), static_body({5, 2, 0}),
-                    ball_body(1.0, 0.1, {5, 1, 0})};
-    world.forces.push_back(std::make_unique<Gravity>(Vector3(0, -g, 0)));
-    world.constraints.push_back(hinges ? two_hinges() : two_bars());
-    world.solver = solvers::make_solver("auto");
-    world.termination = {.iterations = 25, .tolerance_high = 1e-8, .tolerance_low = 1e-10};
-    world.rest = std::make_unique<Rest>();
-    world.move(0, std::make_unique<SteadyPath>(place_of(world.bodies[0]), Motion{{0, 1, 0}, {0, 0, 0}},
-                                               PathTimes{.from = 1.0}));
-    for (int i = 0; i < 60; ++i) world.step(ContactScene::dt);
-    REQUIRE(world.rest->count() == 2);
-    CHECK(world.step(ContactScene::dt).at_rest == 1);
-    CHECK(world.rest->is_at_rest(3));
-    CHECK(velocity(world.bodies[1]).y() == Approx(1.0).epsilon(1e-6));
 }
 
 TEST_CASE("all is the same seen from a frame that moves along") {

@@ -6,7 +6,7 @@
 // rounding errors and their growth during the run.
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
-#include "tests/demos/similar_scene.h"
+#include "tests/demos/scenes/similar_scene.h"
 #include "tests/scene_fixture.h"
 
 #include <numbers>

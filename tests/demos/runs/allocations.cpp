@@ -1,6 +1,6 @@
 // Calls are forwarded to the next definition: the C library's, or that of a profiler that was loaded before it.
 // Memory comes from there and goes back there, so free() is not replaced.
-#include "tests/demos/allocations.h"
+#include "tests/demos/runs/allocations.h"
 
 #include <dlfcn.h>
 
