@@ -6,6 +6,7 @@
 #include "tests/random.h"
 
 #include <cmath>
+#include <set>
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
