@@ -35,21 +35,15 @@ double whole(const PushFactor& push) {
 // removed.
 class RattleStep {
   public:
-    explicit RattleStep(World& world) : world_(world), ahead_(world.bodies) {}
+    explicit RattleStep(World& world)
+        : world_(world), system_(world.step_system()), solver_(world.step_solver()), ahead_(world.bodies) {}
 
-    // Takes the rows and their warm start at the beginning of the step.
+    // Takes the rows at the beginning of the step.
     void begin(double dt) {
-        // Each step solves for its positions from scratch, so that no error accumulates in kept forces.
         if (world_.moves_any()) throw InvalidInput("bodies with a path", "some", "none: RATTLE moves none");
         world_.find_awake();
-        world_.island_solver_.set_memory({});
-        world_.island_solver_.begin(world_.bodies.size(), world_.awake_.members());
-        world_.append_rows(dt);
-        require_bars(world_.rows_);
-        world_.lambda_.resize(static_cast<Eigen::Index>(world_.rows_.size()), 1);
-        for (Eigen::Index j = 0; j < world_.lambda_.rows(); ++j) {
-            world_.lambda_(j, 0) = world_.rows_[static_cast<std::size_t>(j)].guess.last;
-        }
+        world_.step_rows().append(world_.constraints, {world_.bodies, dt, world_.time()});
+        require_bars(world_.rows());
     }
 
     // Kick over the time `kick` such that the bodies, after a drift over the time `drift`, satisfy the bars;
@@ -65,17 +59,17 @@ class RattleStep {
             look_ahead(kick, drift);
         }
         std::copy(ahead_.begin(), ahead_.end(), world_.bodies.begin());
-        std::swap(world_.rows_, rows_ahead_);
-        world_.time_ += drift;
+        std::swap(world_.step_rows().list(), rows_ahead_);
+        world_.pass_time(drift);
     }
 
     // Last kick: projects the momenta so that bars have no velocity along themselves.
     StepCount finish(double kick) {
-        for (ConstraintRow& row : world_.rows_) row.push = {};
+        for (ConstraintRow& row : world_.step_rows().list()) row.push = {};
         prepare(kick);
         find_islands();
         for (Move& move : moves_) move.ended = false;
-        solve_open_islands(world_.lambda_);
+        solve_open_islands(solver_.lambda());
         world_.remember();
         kick_ahead(kick);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
@@ -88,26 +82,28 @@ class RattleStep {
   private:
     void prepare(double kick) {
         world_.add_forces();
-        build_system(world_.bodies, world_.rows_, kick, world_.system_);
-        world_.system_.dt = std::abs(kick);  // scale of the solvers' residuals; b has the sign
+        build_system(world_.bodies, world_.rows(), kick, system_);
+        system_.dt = std::abs(kick);  // scale of the solvers' residuals; b has the sign
     }
 
-    // The bars connect the same bodies throughout the step, and all rows have one column.
+    // The bars connect the same bodies throughout the step, and all rows have one column. Each step solves for its
+    // positions from scratch, so that no error accumulates in kept forces.
     void find_islands() {
         if (found_islands_) return;
         found_islands_ = true;
-        world_.system_.b.conservativeResize(Eigen::NoChange, 1);
-        world_.islands_.find(world_.system_);
-        moves_.resize(world_.islands_.all().size());
+        system_.b.conservativeResize(Eigen::NoChange, 1);
+        solver_.set_memory({});
+        solver_.begin(world_.problem());
+        moves_.resize(solver_.islands().all().size());
     }
 
     // Momenta after a kick by external forces and lambda.
     void kick_ahead(double kick) {
-        constraint_forces(world_.system_, world_.lambda_, 0, forces_.moving);
+        constraint_forces(system_, solver_.lambda(), 0, forces_);
         for (std::size_t i = 0; i < ahead_.size(); ++i) {
             const Body& body = world_.bodies[i];
             if (body.is_static()) continue;
-            const Vector6& f_c = forces_.moving[i];
+            const Vector6& f_c = forces_[i];
             ahead_[i].linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), kick);
             ahead_[i].angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), kick);
         }
@@ -125,12 +121,12 @@ class RattleStep {
         rows_ahead_.clear();
         for (const auto& source : world_.constraints)
             source->append_rows({ahead_, drift, world_.time()}, rows_ahead_);
-        if (rows_ahead_.size() != world_.rows_.size()) {
+        if (rows_ahead_.size() != world_.rows().size()) {
             throw InvalidInput("rows", std::to_string(rows_ahead_.size()), "the same throughout a step of RATTLE");
         }
         for (std::size_t k = 0; k < moves_.size(); ++k) {
             moves_[k].before = moves_[k].error;
-            moves_[k].error = error_ahead(world_.islands_.all()[k]) * std::abs(drift);
+            moves_[k].error = error_ahead(solver_.islands().all()[k]) * std::abs(drift);
         }
     }
 
@@ -161,28 +157,22 @@ class RattleStep {
     // start of the move.
     void correct(double kick) {
         const auto rows = static_cast<Eigen::Index>(rows_ahead_.size());
-        world_.system_.b.resize(rows, 1);
+        system_.b.resize(rows, 1);
         for (Eigen::Index j = 0; j < rows; ++j) {
-            world_.system_.b(j, 0) = whole(rows_ahead_[static_cast<std::size_t>(j)].push) / kick;
+            system_.b(j, 0) = whole(rows_ahead_[static_cast<std::size_t>(j)].push) / kick;
         }
         change_.setZero(rows, 1);
         solve_open_islands(change_);
-        world_.lambda_ += change_;
+        solver_.lambda() += change_;
     }
 
     // Solves the islands whose moves have not ended.
     void solve_open_islands(Columns& lambda) {
-        world_.island_solver_.begin_another();
-        world_.benches_.set_up(world_.solver.get(), world_.small_steps.get(), nullptr);
-        forces_.moving.resize(world_.bodies.size());
         open_.clear();
         for (std::size_t k = 0; k < moves_.size(); ++k) {
             if (!moves_[k].ended) open_.push_back(static_cast<int>(k));
         }
-        work_ += world_.benches_.solve(world_.islands_.all(), open_, [&](const Island& island, auto& bench) {
-            return SolveWork(island, world_.island_solver_.solve(bench, world_.termination, world_.system_, island,
-                                                                 {Budget::Take::rest}, nullptr, lambda, forces_));
-        });
+        work_ += solver_.solve_separately(world_.problem(), open_, lambda);
     }
 
     // State of the move of an island.
@@ -192,11 +182,13 @@ class RattleStep {
     };
 
     World& world_;
+    SystemEquation& system_;
+    StepSolver& solver_;
     std::vector<Body> ahead_;
     RowList rows_ahead_;
-    Columns change_;  // of lambda, N
-    ConstraintForces forces_;
-    std::vector<Move> moves_;  // by island
+    Columns change_;               // of lambda, N
+    std::vector<Vector6> forces_;  // of the bars
+    std::vector<Move> moves_;      // by island
     bool found_islands_ = false;
     std::vector<int> open_;  // islands whose moves have not ended, by number
     SolveWork work_;

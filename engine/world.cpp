@@ -6,7 +6,6 @@
 
 #include "engine/constraints/carried.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace pushfactor::engine {
@@ -23,12 +22,7 @@ constexpr int most_looks = 9;
 constexpr double worth_threads = 6e5;
 constexpr double work_of_a_row = 200.0, work_of_a_body = 100.0;
 
-// Work items per thread task.
-constexpr std::size_t bodies_of_a_part = 250, rows_of_a_part = 1000;
-
-bool has_row_from(const Island& island, std::size_t first_row) {
-    return static_cast<std::size_t>(island.runs.back().end) > first_row;
-}
+constexpr std::size_t bodies_of_a_part = 250;  // per thread task
 
 }  // namespace
 
@@ -58,7 +52,7 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
         ended(Phase::forces);
         append_rows(dt);  // 5
         ended(Phase::rows);
-        build_system(bodies, awake_.members(), rows_, dt, system_, sharing_);  // 6: A lambda = b, 6.2.9
+        build_system(bodies, awake_.members(), rows_.all(), dt, system_, sharing_);  // 6: A lambda = b, 6.2.9
         ended(Phase::system);
         work = solve_and_look(dt);  // 7, island by island
         ended(Phase::solve);
@@ -114,18 +108,13 @@ void World::find_awake() {
     if (!rest->take_change() && !first) return;
     if (first) add_forces(Awake(bodies.size()));  // resting ones keep theirs from here on
     awake_ = rest->awake(bodies.size());
-    island_solver_.forget_islands();
     for (const auto& source : constraints) source->leave_out_others(bodies, awake_);
-    forces_.moving.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        // For code that predicts their motion: resting bodies are held.
-        if (!awake_.has(static_cast<int>(i))) forces_.moving[i] = -stacked(bodies[i].force, bodies[i].torque);
-    }
+    step_solver_.leave_out_others(bodies, awake_);
 }
 
 bool World::wakes_some() {
-    const bool woken = rest && rest->wake_pushed(system_, lambda_);
-    if (woken) island_solver_.take_back(awake_.members());
+    const bool woken = rest && rest->wake_pushed(system_, lambda());
+    if (woken) step_solver_.take_back(awake_.members());
     return woken;
 }
 
@@ -144,44 +133,33 @@ void World::add_forces(const Awake& to) {
 }
 
 void World::append_rows(double dt) {
-    const StepStart step = start_of(dt);
-    rows_.clear();
-    appended_.clear();
-    for (std::size_t s = 0; s < constraints.size(); ++s) {
-        const std::size_t begin = rows_.size();
-        constraints[s]->append_rows(step, rows_);
-        appended_.push_back({s, begin, rows_.size()});
-    }
+    rows_.append(constraints, start_of(dt));
     system_.carried.clear();
     carry_rows(dt);
 }
 
-void World::append_unforeseen(double dt) {
-    const StepStart step = start_of(dt);
-    for (std::size_t s = 0; s < constraints.size(); ++s) {
-        const std::size_t begin = rows_.size();
-        constraints[s]->append_unforeseen(step, forces_.moving, changed_, rows_);
-        if (rows_.size() > begin) appended_.push_back({s, begin, rows_.size()});
-    }
+bool World::append_unforeseen(double dt) {
+    const std::size_t known = rows_.size();
+    rows_.append_unforeseen(constraints, start_of(dt), step_solver_.forces().moving, step_solver_.changed());
     carry_rows(dt);
+    return rows_.size() > known;
 }
 
 // Moved bodies take the others along: their part of J v1.
 void World::carry_rows(double dt) {
-    if (!moved_.empty()) carried_speeds(bodies, dt, rows_, system_.carried);
+    if (!moved_.empty()) carried_speeds(bodies, dt, rows_.all(), system_.carried);
 }
 
 SolveWork World::solve_and_look(double dt) {
-    SolveWork work = solve_islands();
+    SolveWork work = step_solver_.solve(problem());
     bool finished = false;
     for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
-        append_unforeseen(dt);
-        if (rows_.size() > known) {
-            extend_system(rows_, system_);
-            work += solve_islands_again(known);
+        if (append_unforeseen(dt)) {
+            extend_system(rows_.all(), system_);
+            work += step_solver_.solve_again(problem(), known);
         } else if (!finished) {
-            work += finish_islands();
+            work += step_solver_.finish(problem());
             finished = true;
         } else {
             break;
@@ -190,145 +168,8 @@ SolveWork World::solve_and_look(double dt) {
     return work;
 }
 
-void World::note_changed(const Island& island) {
-    const NewForce kind = outcome_of(island).in_small_steps ? NewForce::of_small_steps : NewForce::of_answer;
-    for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = kind;
-}
-
-SolveWork World::solve_islands() {
-    island_solver_.begin(bodies.size(), awake_.members());
-    islands_.find(system_, sharing_);
-    lambda_.resize(system_.row_count(), system_.column_count());
-    guess(0, lambda_);
-    forces_.moving.resize(bodies.size());
-    forces_.lasting.resize(bodies.size());
-    for (const int body : awake_.members()) forces_.moving[static_cast<std::size_t>(body)].setZero();
-    choose([](const Island&) { return true; });
-    return solve_chosen([this](const Island& island, auto& bench) { return solve(island, nullptr, bench); });
-}
-
-SolveWork World::solve_islands_again(std::size_t first_new_row) {
-    islands_.find_again(system_, first_new_row);
-    const bool second_column = system_.column_count() > lambda_.cols();
-    lambda_.conservativeResize(system_.row_count(), system_.column_count());
-    if (second_column) lambda_.col(1) = lambda_.col(0);
-    guess(first_new_row, lambda_);
-    first_guess_.resize(lambda_.rows(), lambda_.cols());
-    guess(0, first_guess_);
-    choose([&](const Island& island) { return has_row_from(island, first_new_row); });
-    return solve_chosen([this](const Island& island, auto& bench) { return solve(island, &first_guess_, bench); });
-}
-
-// Chooses islands to be solved again, whose bodies get new forces.
-template <typename Predicate>
-void World::choose(const Predicate& predicate) {
-    changed_.assign(bodies.size(), NewForce::none);
-    chosen_.clear();
-    for (std::size_t k = 0; k < islands_.all().size(); ++k) {
-        if (predicate(islands_.all()[k])) chosen_.push_back(static_cast<int>(k));
-    }
-}
-
-SolveWork World::finish_islands() {
-    choose([this](const Island& island) { return island_solver_.can_go_on(island, termination); });
-    return solve_chosen([this](const Island& island, auto& bench) {
-        return SolveWork(island, island_solver_.go_on(bench, termination, system_, island, lambda_, forces_));
-    });
-}
-
-template <typename Solve>
-SolveWork World::solve_chosen(const Solve& solve) {
-    if (chosen_.empty()) return {};
-    if (small_steps) endings_.resize(rows_.size());
-    benches_.set_up(solver.get(), small_steps.get(), sharing_);
-    const SolveWork work = benches_.solve(islands_.all(), chosen_, solve);
-    for (const int number : chosen_) note_changed(islands_.all()[static_cast<std::size_t>(number)]);
-    return work;
-}
-
-void World::guess(std::size_t first_row, Columns& lambda) const {
-    const Eigen::Index last = lambda.cols() - 1;
-    share(sharing_, rows_.size() - first_row, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t j = first_row + begin; j < first_row + end; ++j) {
-            const auto row = static_cast<Eigen::Index>(j);
-            lambda(row, 0) = rows_[j].guess.first;
-            lambda(row, last) = rows_[j].guess.last;  // with one column these forces set the momenta
-        }
-    });
-    for (const Island& island : islands_.all()) {
-        if (island.columns > last || !has_row_from(island, first_row)) continue;
-        for (const RowRun& run : island.runs) {
-            for (int j = std::max(run.begin, static_cast<int>(first_row)); j < run.end; ++j) {
-                lambda(j, 0) = lambda(j, last);
-            }
-        }
-    }
-    // Rows without movable bodies belong to no island.
-    for (std::size_t j = first_row; j < rows_.size() && !islands_.hold_all_rows(); ++j) {
-        const auto row = static_cast<Eigen::Index>(j);
-        if (!(system_.diagonal[row] > 0.0)) lambda.row(row).setZero();
-    }
-}
-
-SolveWork World::solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench) {
-    IslandSolver::Allowed allowed;
-    // A single row is solved exactly at no cost.
-    if (small_steps && island.rows > 1) {
-        allowed.iterates_up_to = small_step_rules::largest_to_sweep(system_.dt, bodies, island);
-        allowed.stands_up_to = small_step_rules::standing_speed(system_.dt, bodies, island);
-    }
-    SolveWork work(
-        island, island_solver_.solve(bench, termination, system_, island, allowed, first_guess, lambda_, forces_));
-    if (!outcome_of(island).unfinished) return work;
-    work.add(SolveWork(
-        island, island_solver_.take_small_steps(bench, system_, bodies, island, lambda_, forces_, endings_)));
-    return work;
-}
-
 void World::remember() {
-    answers_.assign(rows_.size(), {});
-    for (const Island& island : islands_.all()) {
-        share(sharing_, island.runs.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-            for (const RowRun& run : island.runs.subspan(begin, end - begin)) find_next_guesses(island, run);
-        });
-    }
-    island_solver_.end(awake_.members());
-    hand_out_answers();
-}
-
-void World::find_next_guesses(const Island& island, const RowRun& run) {
-    if (outcome_of(island).in_small_steps) {
-        std::copy(endings_.begin() + run.begin, endings_.begin() + run.end, answers_.begin() + run.begin);
-        return;
-    }
-    const Eigen::Index last = lambda_.cols() - 1;
-    const ConstraintRow& first = rows_[static_cast<std::size_t>(run.begin)];
-    const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
-    for (int j = run.begin; j < run.end; ++j) {
-        const auto row = static_cast<std::size_t>(j);
-        const Lambda answer{lambda_(j, 0), lambda_(j, last)};
-        answers_[row] = next.takes_answer() ? answer : next(rows_[row].guess, answer);
-    }
-}
-
-// Each source gets its own rows, in the order in which it has appended them.
-void World::hand_out_answers() {
-    const std::span answers(answers_);
-    for (std::size_t s = 0; s < constraints.size(); ++s) {
-        const Appended& first = appended_[s];
-        const bool all = appended_.size() == constraints.size();
-        if (all) {
-            constraints[s]->remember(answers.subspan(first.begin, first.end - first.begin));
-            continue;
-        }
-        answers_of_source_.clear();
-        for (const Appended& part : appended_) {
-            if (part.source != s) continue;
-            const auto own = answers.subspan(part.begin, part.end - part.begin);
-            answers_of_source_.insert(answers_of_source_.end(), own.begin(), own.end());
-        }
-        constraints[s]->remember(answers_of_source_);
-    }
+    rows_.hand_out(constraints, step_solver_.end(problem()));
 }
 
 double World::stored_energy() const {
@@ -340,7 +181,7 @@ double World::stored_energy() const {
 void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
     follow_paths();
-    island_solver_.set_memory(memory);
+    step_solver_.set_memory(memory);
 }
 
 void World::prepare(double dt) {
@@ -348,43 +189,18 @@ void World::prepare(double dt) {
     find_awake();
     add_forces();
     append_rows(dt);
-    build_system(bodies, awake_.members(), rows_, dt, system_, sharing_);
-    solve_islands();
+    build_system(bodies, awake_.members(), rows_.all(), dt, system_, sharing_);
+    step_solver_.solve(problem());
     remember();
-}
-
-bool World::has_lasting_force(std::size_t body) const {
-    const int island = islands_.of_body(static_cast<int>(body));
-    if (island < 0) return false;
-    const Island& of_body = islands_.all()[static_cast<std::size_t>(island)];
-    return of_body.columns == 2 || outcome_of(of_body).in_small_steps;
-}
-
-double World::residual() const {
-    // With a fixed number of iterations the solve has not computed the residual.
-    if (!(termination.tolerance_high > 0.0)) {
-        const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
-        const std::span<const Island> islands = islands_.all();
-        if (std::none_of(islands.begin(), islands.end(), took_small_steps))
-            return natural_residual(system_, lambda_);
-    }
-    double largest = 0.0;
-    for (const Island& island : islands_.all()) {
-        const IslandSolver::Outcome& outcome = outcome_of(island);
-        const bool measured = outcome.in_small_steps || termination.tolerance_high > 0.0;
-        const double own = measured ? std::max(outcome.residuals[0], outcome.residuals[1])
-                                    : natural_residual(system_, island, lambda_);
-        if (!(own <= largest)) largest = own;
-    }
-    return largest;
 }
 
 void World::kick_back_half(double dt) {
     prepare(dt);
+    const ConstraintForces& solved = step_solver_.forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
-        const Vector6& f_c = has_lasting_force(i) ? forces_.lasting[i] : forces_.moving[i];
+        const Vector6& f_c = step_solver_.has_lasting_force(i) ? solved.lasting[i] : solved.moving[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
     }
@@ -402,7 +218,7 @@ void World::integrate(double dt) {
 
 void World::integrate(Body& body, std::size_t i, double dt) {
     if (body.is_static()) return;
-    const Vector6& f_cv = forces_.moving[i];
+    const Vector6& f_cv = step_solver_.forces().moving[i];
 
     // With a single-frame push (8.1) these momenta are used for this move only.
     const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
@@ -410,12 +226,12 @@ void World::integrate(Body& body, std::size_t i, double dt) {
     body.position = advance_position(body, p, dt);
     body.orientation = rotate(body, l, dt);
 
-    if (!has_lasting_force(i)) {
+    if (!step_solver_.has_lasting_force(i)) {
         body.linear_momentum = p;
         body.angular_momentum = l;
         return;
     }
-    const Vector6& f_c0 = forces_.lasting[i];
+    const Vector6& f_c0 = step_solver_.forces().lasting[i];
     body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
     body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
 }
@@ -444,47 +260,20 @@ void World::settle(double dt) {
     };
     for (const auto& source : forces) wake(source->pushed_anew(time_ - dt, time_));
     for (const auto& source : constraints) wake(source->changed_anew(time_ - dt, time_));
-    const auto forbid = [&](const Appended& part) {
-        if (constraints[part.source]->can_leave_out()) return;
-        for (std::size_t j = part.begin; j < part.end; ++j) {
-            rest->wake(rows_[j].body_a);
-            rest->wake(rows_[j].body_b);
+    for (const StepRows::Part& part : rows_.parts()) {
+        if (constraints[part.source]->can_leave_out()) continue;
+        for (const ConstraintRow& row : rows_.all().subspan(part.begin, part.end - part.begin)) {
+            rest->wake(row.body_a);
+            rest->wake(row.body_b);
         }
-    };
-    std::for_each(appended_.begin(), appended_.end(), forbid);
+    }
     if (turns_unseen_.size() != bodies.size()) find_what_turns_unseen();
-    rest->end_step(bodies, turns_unseen_, system_, islands_, lambda_, dt);
+    rest->end_step(bodies, turns_unseen_, system_, islands(), lambda(), dt);
 }
 
 StepCount World::count(const SolveWork& work) const {
-    StepCount count;
-    if (!rows_.empty()) {
-        for (const RowDigest& row : system_.digests) ++count.rows_of_kind[static_cast<std::size_t>(row.kind)];
-    }
+    StepCount count = step_solver_.count(system_, work);
     if (rest) count.at_rest = rest->count();
-    count.columns = rows_.empty() ? 0 : static_cast<int>(system_.column_count());
-    count.islands = static_cast<int>(islands_.all().size());
-    for (const Island& island : islands_.all()) {
-        const IslandSolver::Outcome& outcome = outcome_of(island);
-        count.islands_unsolved += !outcome.solved;
-        count.islands_contradicting += outcome.contradicts;
-        switch (method_of(island)) {
-            case WarmStart::Method::kept:
-                ++count.islands_kept;
-                break;
-            case WarmStart::Method::swept:
-                ++count.islands_swept;
-                break;
-            case WarmStart::Method::exact:
-                ++count.islands_exact;
-                break;
-            case WarmStart::Method::in_small_steps:
-                ++count.islands_in_small_steps;
-        }
-    }
-    count.sweeps = work.sweeps;
-    count.row_updates = work.row_updates;
-    count.multiply_adds = work.multiply_adds;
     return count;
 }
 

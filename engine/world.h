@@ -7,16 +7,15 @@
 #include "engine/constraints/constraint_source.h"
 #include "engine/forces/force_source.h"
 #include "engine/solvers/solver.h"
-#include "engine/step/benches.h"
-#include "engine/step/island_solver.h"
 #include "engine/step/rest.h"
+#include "engine/step/step_count.h"
+#include "engine/step/step_rows.h"
+#include "engine/step/step_solver.h"
 #include "engine/system/islands.h"
 #include "engine/system/system_equation.h"
 
-#include <algorithm>
-#include <array>
 #include <memory>
-#include <numeric>
+#include <span>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -28,26 +27,6 @@ class PhaseObserver {
   public:
     virtual ~PhaseObserver() = default;
     virtual void phase_ended(Phase phase) = 0;
-};
-
-// Statistics of one step.
-struct StepCount {
-    std::array<int, row_kind_count> rows_of_kind{};  // by RowKind
-    int columns = 0;                 // 2 if any row has a single-frame correction, 1 otherwise, 0 without rows
-    int islands = 0;                 // groups of bodies connected by rows
-    int islands_kept = 0;            // whose last forces were accurate enough
-    int islands_swept = 0;           // solved by sweeps or other iterations
-    int islands_exact = 0;           // solved to rounding
-    int islands_in_small_steps = 0;  // whose step was divided into small ones
-    int islands_unsolved = 0;        // solved ones with a residual above the upper tolerance
-    int islands_contradicting = 0;   // with rows that no forces can satisfy together, as found by an exact method
-    int sweeps = 0;                  // iterations of the solver, on the island with the most of them
-    double row_updates = 0.0;        // rows times columns times iterations, of all islands
-    double multiply_adds = 0.0;      // of the solver
-    int at_rest = 0;                 // bodies, after the step (rest.h)
-
-    int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }
-    int rows(RowKind kind) const { return rows_of_kind[static_cast<std::size_t>(kind)]; }
 };
 
 class World {
@@ -88,79 +67,57 @@ class World {
 
     // State carried from step to step besides the bodies and the memory of the sources: the time and this, one per
     // body. A new world with all of it continues bit-identically.
-    void take_memory(std::vector<IslandSolver::Memory>& memory) const { island_solver_.take_memory(memory); }
+    void take_memory(std::vector<IslandSolver::Memory>& memory) const { step_solver_.take_memory(memory); }
     void resume(double time, std::span<const IslandSolver::Memory> memory);  // and Rest::set_memory()
 
     // Rows, system and solution of the last step; empty before the first.
-    std::span<const ConstraintRow> rows() const { return rows_; }
+    std::span<const ConstraintRow> rows() const { return rows_.all(); }
     const SystemEquation& system() const { return system_; }
-    const Columns& lambda() const { return lambda_; }
+    const Columns& lambda() const { return step_solver_.lambda(); }
 
     // Islands of the last step, and how it solved one of them.
-    const Islands& islands() const { return islands_; }
-    WarmStart::Method method_of(const Island& island) const {
-        return island_solver_.warm_start().method_of(island);
-    }
-    // Natural-map residual of the last step [m/s]. For an island in small steps that of the last small step: the
-    // gaps of a whole step are no measure for it.
-    double residual() const;
-    const IslandSolver::Outcome& outcome_of(const Island& island) const {
-        return island_solver_.outcome_of(island);
-    }
+    const Islands& islands() const { return step_solver_.islands(); }
+    WarmStart::Method method_of(const Island& island) const { return step_solver_.method_of(island); }
+    const IslandSolver::Outcome& outcome_of(const Island& island) const { return step_solver_.outcome_of(island); }
+    // Natural-map residual of the last step [m/s], see StepSolver::residual().
+    double residual() const { return step_solver_.residual(problem()); }
 
-  private:
-    friend class RattleStep;  // another step, made of the same phases (rattle.h)
-
-    void begin_paths(double dt);
-    void follow_paths();
+    // Phases of a step and what they work on, for steps of other kinds (rattle.h).
     void find_awake();
     void add_forces();
+    void remember();
+    void pass_time(double dt) { time_ += dt; }
+    StepCount count(const SolveWork& work) const;
+    StepProblem problem() const {
+        return {bodies, system_, solver.get(), termination, small_steps.get(), sharing_};
+    }
+    StepRows& step_rows() { return rows_; }
+    SystemEquation& step_system() { return system_; }
+    StepSolver& step_solver() { return step_solver_; }
+
+  private:
+    void begin_paths(double dt);
+    void follow_paths();
     void add_forces(const Awake& to);
     StepCount take_step(double dt, PhaseObserver* observer);
     StepStart start_of(double dt) const { return {bodies, dt, time_, sharing_}; }
     void append_rows(double dt);
-    void append_unforeseen(double dt);
+    // Appends rows where the solution moves bodies as no source foresaw. Returns whether there were any.
+    bool append_unforeseen(double dt);
     void carry_rows(double dt);
-    void guess(std::size_t first_row, Columns& lambda) const;
-    SolveWork solve(const Island& island, Columns* first_guess, IslandSolver::Bench& bench);
-    // Selects the islands that satisfy `predicate`.
-    template <typename Predicate>
-    void choose(const Predicate& predicate);
-    // Calls `solve(island, bench)` for each selected island.
-    template <typename Solve>
-    SolveWork solve_chosen(const Solve& solve);
-    void note_changed(const Island& island);
-    // Solves all islands from the warm start of their rows and writes forces_.
-    SolveWork solve_islands();
-    // Solves islands with new rows again: these rows start from their warm start, the others from the current
-    // solution.
-    SolveWork solve_islands_again(std::size_t first_new_row);
-    // Gives the remaining iterations to unsolved islands.
-    SolveWork finish_islands();
-    // Solves, and re-solves with additional rows as long as the solution moves bodies where no source foresaw them.
+    // Solves, and re-solves with additional rows as long as any are unforeseen.
     SolveWork solve_and_look(double dt);
     // Wakes resting bodies that are pushed. The step then has to be started again.
     bool wakes_some();
-    void remember();
-    void find_next_guesses(const Island& island, const RowRun& run);
-    void hand_out_answers();
-    // In an island with one column, the forces that move its bodies are the lasting ones.
-    bool has_lasting_force(std::size_t body) const;
     void integrate(double dt);
     void integrate(Body& body, std::size_t i, double dt);
     void find_what_turns_unseen();
     void settle(double dt);
-    StepCount count(const SolveWork& work) const;
 
     // A static body with a path.
     struct Moved {
         std::size_t body;
         std::unique_ptr<const Path> path;
-    };
-
-    // Consecutive rows appended by one source.
-    struct Appended {
-        std::size_t source, begin, end;
     };
 
     double time_ = 0.0;
@@ -169,18 +126,9 @@ class World {
     double shareable_work_ = 0.0;     // multiply-adds of the last step
     Awake awake_;                     // bodies
     std::vector<char> turns_unseen_;  // by body; with a Rest
-    RowList rows_;
-    std::vector<Appended> appended_;
+    StepRows rows_;
     SystemEquation system_;
-    Islands islands_;
-    IslandSolver island_solver_;
-    Benches benches_;
-    std::vector<int> chosen_;  // islands to be solved, by number
-    Columns lambda_, first_guess_;
-    std::vector<NewForce> changed_;                    // one per body, change by the last solves
-    std::vector<Lambda> answers_, answers_of_source_;  // warm start of the next step, one per row
-    std::vector<Lambda> endings_;  // of rows of islands in small steps, forces of the last small step
-    ConstraintForces forces_;
+    StepSolver step_solver_;
 };
 
 }  // namespace pushfactor::engine

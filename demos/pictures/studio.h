@@ -3,7 +3,7 @@
 
 #include "demos/pictures/lettering.h"
 #include "demos/pictures/film/stage_times.h"
-#include "renderer/gl/driver.h"
+#include "renderer/gl/offscreen_context.h"
 #include "renderer/renderer.h"
 
 #include <memory>
@@ -38,7 +38,8 @@ class Studio {
 
     const Lettering& lettering() const { return lettering_; }
 
-    std::string driver() const { return renderer::driver_of(*context_); }
+    // What draws, with back end and versions. Equal texts stand for equal bytes of equal pictures.
+    std::string driver() const { return context_->description() + ", " + renderer::gl_version_of(*context_); }
 
   private:
     struct Seat {

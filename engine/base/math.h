@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <limits>
+
 namespace pushfactor::engine {
 
 using Vector3 = Eigen::Vector3d;
@@ -16,6 +18,8 @@ using Quaternion = Eigen::Quaterniond;
 // One line per constraint row, one or two columns. The first column moves positions, the last one sets momenta;
 // with one column both are the same.
 using Columns = Eigen::MatrixXd;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Vector6 stacked(const Vector3& linear, const Vector3& angular) {
     Vector6 both;

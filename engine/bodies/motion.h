@@ -5,6 +5,8 @@
 
 namespace pushfactor::engine {
 
+inline constexpr double never = infinity;  // s, the time at which a motion gets where it does not go
+
 // Motion with the current momenta.
 inline Motion motion_of(const Body& body) {
     return {velocity(body), angular_velocity(body)};

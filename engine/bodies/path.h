@@ -9,7 +9,6 @@
 
 #include "engine/bodies/body.h"
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -35,8 +34,8 @@ class Path {
 
 // When a path goes on: before and after that the body stands.
 struct PathTimes {
-    double from = 0.0;                                       // s, >= 0
-    double until = std::numeric_limits<double>::infinity();  // s, >= from
+    double from = 0.0;        // s, >= 0
+    double until = infinity;  // s, >= from
 
     // Time on the way [s], 0 at `from`.
     double since_start(double time) const;

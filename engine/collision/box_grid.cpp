@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace pushfactor::engine::collision {
 
@@ -49,7 +48,6 @@ BoxGrid::Level& BoxGrid::level_at(int level) {
     const auto found =
         std::lower_bound(levels_.begin(), levels_.end(), level, [](const Level& a, int b) { return a.level < b; });
     if (found != levels_.end() && found->level == level) return *found;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     return *levels_.insert(found, {level, 0, Vector3::Constant(infinity), Vector3::Constant(-infinity)});
 }
 

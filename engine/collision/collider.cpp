@@ -6,8 +6,6 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Vector3 half_extents_of(const Hull& hull, const Matrix3& rotation) {
     Vector3 reach = Vector3::Zero();
     for (const Vector3& vertex : hull.vertices) reach = reach.cwiseMax((rotation * vertex).cwiseAbs());

@@ -5,7 +5,6 @@
 #include "engine/bodies/body.h"
 #include "engine/collision/polyhedron.h"
 
-#include <limits>
 #include <variant>
 
 namespace pushfactor::engine::collision {

@@ -51,7 +51,7 @@ bool is_pressed_alone(const Collider& collider, const Body& body, const Continuo
 // body counts with its velocity before the step, because something holds its weight too.
 void stop_at(const Touch& touch, const Vector3& normal, const Body& other, double margin, double dt,
              Vector3& velocity_of_body) {
-    double gap = std::numeric_limits<double>::infinity();
+    double gap = infinity;
     for (const ContactPoint& point : touch.points) gap = std::min(gap, point.gap);
     if (gap > margin) return;
     const double excess = normal.dot(velocity_of_body - velocity(other)) - std::max(gap, 0.0) / dt;
@@ -89,7 +89,7 @@ bool before(const Touch& touch, const Pair& pair) {
 }
 
 double smallest_gap(std::span<const ContactPoint> points) {
-    double gap = std::numeric_limits<double>::infinity();
+    double gap = infinity;
     for (const ContactPoint& point : points) gap = std::min(gap, point.gap);
     return gap;
 }
@@ -241,7 +241,7 @@ ContinuousCollision::Outcome ContinuousCollision::add_meeting(const Pair& pair, 
     name_pair(pair, step.colliders, step.bodies, touch);
     combine_surfaces(step.colliders, step.detection.materials, touch);
     const double permitted = step.detection.permitted * touch.size;
-    Course course = follow(
+    Course course = course_of(
         a, b, step.dt,
         {.tolerance = met * touch.size, .margin = step.detection.margin * touch.size, .permitted = permitted});
     std::optional<Meeting>& meeting = course.meeting;

@@ -10,8 +10,8 @@ namespace pushfactor::engine::collision {
 namespace {
 
 double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, const Body& body_b) {
-    const double size_a = body_a.is_static() ? std::numeric_limits<double>::infinity() : size_of(a.shape);
-    const double size_b = body_b.is_static() ? std::numeric_limits<double>::infinity() : size_of(b.shape);
+    const double size_a = body_a.is_static() ? infinity : size_of(a.shape);
+    const double size_b = body_b.is_static() ? infinity : size_of(b.shape);
     return std::min(size_a, size_b);
 }
 

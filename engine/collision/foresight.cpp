@@ -11,7 +11,7 @@ double path_of(const Collider& collider, double speed, double rate, double dt) {
 
 double path_of_moved(const Collider& collider, const Motion& motion, double dt) {
     const double rate = motion.angular_velocity.norm();
-    if (!is_finite(collider.shape) && rate > 0.0) return std::numeric_limits<double>::infinity();
+    if (!is_finite(collider.shape) && rate > 0.0) return infinity;
     return path_of(collider, motion.velocity.norm(), rate, dt);
 }
 

@@ -63,7 +63,7 @@ Outwards outwards(std::span<const ContactPoint> points, const Vector3& normal, c
 // Marks in `kept` the first and the last of `points` along `axis`, preferring deep ones.
 void keep_ends(std::span<const ContactPoint> points, const Vector3& axis, std::span<bool> kept) {
     std::size_t first = 0, last = 0;
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    double lowest = infinity, highest = -lowest;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const ContactPoint& point = points[i];
         const double along = axis.dot(point.position - points[0].position);
@@ -84,7 +84,7 @@ std::size_t choose_by_layers(std::span<const ContactPoint> points, std::size_t m
     std::array<bool, most_points> kept{};
     std::array<ContactPoint, most_points> lowest_layer;
     std::array<std::size_t, most_points> numbers{};
-    double deepest = std::numeric_limits<double>::infinity();
+    double deepest = infinity;
     for (const ContactPoint& point : points) deepest = std::min(deepest, point.gap);
     std::size_t low = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

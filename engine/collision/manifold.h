@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace pushfactor::engine::collision {
@@ -24,15 +23,15 @@ struct Manifold {
     int count = 0;
     // m, largest separation along an axis in another direction than the normal; -infinity if there is none or
     // if the overlap along all of them is deep.
-    double other_gap = -std::numeric_limits<double>::infinity();
+    double other_gap = -infinity;
 
     // m, separation of two boxes along the normal; smaller than the gap of their points if these do not face
     // each other. Infinity for other shapes and for boxes farther apart than the margin.
-    double separation = std::numeric_limits<double>::infinity();
+    double separation = infinity;
 
     // m; points higher than this above the deepest one are the last to be chosen. Finite where a rounded surface
     // lies on a plane: what is near and farther out does not support it.
-    double layer = std::numeric_limits<double>::infinity();
+    double layer = infinity;
 
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
     std::span<const ContactPoint> points() const& { return {storage.data(), static_cast<std::size_t>(count)}; }

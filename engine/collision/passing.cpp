@@ -1,6 +1,7 @@
 #include "engine/collision/passing.h"
 
 #include "engine/base/overloaded.h"
+#include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/box_box.h"
 #include "engine/collision/pairs/polyhedron_pairs.h"
 #include "engine/collision/pairs/sphere_pairs.h"
@@ -12,10 +13,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double noise = 1e-6;           // of the permitted overlap: motion per step of a body at rest
-constexpr double rounding = 1e-6;        // of the size: tolerance between gaps along equal axes
-constexpr double same_direction = 0.9;   // cosine above which two axes of boxes count as the same direction
 constexpr double holding_along = 0.999;  // cosine above which a touch blocks motion along an axis
 
 struct Mover {
@@ -248,21 +246,22 @@ std::optional<Passing::Choice> Passing::last_to_close(const Touch& touch, std::s
     const Closing closing = closing_of(touch, movers, permitted, step.dt);
     if (closing.path <= 0.0) return std::nullopt;
     std::optional<Choice> last;
-    Shapes(touch, step).visit_others(touch.normal, -permitted - rounding * touch.size, [&](const Separation& axis) {
-        if (axis.gap + permitted < 0.0) return;
-        double time = 0.0;
-        if (closing.time < never) {
-            const double speed = fastest_before(movers, axis.normal, touch.points);
-            time = speed > 0.0 ? (axis.gap + permitted) / speed : never;
-            if (time <= closing.time) time = 0.0;
-        }
-        if (time < step.dt && is_held(touch, axis, closing.where, touches, step)) time = never;
-        if (time == 0.0) return;
-        // Among axes that are equal up to rounding take the first, which is a face axis.
-        const bool later =
-            !last || time > last->time || (time == last->time && axis.gap > last->axis.gap + rounding * touch.size);
-        if (later) last = {axis, time};
-    });
+    Shapes(touch, step)
+        .visit_others(touch.normal, -permitted - axis_rounding * touch.size, [&](const Separation& axis) {
+            if (axis.gap + permitted < 0.0) return;
+            double time = 0.0;
+            if (closing.time < never) {
+                const double speed = fastest_before(movers, axis.normal, touch.points);
+                time = speed > 0.0 ? (axis.gap + permitted) / speed : never;
+                if (time <= closing.time) time = 0.0;
+            }
+            if (time < step.dt && is_held(touch, axis, closing.where, touches, step)) time = never;
+            if (time == 0.0) return;
+            // Among axes that are equal up to rounding take the first, which is a face axis.
+            const bool later = !last || time > last->time ||
+                               (time == last->time && axis.gap > last->axis.gap + axis_rounding * touch.size);
+            if (later) last = {axis, time};
+        });
     return last;
 }
 
@@ -303,10 +302,11 @@ void Passing::put_right(std::vector<Touch>& touches, const Step& step) {
 bool Passing::is_kept_apart(const Touch& touch, std::span<const Touch> touches, const Step& step) const {
     const double permitted = step.detection.permitted * touch.size;
     bool apart = false;
-    Shapes(touch, step).visit_others(touch.normal, -permitted - rounding * touch.size, [&](const Separation& axis) {
-        if (apart || axis.gap + permitted < 0.0) return;
-        apart = is_held(touch, axis, touch.points.front().position, touches, step);
-    });
+    Shapes(touch, step)
+        .visit_others(touch.normal, -permitted - axis_rounding * touch.size, [&](const Separation& axis) {
+            if (apart || axis.gap + permitted < 0.0) return;
+            apart = is_held(touch, axis, touch.points.front().position, touches, step);
+        });
     return apart;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -106,7 +105,7 @@ void require_loops(const std::vector<Loop>& loops, std::size_t vertices) {
 }  // namespace
 
 double support(const Hull& hull, const Vector3& direction) {
-    double most = -std::numeric_limits<double>::infinity();
+    double most = -infinity;
     for (const Vector3& vertex : hull.vertices) {
         const double along = direction[0] * vertex[0] + direction[1] * vertex[1] + direction[2] * vertex[2];
         if (along > most) most = along;
@@ -138,7 +137,7 @@ PolyhedronMesh::PolyhedronMesh(std::vector<Vector3> vertices, const std::vector<
 
     std::map<std::pair<int, int>, int> known;  // edges by their vertices
     hull_.vertices = vertices_;
-    hull_.size = hull_.inner_radius = std::numeric_limits<double>::infinity();
+    hull_.size = hull_.inner_radius = infinity;
     for (std::size_t f = 0; f < sorted.size(); ++f) {
         const auto& [normal, loop] = sorted[f];
         const double offset = support(hull_, normal);

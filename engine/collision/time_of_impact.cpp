@@ -1,6 +1,7 @@
 #include "engine/collision/time_of_impact.h"
 
 #include "engine/base/overloaded.h"
+#include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/hull_axes.h"
 #include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/pairs/separations.h"
@@ -12,9 +13,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr int most_waits = 400;         // a box that spins by hundreds of radians per step needs many
-constexpr double same_direction = 0.9;  // cosine above which two normals belong to one face or edge
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr int most_waits = 400;  // a box that spins by hundreds of radians per step needs many
 
 // A pair at one time of its motion.
 struct Placed {
@@ -158,7 +157,7 @@ double approach(const Moving& a, const Moving& b, const Vector3& normal, double 
     return path(closing({a, b, a.start, b.start}, normal), time);
 }
 
-Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearness) {
+Course course_of(const Moving& a, const Moving& b, double dt, const Nearness& nearness) {
     const double tolerance = nearness.tolerance;
     double time = 0.0;
     double overlap = 0.0;

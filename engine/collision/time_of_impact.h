@@ -49,11 +49,11 @@ struct Course {
 
 // First time within `dt` [s] at which the shapes meet. The manifold has all points that are closer than the
 // margin then or may get so close in the rest of the step.
-Course follow(const Moving& a, const Moving& b, double dt, const Nearness& nearness);
+Course course_of(const Moving& a, const Moving& b, double dt, const Nearness& nearness);
 
 inline std::optional<Meeting> find_meeting(const Moving& a, const Moving& b, double dt, double tolerance,
                                            double margin) {
-    return follow(a, b, dt, {.tolerance = tolerance, .margin = margin}).meeting;
+    return course_of(a, b, dt, {.tolerance = tolerance, .margin = margin}).meeting;
 }
 
 }  // namespace pushfactor::engine::collision

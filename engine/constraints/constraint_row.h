@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -34,8 +33,8 @@ enum class Disc : std::uint8_t { none, first, second };
 // Bounds of lambda. With negative `of_row` the numbers are forces in newtons; otherwise they are factors [1] of
 // lambda of row `of_row` in the same column (Coulomb friction: -mu and mu of the normal row).
 struct Bounds {
-    double c_min = -std::numeric_limits<double>::infinity();
-    double c_max = std::numeric_limits<double>::infinity();
+    double c_min = -infinity;
+    double c_max = infinity;
     int of_row = -1;         // index into the rows of the step; must precede this row
     Disc disc = Disc::none;  // if set, c_min = -c_max
     bool in_momenta = true;  // false: lambda is zero in the last of two columns

@@ -31,7 +31,7 @@ double rounded(double height, double size) {
 }
 
 double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
-    double lowest = std::numeric_limits<double>::infinity();
+    double lowest = infinity;
     for (const int index : {touch.body_a, touch.body_b}) {
         const Body& body = bodies[static_cast<std::size_t>(index)];
         if (!body.is_static()) lowest = std::min(lowest, body.position.y());

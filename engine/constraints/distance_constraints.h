@@ -31,7 +31,6 @@
 #include "engine/constraints/constraint_source.h"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -55,7 +54,7 @@ struct Distance {
     Vector3 point_b = Vector3::Zero();
     double length = 1.0;  // m, >= 0; 0 is a ball joint, which acts both ways and without limit
     Acts acts = Acts::both;
-    double max_force = std::numeric_limits<double>::infinity();  // N, > 0
+    double max_force = infinity;     // N, > 0
     std::optional<Spring> spring{};  // without: rigid. Not for a ball joint; acts both ways
 };
 

@@ -1,5 +1,6 @@
 #include "engine/constraints/joint_constraints.h"
 
+#include "engine/base/index.h"
 #include "engine/constraints/carried.h"
 #include "engine/constraints/point_jacobian.h"
 
@@ -13,17 +14,13 @@ namespace pushfactor::engine {
 
 namespace {
 
-const Body& at(std::span<const Body> bodies, int index) {
-    return bodies[static_cast<std::size_t>(index)];
-}
-
 BodyPair pair_of(const Joint& joint, std::span<const Body> bodies) {
-    return {joint.body_a, joint.body_b, at(bodies, joint.body_a), at(bodies, joint.body_b)};
+    return {joint.body_a, joint.body_b, bodies[at(joint.body_a)], bodies[at(joint.body_b)]};
 }
 
 // L.
 double lever_of(const BodyPair& pair) {
-    double squared = std::numeric_limits<double>::infinity();
+    double squared = infinity;
     for (const Body* const body : {&pair.body_a, &pair.body_b}) {
         const double softest = body->inverse_inertia.maxCoeff();
         if (softest > 0.0 && body->inverse_mass > 0.0) squared = std::min(squared, body->inverse_mass / softest);
@@ -33,8 +30,8 @@ double lever_of(const BodyPair& pair) {
 
 // How b is turned from where it is at angle 0, in the frame of a.
 Quaternion turn_of(const Joint& joint, std::span<const Body> bodies) {
-    const Quaternion& a = at(bodies, joint.body_a).orientation;
-    const Quaternion& b = at(bodies, joint.body_b).orientation;
+    const Quaternion& a = bodies[at(joint.body_a)].orientation;
+    const Quaternion& b = bodies[at(joint.body_b)].orientation;
     return a.conjugate() * b * joint.hinge->zero.conjugate();
 }
 
@@ -65,7 +62,7 @@ ConstraintRow& append_turn(const BodyPair& pair, const Vector3& axis, RowList& r
 }  // namespace
 
 Span span_of(const Joint& joint, std::span<const Body> bodies) {
-    const Body &a = at(bodies, joint.body_a), &b = at(bodies, joint.body_b);
+    const Body &a = bodies[at(joint.body_a)], &b = bodies[at(joint.body_b)];
     return {a.position + a.orientation * joint.point_a, b.position + b.orientation * joint.point_b};
 }
 

@@ -23,15 +23,14 @@
 #include "engine/constraints/distance_constraints.h"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace pushfactor::engine {
 
 struct Motor {
-    double speed = 0.0;                                           // rad/s, of b about the axis relative to a
-    double max_torque = std::numeric_limits<double>::infinity();  // N m, > 0
+    double speed = 0.0;            // rad/s, of b about the axis relative to a
+    double max_torque = infinity;  // N m, > 0
 };
 
 struct AngleLimits {

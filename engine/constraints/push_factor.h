@@ -4,8 +4,9 @@
 // corrected per step (called k in sections 8 and 10); dt time step [s].
 #pragma once
 
+#include "engine/base/math.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace pushfactor::engine {
 
@@ -27,7 +28,7 @@ struct Correction {
     PushKind kind = PushKind::single_frame;
     double beta = 0.2;  // 0..1
     // m/s, > 0: limit on the correction speed, for any depth.
-    double max_speed = std::numeric_limits<double>::infinity();
+    double max_speed = infinity;
 };
 
 // 5.2.3, 5.3.1: `distance` [m] is the correction along the axis of the row, made in one step if beta is 1.

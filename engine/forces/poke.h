@@ -3,8 +3,6 @@
 
 #include "engine/forces/force_source.h"
 
-#include <limits>
-
 namespace pushfactor::engine {
 
 struct Poke {
@@ -19,7 +17,7 @@ struct Poke {
     Vector3 point = Vector3::Zero();   // m, body frame, from the centre of mass: where the force acts
     Frame frame = Frame::world;        // of force and torque
     double from = 0.0;                 // s, world time
-    double until = std::numeric_limits<double>::infinity();
+    double until = infinity;
 };
 
 class PokeForce : public ForceSource {

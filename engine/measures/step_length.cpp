@@ -1,5 +1,7 @@
 #include "engine/measures/step_length.h"
 
+#include "engine/base/index.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +14,6 @@ constexpr double swing_a_step = 0.5;
 constexpr double turn_a_step = 0.1;       // rad
 constexpr double fall_a_step = 0.02;      // of the size
 constexpr double slender_moments = 10.0;  // largest over smallest
-
-const Body& at(std::span<const Body> bodies, int index) {
-    return bodies[static_cast<std::size_t>(index)];
-}
 
 // Contribution of one end of a bar or a ball joint to omega^2 / T, 1/(kg m).
 double end_softness(const Body& body, const Vector3& point, double length) {
@@ -42,15 +40,15 @@ double turning_about(const Vector3& point_a, const Body& a, const Vector3& point
 // Angular velocity of a bar's direction, or of the bodies about an off-centre ball joint [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
     if (is_ball_joint(distance)) {
-        return turning_about(distance.point_a, at(bodies, distance.body_a), distance.point_b,
-                             at(bodies, distance.body_b));
+        return turning_about(distance.point_a, bodies[at(distance.body_a)], distance.point_b,
+                             bodies[at(distance.body_b)]);
     }
     const auto [from, to] = span_of(distance, bodies);
     const Vector3 p_ab = to - from;
     const double length = p_ab.norm();
     if (length == 0.0) return 0.0;
     const Vector3 v_ab =
-        velocity_at(at(bodies, distance.body_b), to) - velocity_at(at(bodies, distance.body_a), from);
+        velocity_at(bodies[at(distance.body_b)], to) - velocity_at(bodies[at(distance.body_a)], from);
     return p_ab.cross(v_ab).norm() / (length * length);
 }
 
@@ -64,8 +62,8 @@ double tension_rate(const DistanceConstraints& distances, std::span<const Body> 
     double largest = 0.0;  // omega^2
     for (std::size_t i = 0; i < distances.distances().size(); ++i) {
         const Distance& distance = distances.distances()[i];
-        const double softness = end_softness(at(bodies, distance.body_a), distance.point_a, distance.length) +
-                                end_softness(at(bodies, distance.body_b), distance.point_b, distance.length);
+        const double softness = end_softness(bodies[at(distance.body_a)], distance.point_a, distance.length) +
+                                end_softness(bodies[at(distance.body_b)], distance.point_b, distance.length);
         largest = std::max(largest, tension(distance, distances.forces()[i]) * softness);
     }
     return std::sqrt(largest) / swing_a_step;
@@ -87,8 +85,8 @@ double tension_rate(const JointConstraints& joints, std::span<const Body> bodies
     for (std::size_t i = 0; i < joints.joints().size(); ++i) {
         const Joint& joint = joints.joints()[i];
         const JointForce& force = joints.forces()[i];
-        const double softness = end_softness(at(bodies, joint.body_a), joint.point_a, 0.0) +
-                                end_softness(at(bodies, joint.body_b), joint.point_b, 0.0);
+        const double softness = end_softness(bodies[at(joint.body_a)], joint.point_a, 0.0) +
+                                end_softness(bodies[at(joint.body_b)], joint.point_b, 0.0);
         largest = std::max(largest, Vector3(force[0].last, force[1].last, force[2].last).norm() * softness);
     }
     return std::sqrt(largest) / swing_a_step;
@@ -97,8 +95,8 @@ double tension_rate(const JointConstraints& joints, std::span<const Body> bodies
 double turning_rate(const JointConstraints& joints, std::span<const Body> bodies) {
     double largest = 0.0;
     for (const Joint& joint : joints.joints()) {
-        largest = std::max(largest, turning_about(joint.point_a, at(bodies, joint.body_a), joint.point_b,
-                                                  at(bodies, joint.body_b)));
+        largest = std::max(largest, turning_about(joint.point_a, bodies[at(joint.body_a)], joint.point_b,
+                                                  bodies[at(joint.body_b)]));
     }
     return largest / turn_a_step;
 }
@@ -117,9 +115,9 @@ double spin_rate(std::span<const Body> bodies) {
 
 double size_rate(std::span<const collision::Collider> colliders, std::span<const Body> bodies,
                  const Vector3& gravity) {
-    double smallest = std::numeric_limits<double>::infinity();
+    double smallest = infinity;
     for (const collision::Collider& collider : colliders) {
-        if (!at(bodies, collider.body).is_static()) smallest = std::min(smallest, size_of(collider.shape));
+        if (!bodies[at(collider.body)].is_static()) smallest = std::min(smallest, size_of(collider.shape));
     }
     return std::sqrt(gravity.norm() / (fall_a_step * smallest));
 }

@@ -52,8 +52,8 @@ MatrixX stacked_inverse_mass(const SystemEquation& system, const Island& island)
     return inverse_mass;
 }
 
-void sweep(const SystemEquation& system, const std::vector<int>& rows, const MatrixX& A, Columns& lambda,
-           Eigen::Index column) {
+void sweep_dense(const SystemEquation& system, const std::vector<int>& rows, const MatrixX& A, Columns& lambda,
+                 Eigen::Index column) {
     double wanted_by_first = 0.0;  // N, of a disc whose second row is next
     for (Eigen::Index i = 0; i < A.rows(); ++i) {
         const int row = rows[static_cast<std::size_t>(i)];
@@ -106,9 +106,9 @@ class Dense : public Solver {
             ++count.iterations;
             count.multiply_adds += size * size * island.columns;
             for (Eigen::Index column = 0; column < island.columns; ++column) {
-                sweep(system, rows, A, lambda, column);
+                sweep_dense(system, rows, A, lambda, column);
             }
-            if (checked && natural_residual(system, island, lambda) <= termination.tolerance_low) break;
+            if (checked && island_residual(system, island, lambda) <= termination.tolerance_low) break;
         }
         if (island.columns < lambda.cols()) {
             for (const int row : rows) lambda(row, lambda.cols() - 1) = lambda(row, 0);

@@ -18,8 +18,6 @@
 #include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
-#include <limits>
-
 namespace pushfactor::engine::solvers {
 
 namespace {
@@ -56,7 +54,7 @@ class ConjugateSweeps {
     // A warm start outside of its bounds cannot be a solution; its projection can.
     void start_from_guess(SolveCount& count) {
         project();
-        best_residual_ = std::numeric_limits<double>::infinity();
+        best_residual_ = infinity;
         look(count);
     }
 
@@ -70,7 +68,7 @@ class ConjugateSweeps {
     void forget_directions() {
         p_.assign(rows_.rows.size(), Values{});
         // Makes the first beta zero, so that p becomes r.
-        last_length_.fill(std::numeric_limits<double>::infinity());
+        last_length_.fill(infinity);
     }
 
     double sweep_and_remember() {
@@ -128,7 +126,7 @@ class ConjugateSweeps {
     }
 
     void take_best() {
-        if (!(best_residual_ < std::numeric_limits<double>::infinity())) return;
+        if (!(best_residual_ < infinity)) return;
         for (std::size_t j = 0; j < best_.size(); ++j) rows_.rows[j].y = best_[j];
     }
 

@@ -25,7 +25,7 @@ SolveCount Solver::solve(const SystemEquation& system, const Termination& termin
     SolveCount all{.exact = !islands.all().empty()};
     for (const Island& island : islands.all()) {
         const bool checked = termination.tolerance_high > 0.0;
-        if (checked && natural_residual(system, island, lambda) <= termination.tolerance_high) continue;
+        if (checked && island_residual(system, island, lambda) <= termination.tolerance_high) continue;
         const SolveCount count = solve(system, island, termination, lambda);
         all.iterations = std::max(all.iterations, count.iterations);
         all.multiply_adds += count.multiply_adds;

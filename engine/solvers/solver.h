@@ -4,7 +4,6 @@
 #include "engine/system/islands.h"
 #include "engine/system/system_equation.h"
 
-#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -23,9 +22,9 @@ struct Termination {
     int iterations = 25;          // 0: only exact methods
     double tolerance_high = 0.0;  // m/s
     double tolerance_low = 0.0;   // m/s, at most tolerance_high, except after an exact solve (warm_start.h)
-    double credit = std::numeric_limits<double>::infinity();  // multiply-adds, if exact methods have to pay off
-    double spent = 0.0;                                       // multiply-adds spent on these bodies in this step
-    bool lasts = false;                                       // an exact solution may serve for many steps
+    double credit = infinity;     // multiply-adds, if exact methods have to pay off
+    double spent = 0.0;           // multiply-adds spent on these bodies in this step
+    bool lasts = false;           // an exact solution may serve for many steps
 };
 
 // Result and cost of a solve.

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 
 namespace pushfactor::engine {
 
 namespace {
-
-constexpr std::size_t runs_of_a_part = 400;  // per thread task
 
 // Calls `visit` for each row of the runs and each of their columns.
 template <typename Visit>
@@ -88,7 +85,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     if (bench.threads) bench.runs_of.find(island);
     Outcome outcome;
     solvers::SolveCount count;
-    if (fixed_number && allowed.iterates_up_to < std::numeric_limits<double>::infinity()) {
+    if (fixed_number && allowed.iterates_up_to < infinity) {
         outcome.unfinished = true;
     } else if (fixed_number) {
         count = bench.solver->solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
@@ -203,9 +200,9 @@ IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, cons
                                               const Columns& lambda, ConstraintForces& forces, Bench& bench) {
     find_forces(system, island, lambda, forces, bench);
     Residuals residuals{};
-    residuals[0] = natural_residual(system, island, lambda, 0, forces.moving, bench.velocities, bench.threads);
+    residuals[0] = island_residual(system, island, lambda, 0, forces.moving, bench.velocities, bench.threads);
     if (island.columns == 2) {
-        residuals[1] = natural_residual(system, island, lambda, 1, forces.lasting, bench.velocities, bench.threads);
+        residuals[1] = island_residual(system, island, lambda, 1, forces.lasting, bench.velocities, bench.threads);
     }
     return residuals;
 }

@@ -13,7 +13,6 @@
 #include "engine/system/islands.h"
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -45,7 +44,7 @@ class IslandSolver {
     // `iterates_up_to` [m/s], only an exact solve is tried, and the island may be left unfinished.
     struct Allowed {
         Budget::Take take = Budget::Take::half;
-        double iterates_up_to = std::numeric_limits<double>::infinity();
+        double iterates_up_to = infinity;
         double stands_up_to = 0.0;  // m/s; warm start's residual up to which an exact solution may last; 0: never
     };
 

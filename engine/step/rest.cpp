@@ -1,5 +1,7 @@
 #include "engine/step/rest.h"
 
+#include "engine/base/index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,10 +9,6 @@
 namespace pushfactor::engine {
 
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 // Edge lengths of the cubes whose moments of inertia are the smallest and the largest of the body [m]; m edge^2 /
 // 6.

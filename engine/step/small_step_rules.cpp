@@ -1,7 +1,6 @@
 #include "engine/step/small_step_rules.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pushfactor::engine::small_step_rules {
 
@@ -60,7 +59,7 @@ bool suit(const Island& island) {
 }  // namespace
 
 double largest_to_sweep(double dt, std::span<const Body> bodies, const Island& island) {
-    if (!suit(island)) return std::numeric_limits<double>::infinity();
+    if (!suit(island)) return infinity;
     return settled * fastest_by_forces(dt, bodies, island);
 }
 

@@ -1,8 +1,9 @@
 #include "engine/system/dissection.h"
 
+#include "engine/base/index.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace pushfactor::engine {
@@ -16,10 +17,6 @@ constexpr int most_halvings = 3;
 constexpr double most_crossing = 0.2;
 // Least share of the bodies on either side of a plane.
 constexpr double least_share = 0.25;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 // Replaces non-finite coordinates, so that there is a strict order.
 double finite(double place) {
@@ -74,7 +71,7 @@ bool Dissection::halve(int begin, int end, int halvings, int leaf) {
         return true;
     }
     const auto extent = [&](std::size_t axis) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
+        double low = infinity, high = -low;
         for (auto spot = first; spot != last; ++spot) {
             low = std::min(low, spot->place[axis]);
             high = std::max(high, spot->place[axis]);

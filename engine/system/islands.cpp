@@ -1,5 +1,7 @@
 #include "engine/system/islands.h"
 
+#include "engine/base/index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,12 +11,7 @@ namespace pushfactor::engine {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-// Work items per thread task.
-constexpr std::size_t bodies_of_a_part = 200, runs_of_a_part = 400, rows_of_a_part = 1000;
+constexpr std::size_t bodies_of_an_island_part = 200;  // per thread task
 
 // 2 if any row from `begin` up to `end` has different right-hand sides in the two columns, or is in one column
 // only.
@@ -68,7 +65,7 @@ void RunsOfBodies::find(const Island& island) {
 
 void constraint_forces(const SystemEquation& system, const Island& island, const RunsOfBodies& runs_of,
                        const Columns& lambda, Eigen::Index column, Threads& threads, std::vector<Vector6>& forces) {
-    threads.share(island.bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end, int) {
+    threads.share(island.bodies.size(), bodies_of_an_island_part, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t k = begin; k < end; ++k) {
             Vector6 sum = Vector6::Zero();
             for (const int side : runs_of.of(k)) {
@@ -113,12 +110,12 @@ template <bool any_soft>
 
 }  // namespace
 
-double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
-                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
-                        Threads* threads) {
+double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
+                       Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
+                       Threads* threads) {
     accelerations.resize(at(island.body_count));
     for (std::size_t k = island.bodies.size(); k < accelerations.size(); ++k) accelerations[k].setZero();
-    share(threads, island.bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
+    share(threads, island.bodies.size(), bodies_of_an_island_part, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto body = at(island.bodies[k]);
             accelerations[k] = accelerate(system.inverse_mass[body], forces[body]);
@@ -137,12 +134,12 @@ double natural_residual(const SystemEquation& system, const Island& island, cons
     return *std::max_element(of_parts.begin(), of_parts.end());
 }
 
-double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda) {
+double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda) {
     double largest = 0.0;
     std::vector<Vector6> forces(system.inverse_mass.size()), accelerations;
     for (Eigen::Index column = 0; column < island.columns; ++column) {
         constraint_forces(system, island, lambda, column, forces);
-        largest = std::max(largest, natural_residual(system, island, lambda, column, forces, accelerations));
+        largest = std::max(largest, island_residual(system, island, lambda, column, forces, accelerations));
     }
     return largest;
 }

@@ -23,6 +23,8 @@ struct RowRun {
     int a = 0, b = 0;        // numbers in the island of the rows' body_a and body_b
 };
 
+inline constexpr std::size_t runs_of_a_part = 400;  // per thread task
+
 // Bodies and rows are numbered within the island in ascending order of their world indices. Static bodies come
 // after the movable ones, in the order in which rows refer to them.
 struct Island {
@@ -65,14 +67,14 @@ class RunsOfBodies {
 void constraint_forces(const SystemEquation& system, const Island& island, const RunsOfBodies& runs_of,
                        const Columns& lambda, Eigen::Index column, Threads& threads, std::vector<Vector6>& forces);
 
-// Natural-map residual of one island [m/s], see natural_residual() of the system.
-double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
+// Natural-map residual [m/s] of one island in its columns, see RowResiduals.
+double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
 
 // The same for one column, with `forces` from constraint_forces(). `accelerations` is scratch memory. `threads`
 // share the work; null: one thread.
-double natural_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
-                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
-                        Threads* threads = nullptr);
+double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
+                       Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
+                       Threads* threads = nullptr);
 
 class Islands {
   public:

@@ -138,7 +138,6 @@ inline void weigh(std::size_t j, SystemEquation& system) {
 
 [[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
@@ -199,8 +198,6 @@ Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale)
 }
 
 namespace {
-
-constexpr std::size_t rows_of_a_part = 1000;  // per thread task
 
 // Writes diagonals, digests and right-hand sides of the rows from `first` on, in as many columns as b has. Returns
 // whether any has a single-frame correction.

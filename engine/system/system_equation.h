@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,6 +60,8 @@ struct RowDigest {
 
     bool has(Trait trait) const { return (traits & trait) != 0; }
 };
+
+inline constexpr std::size_t rows_of_a_part = 1000;  // per thread task
 
 struct SystemEquation {
     double dt = 0.0;                         // s
@@ -197,7 +198,7 @@ class RowResiduals {
   private:
     double in_metres_per_second(double diagonal, double force) const {
         const double miss = system_.dt * diagonal * std::abs(force);
-        return std::isnan(miss) ? std::numeric_limits<double>::infinity() : miss;
+        return std::isnan(miss) ? infinity : miss;
     }
 
     const SystemEquation& system_;
@@ -206,7 +207,8 @@ class RowResiduals {
     double wanted_by_first_ = 0.0;  // N
 };
 
-// Natural-map residual [m/s]: the maximum of RowResiduals over all rows and columns.
+// Natural-map residual [m/s]: the maximum of RowResiduals over all rows and columns. Unlike island_residual() it
+// needs no islands, and has no other way to a residual in common with the solvers: a measure for them.
 double natural_residual(const SystemEquation& system, const Columns& lambda);
 
 }  // namespace pushfactor::engine

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The includes of a folder's sources.
-std::set<std::string> includes(const char* folder) {
+std::set<std::string> included_by(const char* folder) {
     std::set<std::string> found;
     const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
     for (const auto& [path, text] : sources_of({folder}, {".h", ".cpp"})) {
@@ -31,7 +31,7 @@ bool begins_with_any(const std::string& text, std::initializer_list<std::string_
 }
 
 void check_absent(const char* folder, std::initializer_list<std::string_view> forbidden) {
-    const auto found = includes(folder);
+    const auto found = included_by(folder);
     CHECK(found.size() > 5);
     for (const std::string& name : found) {
         INFO(folder << " includes " << name);
@@ -39,40 +39,42 @@ void check_absent(const char* folder, std::initializer_list<std::string_view> fo
     }
 }
 
-using Rooms = std::map<std::string, std::set<std::string>>;
+// Which subfolders each subfolder includes.
+using Includes = std::map<std::string, std::set<std::string>>;
 
 // The subfolder of a file, or the file's name when it is in none.
-std::string room_of(const std::string& path) {
+std::string subfolder_of(const std::string& path) {
     const fs::path inside = fs::path(path.substr(path.find('/') + 1));
     return inside.has_parent_path() ? inside.begin()->string() : inside.stem().string();
 }
 
 // Which subfolders of a folder include which others.
-Rooms rooms_of(const std::string& folder) {
+Includes includes_within(const std::string& folder) {
     const std::regex include("#include \"(" + folder + "/[^\"]+)\"");
-    Rooms rooms;
+    Includes includes;
     for (const auto& [path, text] : sources_of({folder.c_str()}, {".h", ".cpp"})) {
-        std::set<std::string>& included = rooms[room_of(path)];
+        std::set<std::string>& included = includes[subfolder_of(path)];
         for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
-            const std::string room = room_of((*match)[1]);
-            if (room != room_of(path) && room != "commit") included.insert(room);  // a file that the build writes
+            const std::string subfolder = subfolder_of((*match)[1]);
+            if (subfolder != subfolder_of(path) && subfolder != "commit")
+                included.insert(subfolder);  // a file that the build writes
         }
     }
-    return rooms;
+    return includes;
 }
 
-bool reaches(const Rooms& rooms, const std::string& from, const std::string& to) {
-    return std::any_of(rooms.at(from).begin(), rooms.at(from).end(),
-                       [&](const std::string& next) { return next == to || reaches(rooms, next, to); });
+bool reaches(const Includes& all, const std::string& from, const std::string& to) {
+    return std::any_of(all.at(from).begin(), all.at(from).end(),
+                       [&](const std::string& next) { return next == to || reaches(all, next, to); });
 }
 
 // "a --> b" for what a includes but not through another subfolder. There must be no cycle.
-std::set<std::string> arrows_of(const Rooms& rooms) {
+std::set<std::string> arrows_of(const Includes& all) {
     std::set<std::string> arrows;
-    for (const auto& [from, included] : rooms) {
+    for (const auto& [from, included] : all) {
         for (const std::string& to : included) {
             const bool follows = std::any_of(included.begin(), included.end(), [&](const std::string& other) {
-                return other != to && reaches(rooms, other, to);
+                return other != to && reaches(all, other, to);
             });
             if (!follows) arrows.insert(from + " --> " + to);
         }
@@ -92,30 +94,31 @@ std::vector<std::string> shown(const std::string& folder, const std::regex& patt
 
 }  // namespace
 
-TEST_CASE("every room includes only rooms above it in the table of its README, whose diagram shows the includes") {
+TEST_CASE(
+    "every folder includes only folders above it in the table of its README, whose diagram shows the includes") {
     for (const std::string folder : {"engine", "renderer", "demos"}) {
-        const Rooms rooms = rooms_of(folder);
+        const Includes all = includes_within(folder);
         const std::vector<std::string> table = shown(folder, std::regex(R"(\n\| `(\w+)/`)"));
         CHECK(table.size() > 5);
         CHECK(table.size() <= 10);
-        const auto place = [&](const std::string& room) {
-            return std::find(table.begin(), table.end(), room) - table.begin();
+        const auto place = [&](const std::string& subfolder) {
+            return std::find(table.begin(), table.end(), subfolder) - table.begin();
         };
-        for (const auto& [room, included] : rooms) {
-            const fs::path path = fs::path(PUSHFACTOR_SOURCE_DIR) / folder / room;
-            INFO(folder << "/" << room);
-            if (fs::is_directory(path)) REQUIRE(place(room) < std::ssize(table));
+        for (const auto& [subfolder, included] : all) {
+            const fs::path path = fs::path(PUSHFACTOR_SOURCE_DIR) / folder / subfolder;
+            INFO(folder << "/" << subfolder);
+            if (fs::is_directory(path)) REQUIRE(place(subfolder) < std::ssize(table));
             for (const std::string& other : included) {
                 INFO("includes " << other);
-                REQUIRE((place(other) < place(room) || place(room) == std::ssize(table)));
+                REQUIRE((place(other) < place(subfolder) || place(subfolder) == std::ssize(table)));
             }
         }
         const std::vector<std::string> drawn = shown(folder, std::regex(R"(\n    (\w+ --> \w+))"));
-        CHECK(std::set<std::string>(drawn.begin(), drawn.end()) == arrows_of(rooms));
+        CHECK(std::set<std::string>(drawn.begin(), drawn.end()) == arrows_of(all));
     }
 }
 
-TEST_CASE("no folder has more than some fifteen sources, and only main.cpp is beside the rooms of demos") {
+TEST_CASE("no folder has more than some fifteen sources, and only main.cpp is beside the folders of demos") {
     std::map<std::string, std::set<std::string>> sources;
     for (const auto& [path, text] : sources_of({"engine", "renderer", "demos"}, {".h", ".cpp"})) {
         sources[fs::path(path).parent_path().string()].insert(fs::path(path).stem().string());

@@ -1,6 +1,6 @@
 // Frames against the golden images in assets/golden. After an intended change: build/release/tests/tests
 // "[golden-update]" regenerates them; look at them before you commit.
-#include "renderer/gl/driver.h"
+#include "renderer/gl/offscreen_context.h"
 #include "renderer/images/png.h"
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"
@@ -95,7 +95,7 @@ std::string report(const Sample& sample, const Image& golden, const Image& drawn
            "\npixels that differ by more than 2 levels: " + std::to_string(100.0 * difference.share_above(2)) +
            " % (0.2 allowed), by more than 16: " + std::to_string(100.0 * difference.share_above(16)) +
            " % (0.02 allowed), similarity " + std::to_string(difference.similarity()) + " dB (at least 50)\n" +
-           driver_of(*open_offscreen_context());
+           gl_version_of(*open_offscreen_context());
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ double HullAxes::at_most_along_face_of_b(int number) const {
 }
 
 double HullAxes::large_face_gap() const {
-    double highest = -std::numeric_limits<double>::infinity();
+    double highest = -infinity;
     int of_a = 0, of_b = -1;
     for (int f = 0; f < static_cast<int>(a_.hull().faces.size()); ++f) {
         const double bound = at_most_along_face_of_a(f);

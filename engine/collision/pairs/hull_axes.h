@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pushfactor::engine::collision {
 
@@ -98,7 +97,7 @@ template <typename Visit, typename Enough>
 void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit,
                        const Enough& enough) {
     const HullAxes axes(a, b);
-    double largest = -std::numeric_limits<double>::infinity();
+    double largest = -infinity;
     axes.visit_faces(std::min(least, axes.large_face_gap()), [&](const Separation& separation) {
         largest = std::max(largest, separation.gap);
         visit(separation);

@@ -50,7 +50,7 @@ constexpr Collide poly_sphere = of<Polyhedron, Sphere, collide_polyhedron_sphere
 constexpr Collide sphere_poly = swapped<poly_sphere>;
 constexpr Collide poly_plane = of<Polyhedron, Plane, collide_polyhedron_plane>;
 constexpr Collide plane_poly = swapped<poly_plane>;
-constexpr Collide never = nullptr;  // planes are always static
+constexpr Collide static_pair = nullptr;  // planes are always static
 
 // Row: shape of a, column: shape of b, in the order of the variant.
 // clang-format off
@@ -58,7 +58,7 @@ constexpr std::array<std::array<Collide, 4>, 4> pair_table{{
     //                 box         sphere         plane         polyhedron
     /* box        */ {{box_box,    box_sphere,    box_plane,    box_poly}},
     /* sphere     */ {{sphere_box, sphere_sphere, sphere_plane, sphere_poly}},
-    /* plane      */ {{plane_box,  plane_sphere,  never,        plane_poly}},
+    /* plane      */ {{plane_box,  plane_sphere,  static_pair,        plane_poly}},
     /* polyhedron */ {{poly_box,   poly_sphere,   poly_plane,   poly_poly}},
 }};
 // clang-format on
@@ -69,9 +69,9 @@ static_assert(pair_table.size() == std::variant_size_v<Shape>, "a shape without 
 void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
              Manifold& manifold) {
     manifold.count = 0;
-    manifold.other_gap = -std::numeric_limits<double>::infinity();
-    manifold.separation = std::numeric_limits<double>::infinity();
-    manifold.layer = std::numeric_limits<double>::infinity();
+    manifold.other_gap = -infinity;
+    manifold.separation = infinity;
+    manifold.layer = infinity;
     if (const Collide function = pair_table[a.index()][b.index()]) {
         function(a, pose_a, b, pose_b, margin, manifold);
     }

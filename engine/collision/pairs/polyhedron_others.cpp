@@ -1,5 +1,6 @@
 // Polyhedron against plane and against sphere.
 #include "engine/collision/pairs/polyhedron_pairs.h"
+#include "engine/collision/pairs/sphere_pairs.h"
 
 #include <algorithm>
 #include <array>
@@ -9,14 +10,9 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Height above the lowest vertex up to which vertices count as those of the face that the polyhedron lies on, as a
 // fraction of the size: what a resting body sinks in.
 constexpr double layer = 2e-3;
-
-// Share of the radius by which a centre may be beside a face and still count as above it, as in sphere_pairs.cpp.
-constexpr double rounding = 1e-6;
 
 // The largest distance of `point` from the side planes of a face, along the plane of the face [m]; negative within.
 double beside(const Hull& hull, const HullFace& face, const Vector3& point) {
@@ -51,12 +47,6 @@ Nearest nearest_on_edges(const Hull& hull, const Vector3& centre) {
     return nearest;
 }
 
-// `surface` is the point of the polyhedron closest to the sphere, world frame; `normal` points to the sphere.
-void add_point(const Vector3& surface, const Vector3& normal, double gap, double margin, Manifold& manifold) {
-    manifold.normal = normal;
-    if (gap < margin) manifold.add({surface + (0.5 * gap) * normal, gap, 0});
-}
-
 }  // namespace
 
 void collide_polyhedron_plane(const Polyhedron& polyhedron, const Pose& pose, const Plane&, const Pose& plane_pose,
@@ -83,20 +73,20 @@ void collide_polyhedron_sphere(const Polyhedron& polyhedron, const Pose& pose, c
     // The first among equal faces.
     const HullFace* highest = &hull.faces.front();
     for (const HullFace& face : hull.faces) {
-        if (height(face) > height(*highest) + rounding * sphere.radius) highest = &face;
+        if (height(face) > height(*highest) + beside_rounding * sphere.radius) highest = &face;
     }
     const double above = height(*highest);
     if (above >= margin + sphere.radius) return;
     // Inside, or above the face: if the closest point is on a face, it is on the highest one.
-    const bool inside = above <= rounding * sphere.radius;
-    if (inside || beside(hull, *highest, centre) <= rounding * sphere.radius) {
+    const bool inside = above <= beside_rounding * sphere.radius;
+    if (inside || beside(hull, *highest, centre) <= beside_rounding * sphere.radius) {
         const Vector3 normal = pose.rotation * highest->normal;
-        add_point(sphere_pose.position - above * normal, normal, above - sphere.radius, margin, manifold);
+        add_sphere_point(sphere_pose.position - above * normal, normal, above - sphere.radius, margin, manifold);
         return;
     }
     const Nearest nearest = nearest_on_edges(hull, centre);
-    add_point(pose.position + pose.rotation * nearest.point, pose.rotation * nearest.out,
-              nearest.distance - sphere.radius, margin, manifold);
+    add_sphere_point(pose.position + pose.rotation * nearest.point, pose.rotation * nearest.out,
+                     nearest.distance - sphere.radius, margin, manifold);
     manifold.other_gap = above - sphere.radius;
 }
 
@@ -109,7 +99,7 @@ void collide_polyhedron_sphere_along(const Separation& axis, const Polyhedron& p
     manifold.normal = axis.normal;
     if (beside(hull, hull.face(axis.of_a), centre) > room) return;
     const Vector3 surface = sphere_pose.position - (axis.gap + sphere.radius) * axis.normal;
-    add_point(surface, axis.normal, axis.gap, margin, manifold);
+    add_sphere_point(surface, axis.normal, axis.gap, margin, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

@@ -1,5 +1,8 @@
 #include "engine/collision/pairs/polyhedron_pairs.h"
 
+#include "engine/collision/pairs/axis_choice.h"
+#include "engine/collision/pairs/clipping.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,24 +12,11 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Fractions of the smaller polyhedron's size, as in box_box.cpp.
-constexpr double axis_preference = 5e-4;  // for the choice of the axis
-constexpr double axis_rounding = 1e-6;    // among equal axes; within it the first one wins
-constexpr double clip_tolerance = 2e-4;   // by which the reference face is widened
-constexpr double same_direction = 0.9;    // cosine above which two axes count as the same direction
-
 double size_of(const PlacedHull& a, const PlacedHull& b) {
     return std::min(a.hull().size, b.hull().size);
 }
 
-struct Axes {
-    Separation face_a, face_b, edges;
-
-    double largest_face() const { return std::max(face_a.gap, face_b.gap); }
-    double largest() const { return std::max(largest_face(), edges.gap); }
-};
+using Axes = BestAxes<Separation>;
 
 // The face axes of the pair that matter, for later looks: those whose gap may reach some limit.
 struct FaceGaps {
@@ -64,49 +54,12 @@ struct Corner {
 // Labels of edges: numbers in their polyhedron, and whether it is the reference.
 constexpr std::uint32_t of_reference = 1u << 10;
 
-// A face clipped by the sides of another has at most as many corners as both together; rounding could add a sliver
-// corner that coincides with the one before it.
-struct Polygon {
-    std::array<Corner, 2 * most_vertices + 8> corners;
-    int count = 0;
-
-    Polygon() {}  // NOLINT(modernize-use-equals-default): the corners stay uninitialised
-    void add(const Corner& corner) {
-        if (static_cast<std::size_t>(count) < corners.size()) corners[static_cast<std::size_t>(count++)] = corner;
-    }
-    const Corner& at(int i) const { return corners[static_cast<std::size_t>(i < count ? i : i - count)]; }
-};
-
-// A plane that keeps what is below it.
-struct Side {
-    Vector3 normal;
-    double offset;  // m
-    std::uint32_t label;
-
-    double beyond(const Corner& corner) const { return normal.dot(corner.position) - offset; }
-};
-
-// Sutherland-Hodgman. Returns false if nothing is cut and `result` is not written.
-bool clip(const Polygon& polygon, const Side& side, Polygon& result) {
-    bool cuts = false;
-    for (int i = 0; i < polygon.count && !cuts; ++i) cuts = side.beyond(polygon.at(i)) > 0.0;
-    if (!cuts) return false;
-    result.count = 0;
-    double out_to = side.beyond(polygon.at(0));
-    for (int i = 0; i < polygon.count; ++i) {
-        const Corner& from = polygon.at(i);
-        const Corner& to = polygon.at(i + 1);
-        const double out_from = out_to;
-        out_to = side.beyond(to);
-        if (out_from <= 0.0) result.add(from);
-        if ((out_from <= 0.0) == (out_to <= 0.0)) continue;
-        const double share = out_from / (out_from - out_to);
-        // If it leaves here, the next edge runs along this side.
-        result.add(
-            {from.position + share * (to.position - from.position), out_from <= 0.0 ? side.label : from.edge});
-    }
-    return true;
+Corner between(const Corner& from, const Corner& to, double share) {
+    return {from.position + share * (to.position - from.position), from.edge};
 }
+
+constexpr std::size_t most_corners = 2 * most_vertices + 8;
+using ClippedFace = Polygon<Corner, most_corners>;
 
 // The face that is most against `normal` (frame of the hull) among those at the extreme vertices: another one may
 // be more so and not reach as far.
@@ -133,7 +86,7 @@ int incident_face(const Hull& hull, const Vector3& normal) {
 }
 
 // The incident face of `other` in the frame of `reference`.
-void list_corners(const PlacedHull& reference, const PlacedHull& other, int number, Polygon& polygon) {
+void list_corners(const PlacedHull& reference, const PlacedHull& other, int number, ClippedFace& polygon) {
     const HullFace& face = other.hull().face(number);
     const Matrix3 turn = reference.pose().rotation.transpose() * other.pose().rotation;
     const Vector3 offset =
@@ -158,8 +111,8 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
     const Vector3 normal = pose.rotation * face.normal;
     manifold.normal = flipped ? Vector3(-normal) : normal;
 
-    Polygon first, second;
-    Polygon *polygon = &first, *spare = &second;
+    ClippedFace first, second;
+    ClippedFace *polygon = &first, *spare = &second;
     list_corners(reference, other, incident_face(other.hull(), other.pose().rotation.transpose() * normal),
                  *polygon);
     const auto corners = hull.corners_of(face);
@@ -169,12 +122,13 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
         Vector3 out = edge.direction.cross(face.normal);
         if (edge.from != corner.vertex) out = -out;
         const double offset = out.dot(hull.vertex(corner.vertex)) + tolerance;
-        const Side side{out, offset, of_reference | static_cast<std::uint32_t>(corner.edge)};
-        if (clip(*polygon, side, *spare)) std::swap(polygon, spare);
+        const auto beyond = [&](const Corner& of_polygon) { return out.dot(of_polygon.position) - offset; };
+        const std::uint32_t side = of_reference | static_cast<std::uint32_t>(corner.edge);
+        if (clip(*polygon, beyond, side, *spare)) std::swap(polygon, spare);
         if (polygon->count == 0) return;
     }
 
-    std::array<ContactPoint, 2 * most_vertices + 8> points;
+    std::array<ContactPoint, most_corners> points;
     std::size_t count = 0;
     const std::uint32_t of_face = (flipped ? 1u << 31 : 0u) | static_cast<std::uint32_t>(number) << 22;
     for (int i = 0; i < polygon->count; ++i) {
@@ -197,19 +151,10 @@ void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axi
     const Vector3 along_a = a.pose().rotation * edge_a.direction;
     const Vector3 along_b = b.pose().rotation * edge_b.direction;
 
-    // Closest points of the two lines.
-    const Vector3 between = from_b - from_a;
-    const double cosine = along_a.dot(along_b);
-    const double denominator = 1.0 - cosine * cosine;  // at least the square of `parallel_edges`
-    const double s = (along_a.dot(between) - cosine * along_b.dot(between)) / denominator;
-    const double t = (cosine * along_a.dot(between) - along_b.dot(between)) / denominator;
-    // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
-    const Vector3 on_a = from_a + along_a * std::clamp(s, 0.0, edge_a.length);
-    const Vector3 on_b = from_b + along_b * std::clamp(t, 0.0, edge_b.length);
-
     manifold.normal = axis.normal;
     constexpr std::uint32_t of_edges = 511u << 22;  // no face has this number
-    manifold.add({0.5 * (on_a + on_b), axis.gap,
+    manifold.add({midway_between({from_a, along_a, 0.0, edge_a.length}, {from_b, along_b, 0.0, edge_b.length}),
+                  axis.gap,
                   of_edges | static_cast<std::uint32_t>(axis.of_a) << 11 | static_cast<std::uint32_t>(axis.of_b)});
 }
 
@@ -224,16 +169,6 @@ void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull
     }
 }
 
-// Largest separation along a face axis other than the manifold's normal.
-double largest_of_others(std::span<const Separation> faces, double much, const Vector3& normal) {
-    double largest = -infinity;
-    for (const Separation& face : faces) {
-        if (face.gap < -much || face.gap <= largest) continue;
-        if (std::abs(face.normal.dot(normal)) < same_direction) largest = face.gap;
-    }
-    return largest;
-}
-
 }  // namespace
 
 void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Manifold& manifold) {
@@ -244,19 +179,15 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
     const Axes axes = separate(all, axis_rounding * size, much, margin, faces);
     if (axes.largest() >= margin) return;
 
-    const double preference = axis_preference * size;
-    const Separation& best = axes.edges.gap > axes.largest_face() + preference ? axes.edges
-                             : axes.face_b.gap > axes.face_a.gap + preference  ? axes.face_b
-                                                                               : axes.face_a;
+    const Separation& best = axes.preferred(axis_preference * size);
     collide_along(best, a, b, clip_tolerance * size, margin, manifold);
     // What is below a preferred face may be beside it.
     if (manifold.count == 0 && best.gap < axes.largest()) {
-        const Separation& least = axes.edges.gap >= axes.largest()    ? axes.edges
-                                  : axes.face_b.gap > axes.face_a.gap ? axes.face_b
-                                                                      : axes.face_a;
-        collide_along(least, a, b, clip_tolerance * size, margin, manifold);
+        collide_along(axes.preferred(0.0), a, b, clip_tolerance * size, margin, manifold);
     }
-    manifold.other_gap = largest_of_others(faces.all(), much, manifold.normal);
+    GapOfOthers others(manifold.normal, much);
+    for (const Separation& face : faces.all()) others.consider(face.gap, face.normal);
+    manifold.other_gap = others.largest();
     manifold.separation = axes.largest();
 }
 

@@ -7,6 +7,14 @@
 
 namespace pushfactor::engine::collision {
 
+// Share of the radius by which a centre may be beside a face and still count as above it. Otherwise the edge
+// normals would unbalance a sphere that lies where the edges of four boxes meet.
+inline constexpr double beside_rounding = 1e-6;
+
+// Adds the point of a sphere with another shape. `surface` is the closest point of that shape; `normal` points from
+// it to the sphere.
+void add_sphere_point(const Vector3& surface, const Vector3& normal, double gap, double margin, Manifold& manifold);
+
 // See collide() in pair_table.h. If the centres coincide the direction is the world's y axis for two spheres;
 // for a sphere whose centre is inside a box it is the axis of least depth.
 void collide_sphere_sphere(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b, double margin,

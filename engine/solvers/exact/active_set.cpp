@@ -13,7 +13,7 @@ constexpr double greatest_rho = 1e9;
 constexpr double careful_rho = 1e3, least_rho = 1e-3;
 constexpr double rho_gain = 10.0, rho_loss = 0.1;
 // Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.
-constexpr int most_without_gain = 3;
+constexpr int most_changes_without_gain = 3;
 constexpr double diverged = 1e3;
 
 }  // namespace
@@ -210,8 +210,8 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
     set_rho(problem, begin);
     // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
     // not solved again for a minute from creeping.
-    for (bool enough = false; !enough && count.iterations - before < changes && without_gain < most_without_gain &&
-                              effort.affords(most);) {
+    for (bool enough = false; !enough && count.iterations - before < changes &&
+                              without_gain < most_changes_without_gain && effort.affords(most);) {
         enough = best_.residual() <= tolerance;
         const bool stayed = change(order, problem, y, effort, count);
         follow(problem, y, x_, r_);

@@ -1,15 +1,12 @@
 // Remaining budget of an exact solve, over all columns and methods. Internal to the solvers.
 #pragma once
 
-#include <limits>
-
 namespace pushfactor::engine::solvers {
 
 class Effort {
   public:
     // Limits on multiply-adds in total and on factorisations per column.
-    explicit Effort(double work, double factorisations = std::numeric_limits<double>::infinity())
-        : left_(work), of_a_column_(factorisations) {
+    explicit Effort(double work, double factorisations = infinity) : left_(work), of_a_column_(factorisations) {
         begin_column(1);
     }
 

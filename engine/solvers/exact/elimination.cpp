@@ -30,7 +30,7 @@ void Elimination::find(int bodies, std::span<const std::pair<int, int>> pairs, d
     nodes_.clear();
     node_of_.clear();
     block_count_ = 0;
-    symmetric_work_ = general_work_ = std::numeric_limits<double>::infinity();
+    symmetric_work_ = general_work_ = infinity;
 }
 
 // Minimum degree; the neighbours of an eliminated body become neighbours of each other. Ties go to the lowest

@@ -1,8 +1,9 @@
 // Symbolic factorisation: elimination order of the bodies' blocks, and fill-in. Internal to the solvers.
 #pragma once
 
+#include "engine/base/math.h"
+
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,8 +26,7 @@ class Elimination {
     // repetitions allowed. Minimum degree order for little fill-in. Gives up if a factorisation would take more
     // than `most_work` multiply-adds: a heap of thousands would fill gigabytes before it shows that it does not pay
     // off.
-    void find(int bodies, std::span<const std::pair<int, int>> pairs,
-              double most_work = std::numeric_limits<double>::infinity());
+    void find(int bodies, std::span<const std::pair<int, int>> pairs, double most_work = infinity);
 
     const std::vector<Node>& nodes() const { return nodes_; }
     // Number of blocks on and below the diagonal; the diagonal ones come first, in elimination order.

@@ -8,8 +8,6 @@
 #include "engine/solvers/exact/structures.h"
 #include "engine/solvers/unit_rows.h"
 
-#include <limits>
-
 namespace pushfactor::engine::solvers {
 
 // Largest speed that a row of the problem asks for without any forces [m/s].
@@ -31,9 +29,7 @@ class ExactAnswer {
     }
 
     // Plans the factorisation unless it takes more than `most_work` multiply-adds. To be called second.
-    void plan(double most_work = std::numeric_limits<double>::infinity()) {
-        structures_.plan(*structure_, most_work);
-    }
+    void plan(double most_work = infinity) { structures_.plan(*structure_, most_work); }
 
     // Multiply-adds of one factorisation including assembly; may be infinite if that exceeds the plan's limit.
     template <int columns>

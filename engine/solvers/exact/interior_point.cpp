@@ -38,7 +38,7 @@ constexpr double short_step = 0.05;
 constexpr int most_short_steps = 6;
 // Stall: this many steps without a smaller residual or a gap below `gain` of its minimum.
 constexpr double gain = 0.9;
-constexpr int most_without_gain = 10;
+constexpr int most_steps_without_gain = 10;
 
 }  // namespace
 
@@ -388,7 +388,7 @@ double InteriorPoint::solve(const Elimination& order, const UnitProblem& problem
     best_.start(problem, y, x_, r_);
     start(problem, y);
     const double most = order.general_work() + problem.assembly_work();
-    double least_gap = std::numeric_limits<double>::infinity();
+    double least_gap = infinity;
     int without_gain = 0, short_steps = 0;
     for (int k = 0; k <= steps; ++k) {
         const double before = best_.residual();
@@ -398,7 +398,7 @@ double InteriorPoint::solve(const Elimination& order, const UnitProblem& problem
         without_gain = best_.residual() < before || gap < gain * least_gap ? 0 : without_gain + 1;
         least_gap = std::min(least_gap, gap);
         const bool jammed = problem.bounds_follow && short_steps >= most_short_steps;
-        if (best_.residual() <= tolerance || without_gain > most_without_gain || jammed) break;
+        if (best_.residual() <= tolerance || without_gain > most_steps_without_gain || jammed) break;
         if (k == steps || !effort.affords(most)) break;
 
         const double share = step(order, problem);

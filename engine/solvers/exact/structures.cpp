@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 namespace pushfactor::engine::solvers {
@@ -85,7 +84,7 @@ void Structures::plan(Structure& structure, double most_work) {
     const double limit = 2.0 * most_work;
     structure.order.find(structure.movable, structure.movable_pairs, limit);
     const bool found = std::isfinite(structure.order.symmetric_work());
-    structure.planned = found ? std::numeric_limits<double>::infinity() : limit;
+    structure.planned = found ? infinity : limit;
     size_ += structure.order.block_count();
     forget_some();
 }

@@ -7,7 +7,6 @@
 #include "engine/system/islands.h"
 
 #include <cstdint>
-#include <limits>
 #include <list>
 #include <unordered_map>
 #include <utility>
@@ -35,7 +34,7 @@ class Structures {
     Structure& of(const Island& island);
 
     // Plans the factorisation of a structure from of(), unless it takes more than `most_work` multiply-adds.
-    void plan(Structure& structure, double most_work = std::numeric_limits<double>::infinity());
+    void plan(Structure& structure, double most_work = infinity);
 
   private:
     using Kept = std::list<Structure>;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace pushfactor::engine::solvers {
@@ -157,7 +156,7 @@ class BestForces {
                const std::vector<double>& r) {
         y_ = y;
         residual_ = solvers::residual(problem, y, r);
-        if (!std::isfinite(residual_)) residual_ = std::numeric_limits<double>::infinity();
+        if (!std::isfinite(residual_)) residual_ = infinity;
         allowed_ = std::max(0.0, objective(problem, y, x));
     }
 

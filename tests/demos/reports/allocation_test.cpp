@@ -2,7 +2,7 @@
 #include "demos/reports/cost/ledger.h"
 #include "engine/base/math.h"
 #include "tests/catch.h"
-#include "tests/demos/allocations.h"
+#include "tests/demos/runs/allocations.h"
 
 #include <cstdlib>
 #include <memory>

@@ -21,8 +21,6 @@ using pushfactor::tests::random_points;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Manifold collided(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin = 0.0) {
     Manifold manifold;
     collide(a, pose_a, b, pose_b, margin, manifold);

@@ -1,0 +1,80 @@
+// How two polyhedra touch along an axis, paper section 4: "clipping the most penetrating face of the first
+// polyhedron to the volume below the corresponding anti-parallel face on the second", or the point between two
+// edges.
+#pragma once
+
+#include "engine/base/math.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pushfactor::engine::collision {
+
+// By which the reference face is widened before clipping, a fraction of the smaller polyhedron's least width: with
+// exactly aligned faces the corners of the incident face lie on its sides and would be clipped in one step and kept
+// in the next.
+inline constexpr double clip_tolerance = 2e-4;
+
+// A clipped face. A Corner has `edge`, the label of the edge to the next corner, and between().
+template <typename Corner, std::size_t most>
+struct Polygon {
+    // The first `count` are valid. A face clipped by the sides of another has at most as many corners as both
+    // together; rounding could add a sliver corner that coincides with the one before it.
+    std::array<Corner, most> corners;
+    int count = 0;
+
+    Polygon() {}  // NOLINT(modernize-use-equals-default): the corners stay uninitialised
+    void add(const Corner& corner) {
+        if (static_cast<std::size_t>(count) < most) corners[static_cast<std::size_t>(count++)] = corner;
+    }
+    const Corner& at(int i) const {
+        return corners[static_cast<std::size_t>(i < count ? i : i - count)];
+    }  // i < 2 count
+};
+
+// Sutherland-Hodgman: keeps the part that is not beyond a side, whose edge gets the label `side`. `beyond(corner)`
+// is the distance from it [m], positive outside. Returns false if nothing is cut and `result` is not written.
+template <typename Corner, std::size_t most, typename Beyond>
+bool clip(const Polygon<Corner, most>& polygon, const Beyond& beyond, std::uint32_t side,
+          Polygon<Corner, most>& result) {
+    bool cuts = false;
+    for (int i = 0; i < polygon.count && !cuts; ++i) cuts = beyond(polygon.at(i)) > 0.0;
+    if (!cuts) return false;
+    result.count = 0;
+    double out_to = beyond(polygon.at(0));
+    for (int i = 0; i < polygon.count; ++i) {
+        const Corner& from = polygon.at(i);
+        const Corner& to = polygon.at(i + 1);
+        const double out_from = out_to;
+        out_to = beyond(to);
+        if (out_from <= 0.0) result.add(from);
+        if ((out_from <= 0.0) == (out_to <= 0.0)) continue;
+        Corner cut = between(from, to, out_from / (out_from - out_to));
+        cut.edge = out_from <= 0.0 ? side : from.edge;  // if it leaves here, the next edge runs along this side
+        result.add(cut);
+    }
+    return true;
+}
+
+// Points `from` + s `along` with s between `low` and `high` [m]; `along` has unit length.
+struct EdgeSpan {
+    Vector3 from, along;
+    double low, high;
+};
+
+// The point midway between the closest points of two edges that are not parallel (parallel_edges).
+inline Vector3 midway_between(const EdgeSpan& a, const EdgeSpan& b) {
+    const Vector3 between = b.from - a.from;
+    const double cosine = a.along.dot(b.along);
+    const double denominator = 1.0 - cosine * cosine;
+    const double s = (a.along.dot(between) - cosine * b.along.dot(between)) / denominator;
+    const double t = (cosine * a.along.dot(between) - b.along.dot(between)) / denominator;
+    // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
+    const Vector3 on_a = a.from + a.along * std::clamp(s, a.low, a.high);
+    const Vector3 on_b = b.from + b.along * std::clamp(t, b.low, b.high);
+    return 0.5 * (on_a + on_b);
+}
+
+}  // namespace pushfactor::engine::collision
