@@ -61,7 +61,7 @@ TEST_CASE("one command makes tables, plots and a page, and a second one the same
 
 TEST_CASE("the quick report makes everything", "[long]") {
     const Folder folder;
-    const Ended ended = shell(folder, "pushfactor report error --quick --problems --out .");
+    const Ended ended = shell(folder, "pushfactor report error --quick --export problems --out .");
     INFO(ended.err);
     REQUIRE(ended.status == 0);
     for (const char* file :

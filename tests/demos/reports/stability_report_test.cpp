@@ -149,6 +149,6 @@ TEST_CASE("of several bodies the worst is judged, on either side of the target")
 TEST_CASE("the stability report refuses what it does not know in one line") {
     check_refused("report stabilty", "did you mean stability?");
     check_refused("report stability --only chain", "did you mean chains?");
-    check_refused("report stability --problems", "--problems");
+    check_refused("report stability --export x", "--export x: must be with report error");
     CHECK(run_program("report stability --quick --out /dev/null/x").status == 4);
 }

@@ -85,7 +85,9 @@ VectorX vector_of(const double* numbers, int count) {
 
 std::string title_of(const fclib_info* info, const fs::path& file) {
     const std::string title = info != nullptr && info->title != nullptr ? info->title : "";
-    return title.empty() ? file.stem().string() : title + ", " + file.stem().string();
+    const std::string stem = file.stem().string();
+    if (title.find(stem) != std::string::npos) return title;
+    return title.empty() ? stem : title + ", " + stem;
 }
 
 GlobalProblem read_global(const fs::path& file) {

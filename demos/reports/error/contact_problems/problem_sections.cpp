@@ -49,16 +49,20 @@ std::vector<ProblemPoint> read_points(const std::filesystem::path& file) {
         throw UsageError(fmt::format("--beside {}: {}", file.string(), what));
     };
     if (!stream) refuse("cannot be read");
-    const std::vector<std::string> heading = cells_of(csv_text(table_of(std::vector<ProblemPoint>{})));
+    std::string heading = csv_text(table_of(std::vector<ProblemPoint>{}));
+    heading.pop_back();  // the end of the line
     std::vector<ProblemPoint> points;
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
         const std::vector<std::string> cells = cells_of(line);
+        if (cells.front() == "problem" && line != heading)
+            refuse(fmt::format("line {}: must be {}", number, heading));
         if (line.starts_with("#") || cells.front() == "problem") continue;
         std::vector<double> numbers;
         for (std::size_t i = 2; i < cells.size(); ++i) numbers.push_back(parse_number(cells[i]).value_or(0.0));
-        if (cells.size() != heading.size()) {
-            refuse(fmt::format("line {}: must have {} columns, as problems.csv, not {}", number, heading.size(),
+        const std::size_t columns = cells_of(heading).size();
+        if (cells.size() != columns) {
+            refuse(fmt::format("line {}: must have {} columns, as problems.csv, not {}", number, columns,
                                cells.size()));
         }
         points.push_back({.problem = cells[0],
