@@ -87,7 +87,7 @@ TEST_CASE("quantities of a replay are read back, and smooth ones take one byte p
     }
     CHECK(read_quantities(bytes, written.size(), frames) == written);
     CHECK(sizes[0] <= 4);
-    for (const std::size_t smooth : {1, 2, 4}) CHECK(sizes[smooth] <= frames + 12);
+    for (const std::size_t smooth : {1u, 2u, 4u}) CHECK(sizes[smooth] <= frames + 12);
     // One frame, and a block that begins anywhere.
     std::string single;
     append_quantity(single, std::vector<std::int64_t>{-7});

@@ -130,7 +130,7 @@ TEST_CASE(
         const auto table = table_of(folder.read("run.csv"));
         const std::size_t bodies = (table.size() - 1) / 31;
         const Json units = browser->value_of("pushfactor.units()");
-        for (const std::size_t frame : {30, 0, 17, 16}) {
+        for (const std::size_t frame : {30u, 0u, 17u, 16u}) {
             INFO("frame " << frame);
             browser->value_of(fmt::format("pushfactor.seek({})", frame));
             CHECK(browser->value_of("pushfactor.frame") == frame);
@@ -207,7 +207,7 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
 
     // The state hash is the summary's.
     const Json summary = Json::parse(folder.read("out/intersecting-stack/summary.json"));
-    for (const std::size_t run : {0, 1}) {
+    for (const std::size_t run : {0u, 1u}) {
         CHECK(browser->value_of("pushfactor.stateHashes")[run] == summary["panels"][run]["state_hash"]);
     }
     CHECK(text_of("command") ==

@@ -12,7 +12,7 @@ namespace {
 // A ball of 2 kg on a bar of 3 m from the origin, and the cached force in the bar [N].
 DistanceConstraints bar(double force, Distance::Acts acts = Distance::Acts::both) {
     DistanceConstraints bars({{.body_a = 0, .body_b = 1, .length = 3.0, .acts = acts}}, {}, true);
-    bars.set_forces({{force, force}});
+    bars.set_forces({DistanceForce{{{force, force}}}});
     return bars;
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("between two bodies the tension rule has their reduced mass, and at an
     // A bar so long that it does not turn: the body swings about its end alone, omega^2 = T r / I.
     bodies = {static_body(Vector3::Zero()), ball_body(2.0, 0.5, {0, -1e9, 0})};
     DistanceConstraints far({{.body_a = 0, .body_b = 1, .point_b = {0, 0.25, 0}, .length = 1e9 - 0.25}}, {}, true);
-    far.set_forces({{-20.0, -20.0}});
+    far.set_forces({DistanceForce{{{-20.0, -20.0}}}});
     const double inertia = 0.4 * 2.0 * 0.25;
     CHECK(tension_rate(far, bodies) == Approx(2.0 * std::sqrt(20.0 * 0.25 / inertia)).epsilon(1e-6));
 }
