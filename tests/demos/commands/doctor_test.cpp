@@ -2,9 +2,9 @@
 #include "demos/pictures/graphics_check.h"
 #include "demos/platform/processors.h"
 #include "demos/text/json.h"
+#include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
-#include "tests/renderer/decode_png.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ TEST_CASE("doctor draws a picture here, and prints the hash of the file that it 
     REQUIRE(ended.status == 0);
     CHECK(ended.err == "");
     const std::string png = folder.read("test.png");
-    const auto image = pushfactor::renderer::decode_png({png.begin(), png.end()});
+    const auto image = pushfactor::renderer::decode_png(std::vector<std::uint8_t>(png.begin(), png.end()));
     const std::string picture = line_of(ended.out, "picture");
     CHECK(has(picture, fmt::format("OK: 320x180, hash {:016x}", pictures::hash_of(image))));
     CHECK(has(picture, "test.png"));
