@@ -1,8 +1,8 @@
 // The offscreen context with its renderers and the lettering.
 #pragma once
 
-#include "demos/pictures/lettering.h"
 #include "demos/pictures/film/stage_times.h"
+#include "demos/pictures/lettering.h"
 #include "renderer/gl/offscreen_context.h"
 #include "renderer/renderer.h"
 

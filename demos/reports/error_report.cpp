@@ -146,7 +146,7 @@ class ErrorReport {
         for (const Experiment& sweep : experiments_) add_experiment(sweep);
         for (const FrozenMoment& moment : moments_) add_moment(moment);
         for (const ContactMoment& moment : exports_) {
-            export_problem(freeze(moment, run_.check()), moment.name);
+            export_problem(freeze_contacts(moment, run_.check()), moment.name);
             run_.count_run();
         }
         if (!problems_.empty()) add_problems();

@@ -40,8 +40,8 @@ struct Takers {
 void take_frames(const Sequence& sequence, std::vector<ObservedRun>& runs, Takers& takers, FrameQueue& queue,
                  StageTimes* times, const std::function<void(long)>& progress);
 
-// Completes the files of the runs and returns their summary as JSON. `driver` is what drew (Studio::driver()), empty
-// if nothing was drawn.
+// Completes the files of the runs and returns their summary as JSON. `driver` is what drew (Studio::driver()),
+// empty if nothing was drawn.
 std::string finish(const Sequence& sequence, std::vector<ObservedRun>& runs, const std::string& driver);
 
 }  // namespace pushfactor::demos::pictures

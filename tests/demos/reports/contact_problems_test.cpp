@@ -103,7 +103,7 @@ TEST_CASE("sweeps over rows and over blocks of W find the solution of a brick th
 
 TEST_CASE("problems of our scenes are the same as rows, as M and H, and as rows again") {
     for (const ContactMoment& moment : contact_moments(true)) {
-        const FrozenProblem problem = freeze(moment, [] {});
+        const FrozenProblem problem = freeze_contacts(moment, [] {});
         INFO(moment.name);
         REQUIRE(problem.system().row_count() > 0);
         const std::optional<GlobalProblem> global = global_form(problem);
@@ -138,7 +138,7 @@ TEST_CASE("a file of FCLib keeps every bit of a problem, global or local") {
     const Folder folder;
     for (const ContactMoment& moment : contact_moments(true)) {
         INFO(moment.name);
-        const GlobalProblem global = *global_form(freeze(moment, [] {}));
+        const GlobalProblem global = *global_form(freeze_contacts(moment, [] {}));
         for (int twice = 0; twice < 2; ++twice)
             write_fclib(global, folder / "problem.hdf5");  // and replaces a file
         const ContactProblem read = read_fclib(folder / "problem.hdf5");
@@ -167,7 +167,7 @@ TEST_CASE("rows over bodies are only for rigid bodies") {
     odd.mass.conservativeResize(5, 5);
     CHECK_THROWS_WITH(rows_over_bodies(odd), Catch::Contains("no multiple of six"));
     // A chain has bars, for which FCLib has no words.
-    CHECK_FALSE(global_form(freeze({"chain", demos::run_of("chain", {{"seconds", "0.1"}})}, [] {})));
+    CHECK_FALSE(global_form(freeze_contacts({"chain", demos::run_of("chain", {{"seconds", "0.1"}})}, [] {})));
 }
 
 TEST_CASE("performance profiles have the shares of their definition") {

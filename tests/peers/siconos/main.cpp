@@ -4,19 +4,18 @@
 #include "demos/reports/error/contact_problems/fclib_file.h"
 
 #include <fmt/format.h>
-
 #include <siconos/numerics/FrictionContactProblem.h>
 #include <siconos/numerics/Friction_cst.h>
 #include <siconos/numerics/NonSmoothDrivers.h>
 #include <siconos/numerics/NumericsMatrix.h>
-#include <siconos/numerics/SolverOptions.h>
 #include <siconos/numerics/NumericsVerbose.h>
+#include <siconos/numerics/SolverOptions.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cmath>
 #include <ctime>
 #include <memory>
 #include <vector>
@@ -102,10 +101,12 @@ void run(const Method& method, const LocalProblem& local) {
         const double start = cpu_time();
         fc3d_driver(problem.get(), impulses.data(), velocities.data(), options.get);
         const double cpu = cpu_time() - start;
-        const ContactErrors errors = impulses.allFinite() ? contact_errors(local, impulses) : ContactErrors{.siconos = 1e9};
+        const ContactErrors errors =
+            impulses.allFinite() ? contact_errors(local, impulses) : ContactErrors{.siconos = 1e9};
         fmt::print("\"{}\",{},{},{},{},{},{},{},{},{},{}\n", local.title, method.name,
                    options.get->iparam[SICONOS_IPARAM_ITER_DONE], errors.siconos, errors.natural_map,
-                   errors.penetration_rate, errors.wrong_friction, errors.cone_violation, errors.dissipation, 0.0, cpu);
+                   errors.penetration_rate, errors.wrong_friction, errors.cone_violation, errors.dissipation, 0.0,
+                   cpu);
         std::fflush(stdout);
         const bool used_up = options.get->iparam[SICONOS_IPARAM_ITER_DONE] >= method.most_iterations;
         if (cpu > longest || used_up) break;
@@ -115,8 +116,9 @@ void run(const Method& method, const LocalProblem& local) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    fmt::print("problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,wrong_friction_m_per_s,"
-               "cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n");
+    fmt::print(
+        "problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,wrong_friction_m_per_s,"
+        "cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n");
     numerics_set_verbose(0);
     for (int i = 1; i < argc; ++i) {
         const ContactProblem problem = read_fclib(argv[i]);

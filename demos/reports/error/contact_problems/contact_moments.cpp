@@ -54,7 +54,7 @@ std::vector<ContactMoment> contact_moments(bool quick) {
     return moments;
 }
 
-FrozenProblem freeze(const ContactMoment& moment, const std::function<void()>& check) {
+FrozenProblem freeze_contacts(const ContactMoment& moment, const std::function<void()>& check) {
     Simulation run(moment.choices);
     play(run, [&](const Simulation& now) {
         check();

@@ -20,6 +20,6 @@ struct ContactMoment {
 std::vector<ContactMoment> contact_moments(bool quick);
 
 // Runs to the moment and freezes its system. `check` is called at each step; its exceptions end the run.
-FrozenProblem freeze(const ContactMoment& moment, const std::function<void()>& check);
+FrozenProblem freeze_contacts(const ContactMoment& moment, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports::error
