@@ -24,6 +24,7 @@ namespace pushfactor::demos::reports {
 namespace {
 
 using namespace error;
+using engine::VectorX;
 
 constexpr int repeats = 5;  // timed runs per point
 constexpr const char* frozen_part = "frozen";
@@ -212,7 +213,9 @@ class ErrorReport {
         const std::filesystem::path folder = *run_.request().exported;
         write_file(folder / (name + ".json"), problem.text());
         const std::optional<GlobalProblem> global = global_form(problem);
-        if (global && has_fclib()) write_fclib(*global, folder / (name + ".hdf5"));
+        if (!global || !has_fclib()) return;
+        const VectorX impulses = best_impulses(rows_over_bodies(*global), local_form(*global));
+        write_fclib(*global, impulses, folder / (name + ".hdf5"));
     }
 
     void add_problems() {

@@ -1,5 +1,9 @@
-// Siconos on contact problems of FCLib: siconos FILE.hdf5... prints the lines of problems.csv, one per solver and
-// tolerance, with the error that was reached.
+// Siconos on contact problems of FCLib.
+//   siconos FILE.hdf5...          prints the lines of problems.csv, one per solver and tolerance, with the error
+//   reached siconos agree FILE.hdf5...    compares its best solution with the one in the file: velocities, and W
+//   times the
+//                                 difference of the impulses, which is zero where they differ in its null space
+//                                 alone
 #include "demos/reports/error/contact_problems/contact_errors.h"
 #include "demos/reports/error/contact_problems/fclib_file.h"
 
@@ -17,7 +21,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -92,23 +97,59 @@ struct Options {
     Options& operator=(const Options&) = delete;
 };
 
+struct Answer {
+    VectorX impulses;
+    int iterations = 0;
+    double cpu = 0.0;  // s
+};
+
+Answer solve(const Method& method, double tolerance, const LocalProblem& local) {
+    Problem problem(local);
+    const Options options(method);
+    options.get->dparam[SICONOS_DPARAM_TOL] = tolerance;
+    VectorX impulses = VectorX::Zero(local.free.size()), velocities = VectorX::Zero(local.free.size());
+    const double start = cpu_time();
+    fc3d_driver(problem.get(), impulses.data(), velocities.data(), options.get);
+    return {impulses, options.get->iparam[SICONOS_IPARAM_ITER_DONE], cpu_time() - start};
+}
+
+// The most accurate of its solvers.
+VectorX best_of(const LocalProblem& local) {
+    VectorX best = VectorX::Zero(local.free.size());
+    double least = contact_errors(local, best).siconos;
+    for (const Method& method : methods) {
+        if (least < 1e-13) break;
+        const Answer answer = solve(method, 1e-14, local);
+        if (!answer.impulses.allFinite()) continue;
+        const double error = contact_errors(local, answer.impulses).siconos;
+        if (error < least) best = answer.impulses, least = error;
+    }
+    return best;
+}
+
+void agree(const char* file, const LocalProblem& local) {
+    const std::optional<VectorX> stored = read_solution(file);
+    if (!stored) {
+        fmt::print("{},no solution,,,,\n", local.title);
+        return;
+    }
+    const VectorX theirs = best_of(local), difference = *stored - theirs;
+    fmt::print("{},{:.1e},{:.1e},{:.1e},{:.1e}\n", local.title, contact_errors(local, *stored).siconos,
+               contact_errors(local, theirs).siconos, (local.matrix * difference).lpNorm<Eigen::Infinity>(),
+               difference.norm() / std::max(theirs.norm(), 1e-300));
+    std::fflush(stdout);
+}
+
 void run(const Method& method, const LocalProblem& local) {
     for (int digits = 1; digits <= 12; ++digits) {
-        Problem problem(local);
-        const Options options(method);
-        options.get->dparam[SICONOS_DPARAM_TOL] = std::pow(10.0, -digits);
-        VectorX impulses = VectorX::Zero(local.free.size()), velocities = VectorX::Zero(local.free.size());
-        const double start = cpu_time();
-        fc3d_driver(problem.get(), impulses.data(), velocities.data(), options.get);
-        const double cpu = cpu_time() - start;
+        const auto [impulses, iterations, cpu] = solve(method, std::pow(10.0, -digits), local);
         const ContactErrors errors =
             impulses.allFinite() ? contact_errors(local, impulses) : ContactErrors{.siconos = 1e9};
-        fmt::print("\"{}\",{},{},{},{},{},{},{},{},{},{}\n", local.title, method.name,
-                   options.get->iparam[SICONOS_IPARAM_ITER_DONE], errors.siconos, errors.natural_map,
-                   errors.penetration_rate, errors.wrong_friction, errors.cone_violation, errors.dissipation, 0.0,
-                   cpu);
+        fmt::print("\"{}\",{},{},{},{},{},{},{},{},{},{}\n", local.title, method.name, iterations, errors.siconos,
+                   errors.natural_map, errors.penetration_rate, errors.wrong_friction, errors.cone_violation,
+                   errors.dissipation, 0.0, cpu);
         std::fflush(stdout);
-        const bool used_up = options.get->iparam[SICONOS_IPARAM_ITER_DONE] >= method.most_iterations;
+        const bool used_up = iterations >= method.most_iterations;
         if (cpu > longest || used_up) break;
     }
 }
@@ -116,14 +157,19 @@ void run(const Method& method, const LocalProblem& local) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    fmt::print(
-        "problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,wrong_friction_m_per_s,"
-        "cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n");
+    const bool agrees = argc > 1 && std::string_view(argv[1]) == "agree";
+    fmt::print("{}", agrees
+                         ? "problem,our_error,their_error,velocity_difference_m_per_s,impulse_difference\n"
+                         : "problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,"
+                           "wrong_friction_m_per_s,cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n");
     numerics_set_verbose(0);
-    for (int i = 1; i < argc; ++i) {
+    for (int i = agrees ? 2 : 1; i < argc; ++i) {
         const ContactProblem problem = read_fclib(argv[i]);
         const auto* const global = std::get_if<GlobalProblem>(&problem);
         const LocalProblem local = global ? local_form(*global) : std::get<LocalProblem>(problem);
-        for (const Method& method : methods) run(method, local);
+        if (agrees)
+            agree(argv[i], local);
+        else
+            for (const Method& method : methods) run(method, local);
     }
 }

@@ -18,9 +18,26 @@ double LocalProblem::asymmetry() const {
     return scale > 0.0 ? largest / scale : 0.0;
 }
 
-LocalProblem local_form(const GlobalProblem& problem) {
-    const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.mass);
+namespace {
+
+using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
+
+void factorise(const GlobalProblem& problem, Factors& factors) {
+    factors.compute(problem.mass);
     if (factors.info() != Eigen::Success) throw std::runtime_error(problem.title + ": M is singular");
+}
+
+}  // namespace
+
+engine::VectorX velocities_of(const GlobalProblem& problem, const engine::VectorX& impulses) {
+    Factors factors;
+    factorise(problem, factors);
+    return factors.solve(problem.axes * impulses + problem.force);
+}
+
+LocalProblem local_form(const GlobalProblem& problem) {
+    Factors factors;
+    factorise(problem, factors);
     const SparseMatrix transposed = problem.axes.transpose();
     LocalProblem local{.title = problem.title,
                        .matrix = transposed * SparseMatrix(factors.solve(problem.axes)),

@@ -42,6 +42,9 @@ struct LocalProblem {
     double asymmetry() const;
 };
 
+// v = M^-1 (H r + f). Throws std::runtime_error if M is singular.
+engine::VectorX velocities_of(const GlobalProblem& problem, const engine::VectorX& impulses);
+
 // W = H^T M^-1 H, q = w + H^T M^-1 f. Throws std::runtime_error if M is singular.
 LocalProblem local_form(const GlobalProblem& problem);
 

@@ -201,6 +201,10 @@ ContactProblem read_fclib(const fs::path& file) {
 }
 
 void write_fclib(const GlobalProblem& problem, const fs::path& file) {
+    write_fclib(problem, {}, file);
+}
+
+void write_fclib(const GlobalProblem& problem, const VectorX& impulses, const fs::path& file) {
     Stored stored(problem.title);
     fclib_global global{};
     global.M = stored.matrix(problem.mass);
@@ -210,7 +214,17 @@ void write_fclib(const GlobalProblem& problem, const fs::path& file) {
     global.mu = stored.vector(problem.mu);
     global.spacedim = 3;
     global.info = stored.info();
-    write_whole(file, [&](const char* path) { return fclib_write_global(&global, path); });
+    fclib_solution solution{};
+    if (impulses.size() > 0) {
+        const VectorX velocity = velocities_of(problem, impulses);
+        solution.v = stored.vector(velocity);
+        solution.u = stored.vector(problem.axes.transpose() * velocity + problem.given);
+        solution.r = stored.vector(impulses);
+    }
+    write_whole(file, [&](const char* path) {
+        if (fclib_write_global(&global, path) == 0) return 0;
+        return impulses.size() > 0 ? fclib_write_solution(&solution, path) : 1;
+    });
 }
 
 void write_fclib(const LocalProblem& problem, const fs::path& file) {
@@ -222,6 +236,18 @@ void write_fclib(const LocalProblem& problem, const fs::path& file) {
     local.spacedim = 3;
     local.info = stored.info();
     write_whole(file, [&](const char* path) { return fclib_write_local(&local, path); });
+}
+
+std::optional<VectorX> read_solution(const fs::path& file) {
+    const QuietHdf5 quiet;
+    if (!has_group(file, "/solution")) return std::nullopt;
+    const ContactProblem problem = read_fclib(file);
+    const auto contacts = std::visit([](const auto& one) { return one.contacts(); }, problem);
+    fclib_solution* const stored = fclib_read_solution(file.c_str());
+    if (stored == nullptr || stored->r == nullptr) return std::nullopt;
+    VectorX impulses = vector_of(stored->r, 3 * static_cast<int>(contacts));
+    fclib_delete_solutions(stored, 1);
+    return impulses;
 }
 
 #else
@@ -249,7 +275,15 @@ void write_fclib(const GlobalProblem&, const std::filesystem::path& file) {
     refuse(file);
 }
 
+void write_fclib(const GlobalProblem&, const engine::VectorX&, const std::filesystem::path& file) {
+    refuse(file);
+}
+
 void write_fclib(const LocalProblem&, const std::filesystem::path& file) {
+    refuse(file);
+}
+
+std::optional<engine::VectorX> read_solution(const std::filesystem::path& file) {
     refuse(file);
 }
 

@@ -138,6 +138,22 @@ std::vector<ProblemPoint> solve_problem(const ContactProblem& problem, bool quic
     return solving.points();
 }
 
+VectorX best_impulses(const FrozenProblem& rows, const LocalProblem& problem) {
+    constexpr double enough = 1e-12;
+    VectorX best = VectorX::Zero(problem.free.size());
+    double least = contact_errors(problem, best).siconos;
+    const auto consider = [&](const char* solver, const engine::solvers::Termination& termination) {
+        if (least <= enough) return;
+        engine::Columns lambda = engine::Columns::Zero(best.size(), 1);
+        engine::solvers::make_solver(solver)->solve(rows.system(), termination, lambda);
+        const double error = contact_errors(problem, impulses_of(lambda)).siconos;
+        if (error < least) best = impulses_of(lambda), least = error;
+    };
+    consider("direct", {.iterations = 1000, .tolerance_high = enough, .tolerance_low = enough});
+    for (const int sweeps : {1000, 10000, 100000}) consider("nncg", {.iterations = sweeps});
+    return best;
+}
+
 Table table_of(const std::vector<ProblemPoint>& points) {
     Table table{{"problem", "method", "iterations", "siconos_error", "natural_map_m_per_s", "penetration_m_per_s",
                  "wrong_friction_m_per_s", "cone_violation_n_s", "dissipation_n_m", "work_multiply_adds", "cpu_s"}};

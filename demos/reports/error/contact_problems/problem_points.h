@@ -4,6 +4,7 @@
 #include "demos/pages/table.h"
 #include "demos/reports/error/contact_problems/contact_errors.h"
 #include "demos/reports/error/contact_problems/fclib_file.h"
+#include "demos/reports/error/frozen_problem.h"
 #include "demos/reports/error/work_plot.h"
 
 #include <functional>
@@ -25,6 +26,9 @@ struct ProblemPoint {
 // not be done as rows, and why.
 std::vector<ProblemPoint> solve_problem(const ContactProblem& problem, bool quick,
                                         const std::function<void()>& check, std::string& note);
+
+// Impulses with the smallest error that our solvers find [N s]: the exact one, or else sweeps.
+engine::VectorX best_impulses(const FrozenProblem& rows, const LocalProblem& problem);
 
 Table table_of(const std::vector<ProblemPoint>& points);  // problems.csv
 
