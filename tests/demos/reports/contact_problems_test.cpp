@@ -12,6 +12,7 @@
 #include "tests/random.h"
 
 #include <iostream>
+#include <set>
 
 using namespace pushfactor;
 using namespace pushfactor::demos::reports::error;
@@ -99,6 +100,12 @@ TEST_CASE("sweeps over rows and over blocks of W find the solution of a brick th
         for (const char* const solver : {"pgs", "nncg"})
             CHECK((solved(rows, solver, 50) - expected).norm() < 1e-12);
     }
+}
+
+TEST_CASE("there are fifty moments of contacts, each with a name of its own") {
+    std::set<std::string> names;
+    for (const ContactMoment& moment : contact_moments(false)) names.insert(moment.name);
+    CHECK(names.size() == 50);
 }
 
 TEST_CASE("problems of our scenes are the same as rows, as M and H, and as rows again") {

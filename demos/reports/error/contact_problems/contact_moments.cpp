@@ -47,7 +47,7 @@ std::vector<ContactMoment> contact_moments(bool quick) {
             add("heap", member_of("mixed", i, {{"count", std::to_string(20 * i)}}));
             add("wall",
                 member_of("wall", i, {{"rows", std::to_string(2 + i)}, {"columns", std::to_string(3 + i)}}));
-            add("cards", member_of("card-house", i, {{"storeys", std::to_string(1 + i)}}));
+            add("cards", member_of("card-house", i, {{"storeys", number}}));
             add("arch", run_of("arch", {{"voussoirs", std::to_string(5 + 4 * i)}}));
         }
     }
