@@ -18,7 +18,7 @@ share = (format eq 'svg' ? 1.0 : 0.75) * letters
 small = sprintf(',%.1f', 0.62 * share)
 legend = sprintf(',%.1f', 0.8 * share)
 set label 100 machine at screen 0.992,0.018 right font small textcolor rgb '#888888'
-set key at screen 0.755,0.965 samplen 2.2 top left Left reverse font legend
+set key at screen 0.755,0.965 samplen 2.2 top left Left reverse noenhanced font legend
 grey = "#444444"
 count = words(names)
 set dashtype 2 (6,4)

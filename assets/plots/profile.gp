@@ -14,7 +14,7 @@ share = (format eq 'svg' ? 1.0 : 0.75) * letters
 small = sprintf(',%.1f', 0.62 * share)
 set label 100 machine at screen 0.992,0.018 right font small textcolor rgb '#888888'
 legend = sprintf(',%.1f', 0.8 * share)
-set key at screen 0.745,0.965 samplen 2.2 top left Left reverse font legend
+set key at screen 0.745,0.965 samplen 2.2 top left Left reverse noenhanced font legend
 grey = "#444444"
 set dashtype 2 (6,4)
 set dashtype 3 (1.5,3)

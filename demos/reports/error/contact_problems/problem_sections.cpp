@@ -202,7 +202,9 @@ Plate ProblemSections::profile(double error, const std::filesystem::path& folder
         "{:.0e} "
         "(Siconos' measure) within so many times the CPU time of the fastest method on each. Higher and further "
         "left "
-        "is better; where a line ends below 1, the rest was not solved.",
+        "is better; where a line ends below 1, the rest was not solved. Methods without \"blocks\" work on bodies: "
+        "they "
+        "take global problems alone.",
         problems.size(), error);
     const std::string name = fmt::format("profile_{:.0e}", error);
     add_plot(
