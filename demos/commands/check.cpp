@@ -34,7 +34,7 @@ Rules understand_rules(const CheckRequest& request) {
         if (!limits) {
             throw UsageError(
                 fmt::format("--tolerance {}: must be LEVELS or LEVELS:SHARE% (0 to 255, 0 to 100), or "
-                            "several with commas: 2:0.2%,16:0.02%",
+                            "several with commas: 2:0.05%,16:0.005%",
                             *request.tolerance));
         }
         rules.tolerance = Tolerance{.limits = *limits};

@@ -216,7 +216,7 @@ void add_check(CLI::App& app, Words& words) {
         ->type_name("DIR");
     app.add_option("--tolerance", check.tolerance,
                    "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 "
-                   "[equal where program and driver are the same, else 2:0.2%,16:0.02%]")
+                   "[equal where program and driver are the same, else 2:0.05%,16:0.005%]")
         ->type_name("LIST");
     app.add_option("--flip", check.flip, "largest mean FLIP error instead: what a person would see, 0 to 1")
         ->type_name("N");

@@ -84,7 +84,7 @@ Tolerance exactly() {
 }
 
 Tolerance usual() {
-    return {.limits = {{2, 0.002}, {16, 0.0002}}};
+    return {.limits = {{2, 0.0005}, {16, 0.00005}}};
 }
 
 }  // namespace pushfactor::demos::reports::check

@@ -28,7 +28,7 @@ struct Tolerance {
     std::string text() const;
 };
 
-// "2:0.2%,16:0.02%"; "2" stands for "2:0%". None if it is not of this form.
+// "2:0.05%,16:0.005%"; "2" stands for "2:0%". None if it is not of this form.
 std::optional<std::vector<Limit>> parse_limits(std::string_view text);
 
 // Equal pixels: for pictures of the same program and driver.

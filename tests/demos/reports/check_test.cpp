@@ -2,7 +2,9 @@
 #include "tests/catch.h"
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
+#include "tests/demos/replay/browser.h"
 
+#include <iostream>
 #include <map>
 
 using namespace pushfactor::tests;
@@ -105,6 +107,44 @@ TEST_CASE("check names a changed option, and the pictures that it changes") {
     const std::string page = folder.read("out/check/index.html");
     CHECK(page.find("gold-intersecting-stack/frame_000004.png.difference.png") != std::string::npos);
     check_page(folder.read("out/check/index.html"));
+}
+
+TEST_CASE("the page of a check shows two pictures side by side, swapped, with a slider, and their difference") {
+    const auto program = find_browser();
+    if (!program) {
+        std::cout << "skipped: there is no browser (package chromium)\n";
+        return;
+    }
+    const Folder folder;
+    render_gold(folder);
+    replace(folder, "gold/intersecting-stack/config.json", "\"beta\": 0.2", "\"beta\": 0.6");
+    REQUIRE(shell(folder, "pushfactor check gold").status == 3);
+    Browser browser({});
+    browser.open("file://" + (folder / "out/check/index.html").string(), 900, 700);
+    const auto shown = [&](const std::string& part) {
+        return browser
+            .value_of("(() => { const style = getComputedStyle(document.querySelector('.exhibit ." + part +
+                      "')); return style.display !== 'none' && style.visibility !== 'hidden'; })()")
+            .get<bool>();
+    };
+    const auto check_shown = [&](bool expected, bool actual, bool difference) {
+        CHECK(shown("expected") == expected);
+        CHECK(shown("actual") == actual);
+        CHECK(shown("difference") == difference);
+    };
+    check_shown(true, true, true);
+    browser.press("3");
+    check_shown(true, true, false);
+    browser.press("4");
+    check_shown(false, false, true);
+    browser.press("2");
+    browser.value_of("document.querySelector('.stage').click()");  // from now on only clicks swap
+    const bool first = shown("expected");
+    CHECK(shown("actual") == !first);
+    browser.value_of("document.querySelector('.stage').click()");
+    check_shown(!first, first, false);
+    CHECK(browser.messages().empty());
+    for (const std::string& request : browser.requests()) CHECK(request.starts_with("file://"));
 }
 
 TEST_CASE("check sees a body that was moved by a millimetre, and says how far it is off") {
