@@ -110,7 +110,7 @@ TEST_CASE("a motor that hangs on a moved body: its work and that of the motion a
     std::vector<double> gains;
     for (const long division : {60, 240}) {
         Settings settings = preset_settings("exact");
-        settings.dt = Rational(1, division);
+        settings.dt = {1, division};
         Simulation run(build_scene(scene, settings), settings);
         double most = 0.0;
         double& gain = gains.emplace_back(0.0);
