@@ -147,8 +147,9 @@ TEST_CASE("four points of a long overlap span most of it, whatever the direction
         const Box floor{{3.0, 0.5, 3.0}}, b{0.5 * size_b};
         // A plank that juts out over the edge or the corner of a plate.
         const double yaw = random.in(-3.2, 3.2);
-        const Vector3 offset(3.0 - random.in(-0.2, 0.5) * size_b.x(), 0.5 + 0.5 * size_b.y() - 1e-9,
-                             random.in(0, 1) < 0.5 ? 0.0 : 3.0 - random.in(-0.2, 0.5) * size_b.x());
+        const double z = random.in(0, 1) < 0.5 ? 0.0 : 3.0 - random.in(-0.2, 0.5) * size_b.x();
+        const double x = 3.0 - random.in(-0.2, 0.5) * size_b.x();
+        const Vector3 offset(x, 0.5 + 0.5 * size_b.y() - 1e-9, z);
         Manifold full;
         collide_box_box(floor, at(Vector3::Zero()), b, at(offset, turn(yaw, Vector3::UnitY())), 1e-4, full);
         if (full.count <= 4) continue;
