@@ -7,10 +7,14 @@ namespace {
 using Row = UnitProblem::Row;
 
 constexpr double greatest_rho = 1e9;
-// Proximal points: rho at first and its range; factors after a point that was reached, the second one after failure
-// and after many changes, and after one that was not.
-constexpr double first_rho = 1e6, least_rho = 1e-3;
-constexpr double rho_gain = 10.0, small_rho_gain = 3.0, rho_loss = 0.1;
+// With discs the natural map is not linear between its bounds, so steps may have to stay near the
+// linearisation point: rho starts at careful_rho and grows after each improvement; otherwise it shrinks and the
+// next step starts from the best iterate, until rho falls below least_rho.
+constexpr double careful_rho = 1e3, least_rho = 1e-3;
+constexpr double rho_gain = 10.0, rho_loss = 0.1;
+// Proximal points: rho at first, and its growth after a failure and after many changes.
+constexpr double first_rho = 1e6;
+constexpr double small_rho_gain = 3.0;
 constexpr int few_changes = 3;
 // A proximal point is reached at this share of the residual that the step to it leaves; limit on changes.
 constexpr double reached_share = 0.1;
@@ -46,10 +50,10 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
     }
 }
 
-// Both rows of the disc whose second row is `j`. On the circle, with w = y + g r for the step size g, and radius R,
-// the solution is R w / |w|; to first order in the changes of w and R this is a force along d = w / |w| that
-// follows R, and across it a damper, delta y = -b y - k u . delta x with a = R / |w|, b = 1 / (1 - a + a g / rho),
-// k = a g b.
+// Both rows of the disc whose second row is `j`. On the circle, with w = y + r and radius R, the solution is R w /
+// |w|; to first order in the changes of w and R this is a force along d = w / |w| that follows R, and across it a
+// damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a). Around a proximal point c, w = c
+// + rho (t - U x) does not depend on y, and the damper is y' = -a rho u . delta x.
 void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                 bool may_follow) {
     const Row &first = problem.rows[j - 1], &second = problem.rows[j];
@@ -65,8 +69,8 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     Slide slide{.second = j, .follows = may_follow, .d_1 = w_1 / length, .d_2 = w_2 / length};
     if (!(length > 0.0)) slide.d_1 = 1.0, slide.d_2 = 0.0;
     const double a = length > 0.0 ? radius / length : 0.0;
-    slide.back = 1.0 / (1.0 - a + a * step / rho_);
-    slide.k = a * step * slide.back;
+    slide.k = around_a_point_ ? a * rho_ : std::min(a / (1.0 - a), rho_);
+    slide.own = around_a_point_ ? 0.0 : 1.0;
     slide.along = between(first, slide.d_1, second, slide.d_2);
     slide.across = between(first, -slide.d_2, second, slide.d_1);
     slides_.push_back(slide);
@@ -183,7 +187,7 @@ void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, cons
     const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
     const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
     push(row, slide.along, radius - along, d_);
-    push(row, slide.across, -slide.back * across, d_);
+    push(row, slide.across, -(1.0 + slide.own * slide.k) * across, d_);
 }
 
 // Writes the forces of a sliding point, on the circle.
@@ -192,7 +196,7 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
     const double radius = row.high * bound_scale(row, y);
     const double before = slide.d_1 * y_2 - slide.d_2 * y_1;
-    const double across = (1.0 - slide.back) * before - slide.k * along(row, slide.across, d_);
+    const double across = -slide.k * (slide.own * before + along(row, slide.across, d_));
     const double length = std::sqrt(radius * radius + across * across);
     const double share = length > 0.0 ? radius / length : 0.0;
     y_1 = share * (radius * slide.d_1 - across * slide.d_2);
@@ -214,15 +218,16 @@ bool ActiveSet::look(const UnitProblem& problem, const std::vector<double>& y, E
     return best_.look(problem, y, x_, r_);
 }
 
-double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
-                        std::vector<double>& y, Effort& effort, SolveCount& count) {
+double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
+                        int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     const int before = count.iterations;
     const double most = order.general_work() + problem.assembly_work();
     int without_gain = 0;
-    if (rho_ != greatest_rho) factored_.clear();
-    set_rho(problem, greatest_rho);
+    const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
+    if (rho_ != begin) factored_.clear();
+    set_rho(problem, begin);
     // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
     // not solved again for a minute from creeping.
     for (bool enough = false; !enough && count.iterations - before < changes &&
@@ -231,6 +236,18 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, do
         const bool stayed = change(order, problem, y, effort, count);
         const bool better = look(problem, y, effort, count);
         without_gain = better ? 0 : without_gain + 1;
+        if (pace == Pace::careful) {
+            if (!better) {
+                y = best_.y();
+                follow(problem, y, x_, r_);
+                without_gain = 0;
+            }
+            const double next = std::min(better ? rho_ * rho_gain : rho_ * rho_loss, greatest_rho);
+            if (next < least_rho) break;
+            if (next != rho_) factored_.clear();
+            set_rho(problem, next);
+            continue;
+        }
         if (!better && (stayed || residual(problem, y, r_) > diverged * best_.residual())) break;
     }
     y = best_.y();

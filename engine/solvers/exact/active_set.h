@@ -22,8 +22,8 @@
 //
 // Discs often need proximal points (Rockafellar 1976): the proximal term stays around a fixed y until its problem,
 // with r - (y' - y) / rho in place of r, is solved, and only then moves there. Between sticking contacts there may
-// be forces that hardly move any body: they have to grow until one of the contacts slides or opens, and all that
-// time the residual does not fall. A method that insists on a smaller residual in every step gets stuck there.
+// be forces that hardly move any body: they have to grow until one of the contacts slides or opens, and meanwhile
+// the residual does not fall. Steps that have to lower the residual get stuck there.
 //
 // Symbols as in unit_problem.h; d velocities [sqrt(kg) m/s], rho [1] proximal parameter.
 #pragma once
@@ -43,14 +43,18 @@ class ActiveSet {
     // between may differ only in t and bounds.
     void start() { factored_.clear(); }
 
+    // Step length control: unlimited; or limited to where the linearised map of sliding discs is likely to hold,
+    // with more steps.
+    enum class Pace { bold, careful };
+
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], stops falling, or
     // `changes` factorisations or the effort are used up. Returns the final residual [m/s]; y is the best iterate
     // among those that give the bodies no more energy than the warm start or zero force, and never worse than
     // before. `order` must connect the bodies of every row.
-    double solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
+    double solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance, int changes,
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
-    // The same by proximal points, which does not stop where the residual stops falling.
+    // The same by proximal points, which go on where the residual stops falling.
     double solve_by_proximal_points(const Elimination& order, const UnitProblem& problem, double tolerance,
                                     int changes, std::vector<double>& y, Effort& effort, SolveCount& count);
 
@@ -70,7 +74,7 @@ class ActiveSet {
         bool follows = false;         // its radius follows a free leader
         double d_1 = 0.0, d_2 = 0.0;  // direction of the force
         double k = 0.0;               // coefficient of the damper
-        double back = 0.0;            // share of the force across the direction that a step removes
+        double own = 1.0;             // share of the damper in the force that is already there
         Jacobian along{}, across{};   // d_1 u_1 + d_2 u_2, and d_1 u_2 - d_2 u_1
     };
 
@@ -81,8 +85,8 @@ class ActiveSet {
     // Step size of the natural map that finds the states of the rows. With rho every small residual would look like
     // a change of the active set, except around a fixed proximal point.
     double step_size(std::size_t row) const { return around_a_point_ ? rhos_[row] : 1.0; }
-    bool take_proximal_step(const Elimination& order, const UnitProblem& problem, int changes,
-                            std::vector<double>& y, Effort& effort, SolveCount& count);
+    bool take_proximal_step(const Elimination& order, const UnitProblem& problem, int most, std::vector<double>& y,
+                            Effort& effort, SolveCount& count);
     bool look(const UnitProblem& problem, const std::vector<double>& y, Effort& effort, SolveCount& count);
     bool change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                 SolveCount& count);
@@ -93,11 +97,11 @@ class ActiveSet {
     BodyMatrix matrix_;
     BodyVelocities x_, d_;
     std::vector<double> r_, moved_;
-    std::vector<double> centre_, closest_;  // proximal point, and the best y on the way to the next one
+    bool around_a_point_ = false;           // a proximal point, and r_ contains its term
+    std::vector<double> centre_, closest_;  // the point, and the best y on the way to the next one
     BestForces best_;
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // current, and of the factor
-    bool around_a_point_ = false;           // a proximal point; r_ then contains its term
     double rho_ = 0.0;
     std::vector<double> rhos_;   // by row
     std::vector<Slide> slides_;  // current, in row order

@@ -19,12 +19,17 @@ namespace {
 // rarely succeed if these do not.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
-// Changes of proximal points for problems with discs. The first ones only if the residual is below this share of
-// asked_speed() and the effort also covers the interior point method.
-constexpr int first_proximal_changes = 6;
-constexpr double near_enough = 1e-2;
+// Careful steps at first, for sliding discs.
+constexpr int first_careful_changes = 3;
+// Careful steps come first if the residual is below this share of asked_speed() and the effort also covers the
+// interior point method.
+constexpr double careful_share = 1e-2;
 constexpr double interior_factorisations = 14.0;
-constexpr int most_proximal_changes = 200;
+constexpr int careful_changes = 40;
+// Limit on changes of proximal points, which replace further careful steps and a second start of the interior point
+// method if the effort covers so many.
+constexpr int proximal_changes = 200;
+constexpr auto bold = ActiveSet::Pace::bold;
 // Limit on interior point steps.
 constexpr int most_steps = 60;
 // Residual at which the interior point method hands over, as a share of asked_speed(). It stays slightly inside the
@@ -90,7 +95,7 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
             problem_.rows[j].t -= p_[j];
         }
         clamp(problem_, y_);
-        active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
+        active_set_.solve(structure_->order, problem_, bold, tolerance, later_changes, y_, effort, count);
         for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
@@ -99,24 +104,28 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
 bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, SolveCount& count) {
     const Elimination& order = structure_->order;
     const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
-    double reached = active_set_.solve(order, problem_, tolerance, first_changes, y_, effort, count);
-    const auto go_by_proximal_points = [&](int changes) {
+    double reached = active_set_.solve(order, problem_, bold, tolerance, first_changes, y_, effort, count);
+    const auto slide_carefully = [&](int changes) {
         if (!problem_.has_discs || reached <= enough()) return;
-        reached = active_set_.solve_by_proximal_points(order, problem_, tolerance, changes, y_, effort, count);
+        reached =
+            active_set_.solve(order, problem_, ActiveSet::Pace::careful, tolerance, changes, y_, effort, count);
     };
     const double others = interior_factorisations * (order.general_work() + problem_.assembly_work());
-    const bool is_near = reached <= near_enough * asked_speed(problem_);
-    if (is_near && effort.affords(others)) go_by_proximal_points(first_proximal_changes);
+    const bool is_near = reached <= careful_share * asked_speed(problem_);
+    if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
-        reached = active_set_.solve(order, problem_, tolerance, later_changes, y_, effort, count);
+        reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
         if (!problem_.has_discs) continue;
         if (reached <= will_do) return reached <= enough();
-        break;  // proximal points get farther than another start of the interior point method
+        if (!effort.affords(proximal_changes * (order.general_work() + problem_.assembly_work()))) continue;
+        reached =
+            active_set_.solve_by_proximal_points(order, problem_, tolerance, proximal_changes, y_, effort, count);
+        break;
     }
-    go_by_proximal_points(most_proximal_changes);
+    slide_carefully(careful_changes);
     if (reached <= enough()) return true;
     if (contradicts()) {
         count.contradicts = true;
