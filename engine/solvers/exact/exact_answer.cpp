@@ -114,18 +114,21 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
     const bool is_near = reached <= careful_share * asked_speed(problem_);
     if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
+    const double by_points = proximal_changes * (order.general_work() + problem_.assembly_work());
+    bool slid = !problem_.has_discs;
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
         reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
         if (!problem_.has_discs) continue;
         if (reached <= will_do) return reached <= enough();
-        if (!effort.affords(proximal_changes * (order.general_work() + problem_.assembly_work()))) continue;
+        if (!effort.affords(by_points)) continue;
         reached =
             active_set_.solve_by_proximal_points(order, problem_, tolerance, proximal_changes, y_, effort, count);
+        slid = true;
         break;
     }
-    slide_carefully(careful_changes);
+    if (!slid) slide_carefully(careful_changes);
     if (reached <= enough()) return true;
     if (contradicts()) {
         count.contradicts = true;
