@@ -12,13 +12,22 @@ constexpr double greatest_rho = 1e9;
 // next step starts from the best iterate, until rho falls below least_rho.
 constexpr double careful_rho = 1e3, least_rho = 1e-3;
 constexpr double rho_gain = 10.0, rho_loss = 0.1;
+// Proximal points: rho at first, and its growth after a failure and after many changes.
+constexpr double first_rho = 1e6;
+constexpr double small_rho_gain = 3.0;
+constexpr int few_changes = 3;
+// A proximal point is reached at this share of the residual that the step to it leaves; limit on changes.
+constexpr double reached_share = 0.1;
+constexpr int most_changes_to_a_point = 8;
+// The best iterate on the way to a point that is not reached is the next centre if its error is at most this share
+// of its distance.
+constexpr double close_share = 0.01;
 // Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.
 constexpr int most_changes_without_gain = 3;
 constexpr double diverged = 1e3;
 
 }  // namespace
 
-// Free rows are found by a Jacobi step: with rho_ every small residual would look like a change of the active set.
 // A row whose leader acts on other bodies is set to its current bound.
 void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double>& y) {
     states_.resize(y.size());
@@ -26,7 +35,7 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
     for (std::size_t j = 0; j < y.size(); ++j) {
         const Row& row = problem.rows[j];
         const double scale = bound_scale(row, y);
-        const double moved = y[j] + r_[j];
+        const double moved = y[j] + step_size(j) * r_[j];
         states_[j] = State::set;
         if (!(row.scale > 0.0)) continue;
         const bool may_follow = row.leader >= 0 && states_[static_cast<std::size_t>(row.leader)] == State::free &&
@@ -43,11 +52,13 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
 
 // Both rows of the disc whose second row is `j`. On the circle, with w = y + r and radius R, the solution is R w /
 // |w|; to first order in the changes of w and R this is a force along d = w / |w| that follows R, and across it a
-// damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a).
+// damper, delta y = -k (y / a + u . delta x) with a = R / |w| and k = a / (1 - a). Around a proximal point c, w = c
+// + rho (t - U x) does not depend on y, and the damper is y' = -a rho u . delta x.
 void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                 bool may_follow) {
     const Row &first = problem.rows[j - 1], &second = problem.rows[j];
-    const double w_1 = y[j - 1] + r_[j - 1], w_2 = y[j] + r_[j];
+    const double step = step_size(j);
+    const double w_1 = y[j - 1] + step * r_[j - 1], w_2 = y[j] + step * r_[j];
     const double length = std::sqrt(w_1 * w_1 + w_2 * w_2);
     const double radius = second.high * bound_scale(second, y);
     if (length < radius) {
@@ -58,7 +69,8 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     Slide slide{.second = j, .follows = may_follow, .d_1 = w_1 / length, .d_2 = w_2 / length};
     if (!(length > 0.0)) slide.d_1 = 1.0, slide.d_2 = 0.0;
     const double a = length > 0.0 ? radius / length : 0.0;
-    slide.k = std::min(a / (1.0 - a), rho_);
+    slide.k = around_a_point_ ? a * rho_ : std::min(a / (1.0 - a), rho_);
+    slide.own = around_a_point_ ? 0.0 : 1.0;
     slide.along = between(first, slide.d_1, second, slide.d_2);
     slide.across = between(first, -slide.d_2, second, slide.d_1);
     slides_.push_back(slide);
@@ -136,7 +148,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
             case State::slides:
                 continue;
             case State::set:
-                moved_[j] = y[j] + r_[j];
+                moved_[j] = y[j] + step_size(j) * r_[j];
                 clamp(problem, row.leader < 0 ? y : moved_, j, moved_);
                 break;
             default:
@@ -175,7 +187,7 @@ void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, cons
     const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
     const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
     push(row, slide.along, radius - along, d_);
-    push(row, slide.across, -(1.0 + slide.k) * across, d_);
+    push(row, slide.across, -(1.0 + slide.own * slide.k) * across, d_);
 }
 
 // Writes the forces of a sliding point, on the circle.
@@ -184,7 +196,7 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
     const double radius = row.high * bound_scale(row, y);
     const double before = slide.d_1 * y_2 - slide.d_2 * y_1;
-    const double across = -slide.k * (before + along(row, slide.across, d_));
+    const double across = -slide.k * (slide.own * before + along(row, slide.across, d_));
     const double length = std::sqrt(radius * radius + across * across);
     const double share = length > 0.0 ? radius / length : 0.0;
     y_1 = share * (radius * slide.d_1 - across * slide.d_2);
@@ -196,6 +208,14 @@ void ActiveSet::set_rho(const UnitProblem& problem, double rho) {
     rhos_.assign(problem.rows.size(), rho);
     if (!problem.has_soft) return;
     for (std::size_t j = 0; j < rhos_.size(); ++j) rhos_[j] = rho / (1.0 + rho * problem.rows[j].soft);
+}
+
+// Computes x and r of new forces. Returns whether these are the best so far.
+bool ActiveSet::look(const UnitProblem& problem, const std::vector<double>& y, Effort& effort, SolveCount& count) {
+    follow(problem, y, x_, r_);
+    effort.spend(2.0 * problem.look_work());
+    count.multiply_adds += 2.0 * problem.look_work();
+    return best_.look(problem, y, x_, r_);
 }
 
 double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
@@ -214,10 +234,7 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
                               without_gain < most_changes_without_gain && effort.affords(most);) {
         enough = best_.residual() <= tolerance;
         const bool stayed = change(order, problem, y, effort, count);
-        follow(problem, y, x_, r_);
-        effort.spend(2.0 * problem.look_work());
-        count.multiply_adds += 2.0 * problem.look_work();
-        const bool better = best_.look(problem, y, x_, r_);
+        const bool better = look(problem, y, effort, count);
         without_gain = better ? 0 : without_gain + 1;
         if (pace == Pace::careful) {
             if (!better) {
@@ -235,6 +252,63 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
     }
     y = best_.y();
     return best_.residual();
+}
+
+double ActiveSet::solve_by_proximal_points(const Elimination& order, const UnitProblem& problem, double tolerance,
+                                           int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
+    follow(problem, y, x_, r_);
+    best_.start(problem, y, x_, r_);
+    const int most = count.iterations + changes;
+    const double work = order.general_work() + problem.assembly_work();
+    double rho = first_rho;
+    bool failed = false;
+    around_a_point_ = true;
+    while (best_.residual() > tolerance && rho >= least_rho && count.iterations < most && effort.affords(work)) {
+        factored_.clear();
+        set_rho(problem, rho);
+        const int before = count.iterations;
+        if (!take_proximal_step(order, problem, most, y, effort, count)) {
+            failed = true;
+            rho *= rho_loss;
+            continue;
+        }
+        const bool easy = !failed && count.iterations - before <= few_changes;
+        failed = false;
+        rho = std::min(rho * (easy ? rho_gain : small_rho_gain), greatest_rho);
+    }
+    around_a_point_ = false;
+    factored_.clear();
+    y = best_.y();
+    return best_.residual();
+}
+
+// Moves y to the proximal point of rho_, or nowhere, or somewhere on the way; before `most` factorisations in all.
+// Returns whether the point was reached.
+bool ActiveSet::take_proximal_step(const Elimination& order, const UnitProblem& problem, int most,
+                                   std::vector<double>& y, Effort& effort, SolveCount& count) {
+    const double work = order.general_work() + problem.assembly_work();
+    centre_ = y;
+    closest_ = y;
+    double least = infinity;
+    follow(problem, y, x_, r_);
+    for (int k = 0; k < most_changes_to_a_point && count.iterations < most && effort.affords(work); ++k) {
+        change(order, problem, y, effort, count);
+        look(problem, y, effort, count);
+        double way = 0.0;  // m/s
+        for (std::size_t j = 0; j < y.size(); ++j) {
+            const double moved = y[j] - centre_[j];
+            r_[j] -= moved / rho_;
+            way = std::max(way, problem.rows[j].scale * std::abs(moved));
+        }
+        const double error = residual(problem, y, r_);
+        effort.spend(problem.look_work());
+        if (error <= reached_share * way / rho_) return true;
+        if (!(error <= least)) break;
+        least = error;
+        if (error <= close_share * way) closest_ = y;
+    }
+    y = closest_;
+    return false;
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -20,6 +20,11 @@
 // linearised (Alart & Curnier 1991): a force along the sliding direction, which follows the leader, and a damper
 // across it.
 //
+// Discs often need proximal points (Rockafellar 1976): the proximal term stays around a fixed y until its problem,
+// with r - (y' - y) / rho in place of r, is solved, and only then moves there. Between sticking contacts there may
+// be forces that hardly move any body: they have to grow until one of the contacts slides or opens, and meanwhile
+// the residual does not fall. Steps that have to lower the residual get stuck there.
+//
 // Symbols as in unit_problem.h; d velocities [sqrt(kg) m/s], rho [1] proximal parameter.
 #pragma once
 
@@ -49,6 +54,10 @@ class ActiveSet {
     double solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance, int changes,
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
+    // The same by proximal points, which go on where the residual stops falling.
+    double solve_by_proximal_points(const Elimination& order, const UnitProblem& problem, double tolerance,
+                                    int changes, std::vector<double>& y, Effort& effort, SolveCount& count);
+
   private:
     // Treatment of a row in a step.
     enum class State : char {
@@ -65,6 +74,7 @@ class ActiveSet {
         bool follows = false;         // its radius follows a free leader
         double d_1 = 0.0, d_2 = 0.0;  // direction of the force
         double k = 0.0;               // coefficient of the damper
+        double own = 1.0;             // share of the damper in the force that is already there
         Jacobian along{}, across{};   // d_1 u_1 + d_2 u_2, and d_1 u_2 - d_2 u_1
     };
 
@@ -72,6 +82,12 @@ class ActiveSet {
     void find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, bool may_follow);
     double factor_of(const UnitProblem::Row& row, State state) const;
     void set_rho(const UnitProblem& problem, double rho);
+    // Step size of the natural map that finds the states of the rows. With rho every small residual would look like
+    // a change of the active set, except around a fixed proximal point.
+    double step_size(std::size_t row) const { return around_a_point_ ? rhos_[row] : 1.0; }
+    bool take_proximal_step(const Elimination& order, const UnitProblem& problem, int most, std::vector<double>& y,
+                            Effort& effort, SolveCount& count);
+    bool look(const UnitProblem& problem, const std::vector<double>& y, Effort& effort, SolveCount& count);
     bool change(const Elimination& order, const UnitProblem& problem, std::vector<double>& y, Effort& effort,
                 SolveCount& count);
     void start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y);
@@ -81,6 +97,8 @@ class ActiveSet {
     BodyMatrix matrix_;
     BodyVelocities x_, d_;
     std::vector<double> r_, moved_;
+    bool around_a_point_ = false;           // a proximal point, and r_ contains its term
+    std::vector<double> centre_, closest_;  // the point, and the best y on the way to the next one
     BestForces best_;
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // current, and of the factor

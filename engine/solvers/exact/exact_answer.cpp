@@ -26,6 +26,9 @@ constexpr int first_careful_changes = 3;
 constexpr double careful_share = 1e-2;
 constexpr double interior_factorisations = 14.0;
 constexpr int careful_changes = 40;
+// Limit on changes of proximal points, which replace further careful steps and a second start of the interior point
+// method if the effort covers so many.
+constexpr int proximal_changes = 200;
 constexpr auto bold = ActiveSet::Pace::bold;
 // Limit on interior point steps.
 constexpr int most_steps = 60;
@@ -111,13 +114,21 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
     const bool is_near = reached <= careful_share * asked_speed(problem_);
     if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
+    const double by_points = proximal_changes * (order.general_work() + problem_.assembly_work());
+    bool slid = !problem_.has_discs;
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
         reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
-        if (problem_.has_discs && reached <= will_do) return reached <= enough();
+        if (!problem_.has_discs) continue;
+        if (reached <= will_do) return reached <= enough();
+        if (!effort.affords(by_points)) continue;
+        reached =
+            active_set_.solve_by_proximal_points(order, problem_, tolerance, proximal_changes, y_, effort, count);
+        slid = true;
+        break;
     }
-    slide_carefully(careful_changes);
+    if (!slid) slide_carefully(careful_changes);
     if (reached <= enough()) return true;
     if (contradicts()) {
         count.contradicts = true;

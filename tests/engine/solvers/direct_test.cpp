@@ -2,6 +2,7 @@
 #include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
+#include "tests/engine/random_contacts.h"
 #include "tests/engine/random_rows.h"
 #include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"
@@ -136,6 +137,36 @@ TEST_CASE("direct finds the bounds of Coulomb friction: a box on a slope slides 
         const double theory = 10.0 * (std::sin(angle) - 0.5 * std::cos(angle));
         CHECK(speed == Approx(moves ? theory : 0.0).margin(moves ? 1e-6 : 1e-9).epsilon(1e-6));
     }
+}
+
+TEST_CASE(
+    "direct solves a settling heap with friction on the cone, also where its residual has to rise on the way") {
+    for (const char* const seed : {"1", "2", "3"}) {
+        demos::Settings settings = demos::preset_settings("exact");
+        settings.friction_model = demos::FrictionModel::cone;
+        auto run = tests::simulate("funnel", settings, {{"seed", seed}});
+        int solved = 0;
+        constexpr int steps = 180;
+        for (int step = 0; step < steps; ++step) {
+            tests::advance(run, dt);
+            solved += run.sample().residual <= 1e-8;
+        }
+        INFO("seed " << seed << ": " << solved);
+        CHECK(solved >= 0.99 * steps);
+    }
+}
+
+TEST_CASE("direct solves random contacts with friction on the cone, and says so") {
+    int solved = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const Frozen frozen = tests::random_contacts(seed, tests::RandomFriction::cone, 0.5);
+        const Answer answer =
+            solve("direct", frozen, {.iterations = 1000, .tolerance_high = 1e-9, .tolerance_low = 1e-9});
+        INFO("seed " << seed << ", " << frozen.rows.size() << " rows, residual " << answer.residual);
+        if (answer.count.exact) CHECK(answer.residual < 2e-9);
+        solved += answer.residual < 2e-9;
+    }
+    CHECK(solved == 100);
 }
 
 TEST_CASE("auto sweeps once where no two rows share a body, is exact on threads, and sweeps heaps") {
