@@ -227,7 +227,6 @@ void check_other_pictures(const Request& request, const Rules& rules) {
     }
     if (request.check.update) throw UsageError("--update: must be without --against, which renders nothing");
     const fs::path expected = request.check.folders.front(), folder = request.out.value_or("out/check");
-    ProgressBar bar("comparing", 0);
     const std::vector<FolderVerdict> verdicts{
         check_pictures(expected, *request.check.against, rules.tolerance.value_or(exactly()),
                        {.name = name_of(expected), .anchor = Anchors()(expected), .pages = folder})};

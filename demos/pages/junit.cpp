@@ -1,5 +1,7 @@
 #include "demos/pages/junit.h"
 
+#include "demos/pages/html.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -12,28 +14,11 @@ bool is_allowed(char c) {
     return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t';
 }
 
+// In attributes a line's end has to be written as a number.
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\n':
-                result += "&#10;";
-                break;
-            default:
-                if (is_allowed(c)) result += c;
-        }
+    for (const char& c : text) {
+        if (is_allowed(c)) result += c == '\n' ? "&#10;" : html::escaped({&c, 1});
     }
     return result;
 }
