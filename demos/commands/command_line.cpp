@@ -198,7 +198,9 @@ void add_report(CLI::App& app, Words& words) {
                    "error: contact problems of FCLib instead of our own frozen ones: a file or a folder (.hdf5)")
         ->type_name("FILE|DIR");
     app.add_option("--beside", request.beside,
-                   "error: other solvers on the same problems, a CSV file with the columns of problems.csv")
+                   "error: other engines on the same scenes, a CSV file with the columns of error.csv; with "
+                   "--problems other "
+                   "solvers on these, with those of problems.csv")
         ->type_name("FILE");
     app.add_option("--export", request.exported,
                    "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib")
