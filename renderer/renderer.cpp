@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -52,17 +53,20 @@ class Renderer::Pipeline {
           samples_(samples),
           width_(width),
           height_(height),
-          painter_(gl_, width, height, shaders, stages),
-          target_(gl_, width, height),
-          rgba_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+          painter_(gl_, width, height, samples > 1 ? Stored::light : Stored::bytes, shaders, stages),
+          target_(gl_, width, height, samples > 1 ? Stored::light : Stored::bytes),
           frame_{
               width, height,
               std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))} {
-        if (samples > 1) mean_.emplace(width, height);
+        if (samples > 1) {
+            mean_.emplace(width, height);
+        } else {
+            rgba_.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        }
     }
 
     const Image& draw(const Picture& picture) {
-        FrameContents contents = contents_of(picture);
+        FrameContents contents = contents_of(picture, 0, samples_);
         Tiles changed(width_, height_);
         if (drawn_) {
             changed = changed_tiles(*drawn_, contents);
@@ -84,7 +88,8 @@ class Renderer::Pipeline {
     }
 
   private:
-    FrameContents contents_of(const Picture& picture) const {
+    // With the renderings from `first` to before `end`.
+    FrameContents contents_of(const Picture& picture, int first, int end) const {
         const float scale = scale_of(picture.camera);
         FrameContents contents{.camera = picture.camera,
                                .ground = picture.ground,
@@ -92,22 +97,31 @@ class Renderer::Pipeline {
                                .bodies = visible_bodies(picture, ground_reach * scale),
                                .panels = picture.panels,
                                .suns = {},
-                               .views = {}};
+                               .views = {},
+                               .skies = {}};
         const std::vector<Instance> bodies = contents.bodies.all();
         const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
         // The corners of the ground are the farthest points drawn.
         const glm::mat4 world_to_clip = camera_view(picture.camera, aspect, 1.5f * ground_reach * scale);
-        for (int index = 0; index < samples_; ++index) {
-            const auto [pixel, towards_sun] = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
-            const glm::vec2 clip = 2.0f * pixel / glm::vec2(width_, height_);
-            contents.suns.push_back(sun_view(picture.camera, towards_sun, bodies, ShadowMap::max_side));
+        for (int index = first; index < end; ++index) {
+            const SampleOffset offset = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
+            const glm::vec2 clip = 2.0f * offset.pixel / glm::vec2(width_, height_);
+            const auto seen_from = [&](const glm::vec3& direction) {
+                return sun_view(picture.camera, direction, bodies, ShadowMap::max_side);
+            };
+            contents.suns.push_back(seen_from(offset.towards_sun));
             contents.views.push_back(
                 {.width = width_,
                  .height = height_,
                  .world_to_clip = glm::translate(glm::mat4(1.0f), glm::vec3(clip, 0.0f)) * world_to_clip,
-                 .towards_sun = towards_sun,
+                 .towards_sun = offset.towards_sun,
                  .texel = contents.suns.back().texel,
                  .pixel = pixel_at_one_metre(picture.camera, height_)});
+            if (samples_ == 1) continue;
+            contents.skies.push_back({.above = seen_from(offset.towards_sky),
+                                      .below = seen_from(-offset.towards_sky),
+                                      .towards_sky = offset.towards_sky,
+                                      .weight = offset.sky_weight});
         }
         return contents;
     }
@@ -116,34 +130,44 @@ class Renderer::Pipeline {
     static_assert(smoothing_reach <= Tiles::side);
     void draw_once(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
         draw_raw(picture, contents, 0, changed);
+        target_.read(changed.areas(), rgba_);
+        end(Stage::read);
         smooth_edges(rgba_, changed.with_neighbours().areas(), frame_);
         end(Stage::smooth);
     }
 
-    // Only the sum of several renderings is kept, so the surroundings of changed tiles are drawn again.
     void draw_mean(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
-        const Tiles smoothed = changed.with_neighbours();
-        const Tiles drawn = smoothed.with_neighbours();
-        const std::vector<PixelArea> areas = smoothed.areas();
+        const std::vector<PixelArea> areas = changed.areas();
         mean_->clear(areas);
         for (std::size_t sample = 0; sample < contents.views.size(); ++sample) {
-            draw_raw(picture, contents, sample, drawn);
-            smooth_edges(rgba_, areas, frame_);
-            mean_->add(frame_, areas);
-            end(Stage::smooth);
+            draw_raw(picture, contents, sample, changed);
+            add_to_mean(areas);
         }
         mean_->put(samples_, areas, frame_);
         end(Stage::smooth);
+    }
+
+    // In strips, so that little memory is needed besides the sum.
+    void add_to_mean(const std::vector<PixelArea>& areas) {
+        constexpr int rows = 32;
+        for (const PixelArea& area : areas) {
+            for (int y = area.y; y < area.y + area.height; y += rows) {
+                const PixelArea strip{area.x, y, area.width, std::min(rows, area.y + area.height - y)};
+                light_.resize(4 * static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height));
+                target_.read(strip, light_);
+                mean_->add(light_, strip);
+            }
+        }
+        end(Stage::read);
     }
 
     void draw_raw(const Picture& picture, const FrameContents& contents, std::size_t sample, const Tiles& tiles) {
         painter_.draw({.picture = picture,
                        .bodies = contents.bodies,
                        .sun = contents.suns[sample],
-                       .view = contents.views[sample]},
+                       .view = contents.views[sample],
+                       .sky = contents.skies.empty() ? nullptr : &contents.skies[sample]},
                       tiles, target_);
-        target_.read(tiles.areas(), rgba_);
-        end(Stage::read);
     }
 
     Gl gl_;
@@ -153,7 +177,8 @@ class Renderer::Pipeline {
     int height_;  // pixels
     Painter painter_;
     RenderTarget target_;
-    std::vector<std::uint8_t> rgba_;      // before smoothing
+    std::vector<std::uint8_t> rgba_;      // before smoothing; for one rendering
+    std::vector<float> light_;            // a part of a rendering; for several
     std::optional<SampleMean> mean_;      // for several renderings
     Image frame_;                         // without marks
     std::optional<FrameContents> drawn_;  // contents of frame_

@@ -231,7 +231,7 @@ class Painter {
         const gl = canvas.getContext("webgl2", {antialias: false, alpha: false, depth: false, stencil: false});
         if (!gl) throw new Error("WebGL 2 is missing");
         this.gl = gl;
-        const light = ["light.frag", "shadow.frag", "haze.frag"];
+        const light = ["light.frag", "open_sky.frag", "exposed.frag", "shadow.frag", "haze.frag"];
         const program = (...files) => new Program(gl, shaders, files);
         this.programs = {
             shadow: program("body.vert"), sphereShadow: program("sphere.vert"), barShadow: program("bar.vert"),
