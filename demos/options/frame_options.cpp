@@ -121,10 +121,10 @@ const std::array frame_table{
                 fmt::format("a whole number from 1 to {}", most_samples), set_samples,
                 [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
     FrameOption{"camera", "WHAT",
-                "a camera FILE (.json), fit (close, with all motion in the picture) or "
-                "orbit:DEGREES_PER_SECOND; several separated by commas [the scene's own]",
-                "a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
-                [](const FrameChoices& c) { return c.camera.text; }},
+                "scene (its own), a camera FILE (.json), fit (close, with all motion in the picture) or "
+                "orbit:DEGREES_PER_SECOND; several separated by commas [scene; fit for stills and comparisons]",
+                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
+                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; }},
     FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{

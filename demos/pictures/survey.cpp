@@ -57,15 +57,18 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
+    Outline outline;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Choices& choices = panels[p].choices;
         Simulation simulation(choices);
         const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
+        const Eigen::AlignedBox3d near = surroundings(scene);
         for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
             }
+            if (choices.frames.camera.fit) add_moving(scene, near, outline);
             for (const OverlayItem& item : choices.frames.overlay) {
                 double most = 0.0;
                 for (const Quantity& quantity : quantities(scene, item.kind)) {
@@ -81,6 +84,8 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
             }
         }
         add_corners(places, scene, found.reached);
+        if (choices.frames.camera.fit) add_support(scene, outline);
+        if (p + 1 == panels.size()) found.subject = subject_of(scene, outline);
     }
     for (auto& [kind, values] : maxima) {
         std::erase(values, 0.0);

@@ -1,6 +1,7 @@
 #include "demos/pictures/film/film.h"
 
 #include "demos/pictures/caption.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/overlays/overlay.h"
 
@@ -42,22 +43,44 @@ Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<c
     for (std::size_t i = 0; i < panels.size(); ++i) {
         labels_.push_back(panels[i].label);
         const BuiltScene& scene = runs_[i]->scene();
-        const View view = choices_.camera.view.value_or(scene.view);
+        const View view = seen_from(scene);
         const Reach reach = reach_of(movable_balls(scene), view);
         across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
         up = std::max(up, half_tangent(view));
     }
-    layout_ = best_layout({choices_.width, choices_.height}, static_cast<int>(panels.size()), across, up);
+    const Size sheet{choices_.width, choices_.height};
+    layout_ = choices_.camera.fit ? closest_layout(sheet)
+                                  : best_layout(sheet, static_cast<int>(panels.size()), across, up);
     for (const Simulation* run : runs_) {
         views_.push_back(place_camera(run->scene(), panels.size() > 1 ? across : 0.0));
     }
     scales_ = scales_of(choices_.overlay, survey_, views_.front());
 }
 
+// That whose cells show the subject largest.
+Layout Film::closest_layout(const Size& sheet) const {
+    Layout best;
+    double largest = -1.0;
+    const int count = static_cast<int>(runs_.size());
+    for (int columns = 1; columns <= count; ++columns) {
+        const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
+        const View view = composed(seen_from(runs_.front()->scene()), survey_.subject, layout.cell_aspect());
+        const double scale = layout.cell.height / (half_tangent(view) * distance_of(view));
+        if (scale <= largest) continue;
+        largest = scale;
+        best = layout;
+    }
+    return best;
+}
+
+View Film::seen_from(const BuiltScene& scene) const {
+    return choices_.camera.view.value_or(scene.view);
+}
+
 View Film::place_camera(const BuiltScene& scene, double across) const {
-    const View view = choices_.camera.view.value_or(scene.view);
-    const double aspect = static_cast<double>(layout_.cell.width) / layout_.cell.height;
-    return choices_.camera.fit ? fitted(view, survey_.reached, aspect) : widened(view, across, aspect);
+    const View view = seen_from(scene);
+    const double aspect = layout_.cell_aspect();
+    return choices_.camera.fit ? composed(view, survey_.subject, aspect) : widened(view, across, aspect);
 }
 
 renderer::Picture Film::look(std::size_t panel) const {

@@ -34,6 +34,8 @@ class Film {
     void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:
+    View seen_from(const BuiltScene& scene) const;
+    Layout closest_layout(const Size& sheet) const;
     View place_camera(const BuiltScene& scene, double across) const;
     renderer::Picture look(std::size_t panel) const;
     std::vector<LegendLine> legend(const View& view) const;
