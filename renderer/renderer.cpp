@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,11 @@ int checked_samples(int samples) {
     return samples;
 }
 
+Light light_for(int samples) {
+    if (samples == 1) return Light::at_once;
+    return samples < Renderer::least_sky_samples ? Light::summed : Light::summed_with_sky;
+}
+
 }  // namespace
 
 // Keeps the last frame and redraws only what the next one changes.
@@ -53,7 +59,7 @@ class Renderer::Pipeline {
           samples_(samples),
           width_(width),
           height_(height),
-          painter_(gl_, width, height, samples > 1 ? Stored::light : Stored::bytes, shaders, stages),
+          painter_(gl_, width, height, light_for(samples), shaders, stages),
           target_(gl_, width, height, samples > 1 ? Stored::light : Stored::bytes),
           frame_{
               width, height,
@@ -80,6 +86,29 @@ class Renderer::Pipeline {
             check_gl_errors(gl_);
         }
         drawn_ = std::move(contents);
+        return frame_;
+    }
+
+    // Each sample of another picture; a single sample is of the last.
+    const Image& draw_spread(std::span<const Picture> pictures) {
+        if (samples_ == 1) return draw(pictures.back());
+        drawn_.reset();
+        Tiles all(width_, height_);
+        all.add_all();
+        const std::vector<PixelArea> areas = all.areas();
+        mean_->clear(areas);
+        for (int sample = 0; sample < samples_; ++sample) {
+            const auto which =
+                static_cast<std::size_t>(sample) * pictures.size() / static_cast<std::size_t>(samples_);
+            const Picture& picture = pictures[which];
+            const FrameContents contents = contents_of(picture, sample, sample + 1);
+            end(Stage::plan);
+            draw_raw(picture, contents, 0, all);
+            add_to_mean(areas);
+        }
+        mean_->put(samples_, areas, frame_);
+        check_gl_errors(gl_);
+        end(Stage::smooth);
         return frame_;
     }
 
@@ -117,7 +146,7 @@ class Renderer::Pipeline {
                  .towards_sun = offset.towards_sun,
                  .texel = contents.suns.back().texel,
                  .pixel = pixel_at_one_metre(picture.camera, height_)});
-            if (samples_ == 1) continue;
+            if (samples_ < least_sky_samples) continue;
             contents.skies.push_back({.above = seen_from(offset.towards_sky),
                                       .below = seen_from(-offset.towards_sky),
                                       .towards_sky = offset.towards_sky,
@@ -197,16 +226,17 @@ Renderer::~Renderer() {
 
 Image Renderer::render(const Picture& picture) {
     Image image;
-    render(picture, image);
+    render(std::span(&picture, 1), image);
     return image;
 }
 
-void Renderer::render(const Picture& picture, Image& image) {
-    check(picture);
+void Renderer::render(std::span<const Picture> pictures, Image& image) {
+    if (pictures.empty()) throw RendererError("no picture to render");
+    for (const Picture& picture : pictures) check(picture);
     context_.make_current();
-    image = pipeline_->draw(picture);
-    draw_marks(image, picture);
-    check_in_view(image, background, picture.camera);
+    image = pictures.size() == 1 ? pipeline_->draw(pictures.front()) : pipeline_->draw_spread(pictures);
+    draw_marks(image, pictures.back());
+    check_in_view(image, background, pictures.back().camera);
     pipeline_->end(Stage::marks);
 }
 

@@ -1,8 +1,6 @@
 // The exposure of a picture that is rendered once. images/exposure.cpp has the same for the sum of several.
 #version 330 core
 
-float sun_share() { return 1.0; }
-
 // Bends bright light towards 1 instead of cutting it off, all channels alike so that the hue stays.
 vec3 exposed(vec3 light) {
     const float straight = 0.6;

@@ -12,7 +12,7 @@ const vec3 sky_light = vec3(0.38, 0.44, 0.54);
 const vec3 ground_light = vec3(0.25, 0.235, 0.22);
 
 // How much of the sun's light is the sun's, 0..1; the sky has what the ground then lacks.
-float sun_share();  // exposed.frag or sampled/unexposed.frag
+uniform float sun_share;
 
 // open_sky.frag or sampled/sky.frag: the light of sky and ground on a surface; and then, what of the sky's light comes
 // along the surface.
@@ -24,8 +24,8 @@ vec3 exposed(vec3 light);  // exposed.frag or sampled/unexposed.frag
 vec3 lit(vec3 albedo, float gloss, vec3 position, vec3 normal) {
     vec3 towards_eye = normalize(eye - position);
     float facing = max(dot(normal, towards_sun), 0.0);
-    vec3 sun = sun_share() * sun_light * sun_seen(position, normal);
-    vec3 sky = sky_light + (1.0 - sun_share()) * max(towards_sun.y, 0.0) * sun_light;
+    vec3 sun = sun_share * sun_light * sun_seen(position, normal);
+    vec3 sky = sky_light + (1.0 - sun_share) * max(towards_sun.y, 0.0) * sun_light;
     vec3 ambient = surroundings(sky, ground_light, albedo, position, normal);
 
     // Where the normal turns within a pixel, as on distant bevels, a sharp highlight would sparkle.

@@ -108,6 +108,9 @@ FrameChoices understand_frames(const GivenOptions& given) {
         const auto* chosen = given.find(option.name);
         if (chosen && !option.set(choices, chosen->text)) refuse(*chosen, option.allowed);
     }
+    if (choices.shutter > 0.0 && choices.samples == 1) {
+        refuse(*given.find("shutter"), "0 with a single sample; --samples 16 spreads 16 over the time");
+    }
     // Pictures to look at for longer than a frame of a video.
     if (!given.find("camera") && (!choices.at.empty() || choices.compare)) choices.camera = *parse_camera("fit");
     return choices;

@@ -16,7 +16,8 @@ using engine::Vector3;
 
 constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double highest = 60.0;  // degrees above the horizon that the camera is raised to
-constexpr double margin = 0.04;   // share of the picture at each side that stays free when it is moved sideways
+constexpr double margin = 0.05;   // share of the picture at each side that stays free
+constexpr double most = 0.12;     // share of the picture's width that the subject is moved aside
 
 // The view from another side of its target: turned to the right and raised, in degrees.
 View moved_around(const View& view, double turn, double raise) {
@@ -40,8 +41,8 @@ View balanced(const View& view, const Subject& subject, double aspect) {
     const double right = std::max(own.right, std::min(thrown.right, own.right + own.height()));
     // Positive to the right: the subject then goes to the left.
     const double wanted = 0.5 * (left + right) - 0.5;
-    const double most_right = std::max(own.left - margin, 0.0);
-    const double most_left = std::min(own.right - 1.0 + margin, 0.0);
+    const double most_right = std::clamp(0.45 * (own.left - margin), 0.0, most);
+    const double most_left = std::clamp(0.45 * (own.right - 1.0 + margin), -most, 0.0);
     const double shift = std::clamp(wanted, most_left, most_right);
     const Vector3 forward = view.target - view.eye;
     const Vector3 right_hand = forward.cross(Vector3::UnitY());
@@ -73,7 +74,7 @@ View composed(const View& view, const Subject& subject, double aspect) {
     std::vector<Ball> points;
     for (const Vector3& point : subject.points) points.push_back({.centre = point});
     View best = view;
-    double most = -1.0;
+    double highest_worth = -1.0;
     for (const double raise : {0.0, 10.0, 20.0}) {
         for (const double turn : {0.0, -15.0, 15.0, -30.0, 30.0, -45.0, 45.0}) {
             const View fit = fitted(moved_around(view, turn, raise), points, aspect);
@@ -81,8 +82,8 @@ View composed(const View& view, const Subject& subject, double aspect) {
             // Another side than the scene's has to be worth it.
             const double worth =
                 std::sqrt(extent.width() * extent.height()) * (1.0 - 0.005 * std::abs(turn) - 0.006 * raise);
-            if (worth <= most + 1e-9) continue;
-            most = worth;
+            if (worth <= highest_worth + 1e-9) continue;
+            highest_worth = worth;
             best = fit;
         }
     }

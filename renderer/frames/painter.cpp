@@ -76,11 +76,11 @@ bool reaches_below(const Ground& ground, const Drawing& scene) {
 enum class Lit { openly, flat, bodily };
 
 // The shaders of a program with the parts that light what it draws.
-std::vector<const char*> lit_by(Lit lit, Stored stored, std::vector<const char*> files) {
+std::vector<const char*> lit_by(Lit lit, Light light, std::vector<const char*> files) {
     const auto add = [&](std::initializer_list<const char*> more) { files.insert(files.end(), more); };
     add({"light.frag", "haze.frag", lit == Lit::openly ? "no_shadow.frag" : "shadow.frag"});
-    add({stored == Stored::light ? "sampled/unexposed.frag" : "exposed.frag"});
-    if (stored == Stored::bytes || lit == Lit::openly) {
+    add({light == Light::at_once ? "exposed.frag" : "sampled/unexposed.frag"});
+    if (light != Light::summed_with_sky || lit == Lit::openly) {
         add({"open_sky.frag"});
     } else {
         add({"sampled/sky.frag", lit == Lit::bodily ? "sampled/bounce.frag" : "sampled/no_bounce.frag"});
@@ -90,25 +90,25 @@ std::vector<const char*> lit_by(Lit lit, Stored stored, std::vector<const char*>
 
 }  // namespace
 
-Painter::Painter(const Gl& gl, int width, int height, Stored stored, const std::filesystem::path& shaders,
+Painter::Painter(const Gl& gl, int width, int height, Light light, const std::filesystem::path& shaders,
                  Stages* stages)
     : gl_(gl),
       stages_(stages),
-      backdrop_(gl, width, height, stored),
+      backdrop_(gl, width, height, light == Light::at_once ? Stored::bytes : Stored::light),
       shadow_map_(gl, 0),
       sky_map_(gl, 1),
       bounce_map_(gl, 2),
-      background_(stored == Stored::light ? unexposed(background) : background),
+      background_(light == Light::at_once ? background : unexposed(background)),
       shadow_program_(gl, shaders, std::array{"body.vert"}),
       sphere_shadow_program_(gl, shaders, std::array{"sphere.vert"}),
       bar_shadow_program_(gl, shaders, std::array{"bar.vert"}),
-      ground_program_(gl, shaders, lit_by(Lit::openly, stored, {"body.vert", "ground.frag", "lines.frag"})),
-      shadowed_ground_program_(gl, shaders, lit_by(Lit::flat, stored, {"body.vert", "ground.frag", "lines.frag"})),
+      ground_program_(gl, shaders, lit_by(Lit::openly, light, {"body.vert", "ground.frag", "lines.frag"})),
+      shadowed_ground_program_(gl, shaders, lit_by(Lit::flat, light, {"body.vert", "ground.frag", "lines.frag"})),
       contact_program_(gl, shaders, std::array{"contact.vert", "contact.frag", "haze.frag"}),
-      body_program_(gl, shaders, lit_by(Lit::bodily, stored, {"body.vert", "body.frag"})),
-      sphere_program_(gl, shaders, lit_by(Lit::bodily, stored, {"sphere.vert", "sphere.frag"})),
-      bar_program_(gl, shaders, lit_by(Lit::bodily, stored, {"bar.vert", "bar.frag"})),
-      panel_program_(gl, shaders, lit_by(Lit::flat, stored, {"panel.vert", "panel.frag", "lines.frag"})),
+      body_program_(gl, shaders, lit_by(Lit::bodily, light, {"body.vert", "body.frag"})),
+      sphere_program_(gl, shaders, lit_by(Lit::bodily, light, {"sphere.vert", "sphere.frag"})),
+      bar_program_(gl, shaders, lit_by(Lit::bodily, light, {"bar.vert", "bar.frag"})),
+      panel_program_(gl, shaders, lit_by(Lit::flat, light, {"panel.vert", "panel.frag", "lines.frag"})),
       boxes_(gl, box_mesh()),
       spheres_(gl),
       polyhedra_(gl),
@@ -257,6 +257,8 @@ void Painter::use(const ShaderProgram& program, const Drawing& scene) const {
     program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
     program.set("shadow_texel", scene.sun.texel);
     program.set("shadow_map", 0);
+    // A brighter sky where what hides it shows.
+    program.set("sun_share", scene.sky ? 0.7f : 1.0f);
     if (!scene.sky) return;
     program.set("sky_map", 1);
     program.set("bounce_map", 2);

@@ -29,23 +29,25 @@ extern const glm::vec3 background;
 // Draw distance from the eye, in units of the picture's scale.
 constexpr float ground_reach = 12.0f;
 
+// Light of a frame that is rendered once; that of several renderings, to be summed and then exposed; and that with
+// what hides the sky in another direction each.
+enum class Light { at_once, summed, summed_with_sky };
+
 // One rendering of a picture.
 struct Drawing {
     const Picture& picture;
     const Bodies& bodies;  // the visible ones of the picture
     const SunView& sun;
     const FrameView& view;
-    const SkyView* sky;  // null for a single rendering
+    const SkyView* sky;  // null without Light::summed_with_sky
 };
 
 // Issues the GL draw calls: owns programs and meshes, and defines the drawing order.
 class Painter {
   public:
-    // For frames of this size in pixels. Light that is stored as such is that of one of several renderings, whose
-    // drawings have a sky. `stages`, if not null, is notified of each stage. Throws RendererError if a shader is
-    // missing or does not compile.
-    Painter(const Gl& gl, int width, int height, Stored stored, const std::filesystem::path& shaders,
-            Stages* stages);
+    // For frames of this size in pixels. `stages`, if not null, is notified of each stage. Throws RendererError if
+    // a shader is missing or does not compile.
+    Painter(const Gl& gl, int width, int height, Light light, const std::filesystem::path& shaders, Stages* stages);
 
     // Draws these tiles of the scene, at least one; the target is undefined outside of them afterwards.
     void draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
