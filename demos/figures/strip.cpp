@@ -1,11 +1,11 @@
 #include "demos/figures/strip.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/replay/replay.h"
-#include "demos/pictures/survey.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 
@@ -17,7 +17,6 @@ namespace pushfactor::demos::figures {
 
 namespace {
 
-using pictures::Ball;
 using pictures::Layout;
 using pictures::Size;
 
@@ -43,14 +42,17 @@ void play(const Strip& strip, const Show& show) {
 }
 
 View camera_of(const Strip& strip, double aspect) {
-    std::vector<Ball> balls;
-    View view = strip.view.value_or(strip.runs.front().description.view);
+    const View view = strip.view.value_or(strip.runs.front().description.view);
     if (!strip.fit) return view;
+    pictures::Outline outline;
+    Eigen::AlignedBox3d near;
     play(strip, [&](std::size_t, const Simulation& run) {
-        const std::vector<Ball> now = pictures::movable_balls(run.scene());
-        balls.insert(balls.end(), now.begin(), now.end());
+        if (near.isEmpty()) near = pictures::surroundings(run.scene());
+        pictures::add_moving(run.scene(), near, outline);
     });
-    return pictures::fitted(view, balls, aspect);
+    const BuiltScene scene = build_scene(strip.runs.front());
+    pictures::add_support(scene, outline);
+    return pictures::composed(view, pictures::subject_of(scene, outline), aspect);
 }
 
 // What tells the run of a row from the others: its title, or the first option in which they differ.

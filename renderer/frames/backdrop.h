@@ -27,7 +27,7 @@ struct BackdropView {
 class Backdrop {
   public:
     // Size in pixels. Throws RendererError if GL refuses it.
-    Backdrop(const Gl& gl, int width, int height);
+    Backdrop(const Gl& gl, int width, int height, Stored stored);
 
     // Announces the backdrop of this frame. True if it is that of the last call: only a backdrop used twice is
     // worth caching.

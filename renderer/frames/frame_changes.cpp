@@ -111,6 +111,11 @@ Tiles changed_tiles(const FrameContents& before, const FrameContents& now) {
         return tiles;
     }
     const BodiesComparison bodies = compare(before.bodies, now.bodies);
+    // A body darkens all that is near it.
+    if (!now.skies.empty() && !bodies.differing.all().empty()) {
+        tiles.add_all();
+        return tiles;
+    }
     const bool other_maps = before.suns != now.suns;
     const bool none_differs = bodies.differing.all().empty();
     for (std::size_t i = 0; i < now.views.size(); ++i) {

@@ -79,6 +79,7 @@ struct Arrow {
     glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; an arrow that points at the eye is invisible
     glm::vec3 colour{0.0f};          // sRGB, each 0..1
     bool head = true;                // false: a plain line
+    bool outlined = true;            // a light outline, for dark backgrounds
 };
 
 struct Dot {
