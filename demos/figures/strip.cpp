@@ -41,7 +41,8 @@ void play(const Strip& strip, const Show& show) {
     }
 }
 
-View camera_of(const Strip& strip, double aspect) {
+// `label` is the height of a cell's label as a share of the cell's.
+View camera_of(const Strip& strip, double aspect, double label) {
     const View view = strip.view.value_or(strip.runs.front().description.view);
     if (!strip.fit) return view;
     pictures::Outline outline;
@@ -52,7 +53,8 @@ View camera_of(const Strip& strip, double aspect) {
     });
     const BuiltScene scene = build_scene(strip.runs.front());
     pictures::add_support(scene, outline);
-    return pictures::composed(view, pictures::subject_of(scene, outline), aspect);
+    const pictures::Subject subject = pictures::with_room(pictures::subject_of(scene, outline), label, 0.0);
+    return pictures::composed(view, subject, aspect);
 }
 
 // What tells the run of a row from the others: its title, or the first option in which they differ.
@@ -120,7 +122,8 @@ renderer::Image draw_strip(FigureOutput& output, const Strip& strip) {
     const Size sheet{output.width() - margin, rows * static_cast<int>(across / strip.cell_aspect)};
     const Layout layout = pictures::grid(sheet, strip.columns, rows);
     const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
-    const View view = camera_of(strip, aspect);
+    const float size = static_cast<float>(output.width()) / 95.0f;
+    const View view = camera_of(strip, aspect, 1.8 * size / layout.cell.height);
 
     std::vector<renderer::Image> images(strip.cells.size());
     play(strip, [&](std::size_t i, const Simulation& run) {
@@ -134,7 +137,6 @@ renderer::Image draw_strip(FigureOutput& output, const Strip& strip) {
     });
     renderer::Image image = pictures::assemble(layout, images);
     const pictures::Lettering& lettering = output.studio().lettering();
-    const float size = static_cast<float>(output.width()) / 95.0f;
     for (std::size_t i = 0; i < strip.cells.size(); ++i) {
         lettering.name(image, layout.place(i), strip.cells[i].label, size);
     }
