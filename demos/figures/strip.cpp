@@ -41,7 +41,8 @@ void play(const Strip& strip, const Show& show) {
     }
 }
 
-View camera_of(const Strip& strip, double aspect) {
+// `label` is the height of a cell's label as a share of the cell's.
+View camera_of(const Strip& strip, double aspect, double label) {
     const View view = strip.view.value_or(strip.runs.front().description.view);
     if (!strip.fit) return view;
     pictures::Outline outline;
@@ -52,7 +53,8 @@ View camera_of(const Strip& strip, double aspect) {
     });
     const BuiltScene scene = build_scene(strip.runs.front());
     pictures::add_support(scene, outline);
-    return pictures::composed(view, pictures::subject_of(scene, outline), aspect);
+    const pictures::Subject subject = pictures::with_room(pictures::subject_of(scene, outline), label, 0.0);
+    return pictures::composed(view, subject, aspect);
 }
 
 // What tells the run of a row from the others: its title, or the first option in which they differ.
@@ -170,7 +172,9 @@ Sheet draw_strip(FigureOutput& output, const Strip& strip) {
     const Size size{output.width() - room.left, rows * static_cast<int>(across / strip.cell_aspect)};
     const Layout layout = pictures::grid(size, strip.columns, rows);
     const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
-    const View view = camera_of(strip, aspect);
+    // A label in the cell needs room at the top of it.
+    const double label = room.below > 0 ? 0.0 : 1.8 * room.size / layout.cell.height;
+    const View view = camera_of(strip, aspect, label);
 
     Sheet sheet = Sheet::blank(output.width(), size.height + rows * room.below, output.format().theme);
     std::vector<renderer::Rectangle> cells(strip.cells.size());

@@ -179,4 +179,17 @@ Subject subject_of(const BuiltScene& scene, const Outline& outline) {
     return subject;
 }
 
+Subject with_room(Subject subject, double above, double below) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3& point : subject.points) box.extend(point);
+    if (box.isEmpty()) return subject;
+    const double height = box.sizes().y();
+    const std::vector<Vector3> own = subject.points;
+    for (const Vector3& point : own) {
+        if (above > 0.0) subject.points.push_back(point + above * height * Vector3::UnitY());
+        if (below > 0.0) subject.points.push_back(point - below * height * Vector3::UnitY());
+    }
+    return subject;
+}
+
 }  // namespace pushfactor::demos::pictures

@@ -49,4 +49,7 @@ struct Subject {
 };
 Subject subject_of(const BuiltScene& scene, const Outline& outline);
 
+// The same with room for letters above and below it, as shares of its height.
+Subject with_room(Subject subject, double above, double below);
+
 }  // namespace pushfactor::demos::pictures

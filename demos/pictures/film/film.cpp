@@ -65,13 +65,21 @@ Layout Film::closest_layout(const Size& sheet) const {
     const int count = static_cast<int>(runs_.size());
     for (int columns = 1; columns <= count; ++columns) {
         const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
-        const View view = composed(seen_from(runs_.front()->scene()), survey_.subject, layout.cell_aspect());
+        const View view =
+            composed(seen_from(runs_.front()->scene()), subject_in(layout.cell), layout.cell_aspect());
         const double scale = layout.cell.height / (half_tangent(view) * distance_of(view));
         if (scale <= largest) continue;
         largest = scale;
         best = layout;
     }
     return best;
+}
+
+// With room for what is written into a cell.
+Subject Film::subject_in(const Size& cell) const {
+    const double line = 1.9 * letter_size(choices_.height) / cell.height;
+    const double lines_below = (choices_.caption ? 1.0 : 0.0) + static_cast<double>(choices_.overlay.size());
+    return with_room(survey_.subject, labels_.front().empty() ? 0.0 : line, lines_below * line);
 }
 
 View Film::seen_from(const BuiltScene& scene) const {
@@ -81,7 +89,7 @@ View Film::seen_from(const BuiltScene& scene) const {
 View Film::place_camera(const BuiltScene& scene, double across) const {
     const View view = seen_from(scene);
     const double aspect = layout_.cell_aspect();
-    return choices_.camera.fit ? composed(view, survey_.subject, aspect) : widened(view, across, aspect);
+    return choices_.camera.fit ? composed(view, subject_in(layout_.cell), aspect) : widened(view, across, aspect);
 }
 
 void Film::note(std::size_t panel) {

@@ -40,6 +40,7 @@ class Film {
 
   private:
     View seen_from(const BuiltScene& scene) const;
+    Subject subject_in(const Size& cell) const;
     Layout closest_layout(const Size& sheet) const;
     View place_camera(const BuiltScene& scene, double across) const;
     renderer::Picture coloured(std::size_t panel) const;

@@ -3,10 +3,6 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/to_glm.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-
 #include <algorithm>
 #include <cmath>
 
