@@ -121,6 +121,7 @@ class Renderer::Pipeline {
     FrameContents contents_of(const Picture& picture, int first, int end) const {
         const float scale = scale_of(picture.camera);
         FrameContents contents{.camera = picture.camera,
+                               .background = picture.background,
                                .ground = picture.ground,
                                // Bodies beyond are invisible in the haze, however far they have been thrown.
                                .bodies = visible_bodies(picture, ground_reach * scale),
@@ -236,7 +237,7 @@ void Renderer::render(std::span<const Picture> pictures, Image& image) {
     context_.make_current();
     image = pictures.size() == 1 ? pipeline_->draw(pictures.front()) : pipeline_->draw_spread(pictures);
     draw_marks(image, pictures.back());
-    check_in_view(image, background, pictures.back().camera);
+    check_in_view(image, pictures.back().background.colour, pictures.back().camera);
     pipeline_->end(Stage::marks);
 }
 

@@ -63,7 +63,7 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
         picture.dots.push_back(
             {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
     }
-    renderer::paste(sheet.image, output.studio().draw(picture, size, output.samples()), 0, 0);
+    sheet.paste(output.studio(), std::move(picture), size, output.samples(), 0, 0);
     const float letters = output.letters(50.0f);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
@@ -90,7 +90,7 @@ Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const pictures::Size size = beside ? pictures::Size{output.width() / 2, output.width() * 2 / 5}
                                        : pictures::Size{output.width(), output.width() * 3 / 5};
     const int below = beside ? 0 : static_cast<int>(24.0f * letters);
-    Sheet sheet = Sheet::blank(output.width(), size.height + below, output.format().theme);
+    Sheet sheet = Sheet::blank(output.width(), size.height + below, output.format());
     draw(output, run, corner, size, sheet);
     glm::vec2 at =
         beside ? glm::vec2(static_cast<float>(size.width) + 2.0f * letters, 0.18f * static_cast<float>(size.height))

@@ -176,7 +176,7 @@ Sheet draw_strip(FigureOutput& output, const Strip& strip) {
     const double label = room.below > 0 ? 0.0 : 1.8 * room.size / layout.cell.height;
     const View view = camera_of(strip, aspect, label);
 
-    Sheet sheet = Sheet::blank(output.width(), size.height + rows * room.below, output.format().theme);
+    Sheet sheet = Sheet::blank(output.width(), size.height + rows * room.below, output.format());
     std::vector<renderer::Rectangle> cells(strip.cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         cells[i] = layout.place(i);
@@ -189,8 +189,8 @@ Sheet draw_strip(FigureOutput& output, const Strip& strip) {
         if (strip.overlay) {
             pictures::add_overlay(run.scene(), strip.overlay->kind, *strip.overlay->units_a_metre, picture);
         }
-        renderer::Image image = output.studio().draw(picture, layout.cell, output.samples());
-        renderer::paste(sheet.image, image, static_cast<int>(cells[i].x), static_cast<int>(cells[i].y));
+        sheet.paste(output.studio(), std::move(picture), layout.cell, output.samples(),
+                    static_cast<int>(cells[i].x), static_cast<int>(cells[i].y));
         if (strip.look) strip.look(strip.cells[i], run);
     });
     add_titles(strip, room, cells, sheet);
@@ -198,7 +198,8 @@ Sheet draw_strip(FigureOutput& output, const Strip& strip) {
         add_labels(strip, room, cells, lettering, sheet);
     } else {
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            lettering.name(sheet.image, cells[i], strip.cells[i].label, room.size);
+            for (SheetLayer& layer : sheet.layers)
+                lettering.name(layer.image, cells[i], strip.cells[i].label, room.size);
         }
     }
     return sheet;

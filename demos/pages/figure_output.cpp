@@ -12,12 +12,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+void write(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
+    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 // A line per text, for assets/plots/sheet.gp, whose origin is at the bottom left.
 std::string text_data(const Sheet& sheet) {
     std::string data;
     for (const SheetText& text : sheet.texts) {
         // The middle of small letters, where gnuplot puts a label.
-        const float y = static_cast<float>(sheet.image.height) - text.at.y + 0.36f * text.size;
+        const float y = static_cast<float>(sheet.height()) - text.at.y + 0.36f * text.size;
         data += fmt::format("{}\t{}\t{}\t{}\n", text.at.x, y, text.centred ? 1 : 0, text.text);
     }
     return data;
@@ -34,25 +38,26 @@ float FigureOutput::letters(float across) const {
 }
 
 std::string FigureOutput::save(const renderer::Image& image, const std::string& name) const {
-    const std::vector<std::uint8_t> bytes = renderer::encode_png(image);
-    write_file(folder_ / (name + ".png"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write(folder_ / (name + ".png"), renderer::encode_png(image));
     return name + ".png";
 }
 
 void FigureOutput::save(const Sheet& sheet, const std::string& name, Plate& plate) const {
-    plate.pictures.push_back(save(drawn(sheet, studio_.lettering(), format_.theme), name));
+    write(folder_ / (name + ".png"), png_of(sheet, studio_.lettering(), format_.theme));
+    plate.pictures.push_back(name + ".png");
     if (!format_.print) return;
     // The picture alone, which gnuplot puts under the texts.
-    const fs::path bare = folder_ / save(sheet.image, name + ".bare");
+    const fs::path bare = folder_ / (name + ".bare.png");
+    write(bare, png_of(sheet));
     try {
         add_pdf({.script = "sheet",
                  .data = name + ".txt",
                  .name = name,
-                 .width = sheet.image.width,
-                 .aspect = static_cast<double>(sheet.image.width) / sheet.image.height,
+                 .width = sheet.width(),
+                 .aspect = static_cast<double>(sheet.width()) / sheet.height(),
                  .variables = {{"picture", bare.string()},
-                               {"across", static_cast<double>(sheet.image.width)},
-                               {"down", static_cast<double>(sheet.image.height)}},
+                               {"across", static_cast<double>(sheet.width())},
+                               {"down", static_cast<double>(sheet.height())}},
                  .format = format_},
                 text_data(sheet), folder_, plate);
     } catch (...) {

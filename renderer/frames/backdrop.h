@@ -18,6 +18,7 @@ struct BackdropView {
     glm::mat4 world_to_clip;
     glm::vec3 towards_sun;  // unit length
     Camera camera;
+    Background background;
     std::optional<Ground> ground;
 
     bool operator==(const BackdropView&) const = default;

@@ -105,8 +105,8 @@ Tiles changed_tiles(const FrameView& view, const BodiesComparison& bodies, const
 
 Tiles changed_tiles(const FrameContents& before, const FrameContents& now) {
     Tiles tiles(now.views.front().width, now.views.front().height);
-    if (before.camera != now.camera || before.ground != now.ground || before.panels != now.panels ||
-        !same_shapes(before.bodies, now.bodies)) {
+    if (before.camera != now.camera || before.background != now.background || before.ground != now.ground ||
+        before.panels != now.panels || !same_shapes(before.bodies, now.bodies)) {
         tiles.add_all();
         return tiles;
     }

@@ -13,6 +13,7 @@ namespace pushfactor::renderer {
 // Everything that determines a frame, without the marks drawn over it.
 struct FrameContents {
     Camera camera;
+    Background background;
     std::optional<Ground> ground;
     Bodies bodies;
     std::vector<Panel> panels;

@@ -18,8 +18,6 @@
 
 namespace pushfactor::renderer {
 
-const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0.90f));
-
 namespace {
 
 // In units of the picture's scale: with a squared exponential haze the ground reaches the background colour, up to
@@ -98,7 +96,7 @@ Painter::Painter(const Gl& gl, int width, int height, Light light, const std::fi
       shadow_map_(gl, 0),
       sky_map_(gl, 1),
       bounce_map_(gl, 2),
-      background_(light == Light::at_once ? background : unexposed(background)),
+      light_(light),
       shadow_program_(gl, shaders, std::array{"body.vert"}),
       sphere_shadow_program_(gl, shaders, std::array{"sphere.vert"}),
       bar_shadow_program_(gl, shaders, std::array{"bar.vert"}),
@@ -203,6 +201,7 @@ void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderT
     const BackdropView view{.world_to_clip = scene.view.world_to_clip,
                             .towards_sun = scene.view.towards_sun,
                             .camera = scene.picture.camera,
+                            .background = scene.picture.background,
                             .ground = ground};
     gl_.Disable(GL_DEPTH_TEST);
     if (backdrop_.is_worth_keeping(view)) {
@@ -226,9 +225,16 @@ void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderT
     if (ground && reaches_below(*ground, scene)) draw_ground_depth(scene, all);
 }
 
+// In linear light, before exposure if that comes later.
+glm::vec3 Painter::background_of(const Drawing& scene) const {
+    const glm::vec3 light = glm::convertSRGBToLinear(scene.picture.background.colour);
+    return light_ == Light::at_once ? light : unexposed(light);
+}
+
 void Painter::draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                             const std::vector<PixelArea>& lit) {
-    gl_.ClearColor(background_.r, background_.g, background_.b, 0.0f);
+    const glm::vec3 background = background_of(scene);
+    gl_.ClearColor(background.r, background.g, background.b, 0.0f);
     within(cleared, [&] { gl_.Clear(GL_COLOR_BUFFER_BIT); });
     if (scene.picture.ground) draw_ground(scene, ground_program_, lit);
 }
@@ -251,8 +257,10 @@ void Painter::use(const ShaderProgram& program, const Drawing& scene) const {
     program.set("viewer", scene.picture.camera.eye);
     program.set("parallel", 0);
     program.set("towards_sun", scene.view.towards_sun);
-    program.set("background", background_);
-    program.set("haze_distance", haze * scale_of(scene.picture.camera));
+    program.set("background", background_of(scene));
+    const float without_haze = 1e6f;
+    program.set("haze_distance",
+                (scene.picture.background.haze ? haze : without_haze) * scale_of(scene.picture.camera));
     program.set("line_spacing", line_spacing(scale_of(scene.picture.camera)));
     program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
     program.set("shadow_texel", scene.sun.texel);

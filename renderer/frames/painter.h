@@ -23,9 +23,6 @@
 
 namespace pushfactor::renderer {
 
-// In linear light.
-extern const glm::vec3 background;
-
 // Draw distance from the eye, in units of the picture's scale.
 constexpr float ground_reach = 12.0f;
 
@@ -59,6 +56,7 @@ class Painter {
     void draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
     void draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                        const std::vector<PixelArea>& lit);
+    glm::vec3 background_of(const Drawing& scene) const;
     void use(const ShaderProgram& program, const Drawing& scene) const;
     void place_ground(const Ground& ground, const Camera& camera);
     void draw_ground(const Drawing& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas);
@@ -78,7 +76,7 @@ class Painter {
     ShadowMap shadow_map_;
     ShadowMap sky_map_;
     ShadowMap bounce_map_;
-    glm::vec3 background_;  // before exposure if that comes later
+    Light light_;
     ShaderProgram shadow_program_;
     ShaderProgram sphere_shadow_program_;
     ShaderProgram bar_shadow_program_;

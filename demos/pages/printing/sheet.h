@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/pages/printing/format.h"
-#include "demos/pictures/lettering.h"
+#include "demos/pictures/studio.h"
 #include "renderer/images/canvas.h"
 
 #include <string>
@@ -17,16 +17,30 @@ struct SheetText {
     bool centred = false;
 };
 
-struct Sheet {
+// The image over one background.
+struct SheetLayer {
     renderer::Image image{};
-    std::vector<SheetText> texts{};
-
-    // Of one colour, that of the theme's paper.
-    static Sheet blank(int width, int height, Theme theme);
+    glm::vec3 paper{1.0f};   // sRGB, between the pictures
+    glm::vec3 behind{1.0f};  // in the pictures
 };
 
-// The image with its texts.
-renderer::Image drawn(const Sheet& sheet, const pictures::Lettering& lettering, Theme theme);
+struct Sheet {
+    std::vector<SheetLayer> layers{};  // one; for transparency one over dark and one over light
+    std::vector<SheetText> texts{};
+
+    static Sheet blank(int width, int height, const FigureFormat& format);
+
+    int width() const { return layers.front().image.width; }
+    int height() const { return layers.front().image.height; }
+
+    // Draws the picture into each layer with its upper left pixel at (x, y); without ground for transparency.
+    void paste(pictures::Studio& studio, renderer::Picture picture, const pictures::Size& size, int samples, int x,
+               int y);
+};
+
+// The PNG of the image, with or without its texts.
+std::vector<std::uint8_t> png_of(const Sheet& sheet);
+std::vector<std::uint8_t> png_of(Sheet sheet, const pictures::Lettering& lettering, Theme theme);
 
 // `text` in lines that are at most `width` [pixels] wide, broken between words.
 std::vector<std::string> wrapped(const std::string& text, float size, float width,

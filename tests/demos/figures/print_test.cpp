@@ -135,6 +135,10 @@ TEST_CASE("plots for print have the font embedded, and those for talks a dark or
     const Header header = header_of(folder.read("pendulum_energy.png"));
     CHECK(header.width == 700);
     CHECK(header.alpha);
+    REQUIRE(
+        shell(folder, "pushfactor figures figure_11 --width 400 --samples 1 --background none --out .").status ==
+        0);
+    CHECK(header_of(folder.read("figure_11.png")).alpha);
     CHECK(folder.read("pendulum_energy.pdf").find("/FontFile2") != std::string::npos);
     CHECK(folder.read("pendulum_energy.tex").find("\\includegraphics{pendulum_energy.pdf}") != std::string::npos);
 }
