@@ -177,13 +177,37 @@ void add_verdict_files(CLI::App& app, Request& request) {
         ->type_name("FILE");
 }
 
+// Of reports that are made of pieces.
+void add_pieces(CLI::App& app, Request& request) {
+    const char* const pieces = "Shares of a report (error, stability, atlas), which `report merge` joins";
+    app.add_option("--shard", request.shard, "make only the K-th of N shares, and no page; what is done is skipped")
+        ->type_name("K/N")
+        ->group(pieces);
+    app.add_option("--jobs", request.report_jobs,
+                   "runs at once [one per processor; error, which measures times: 1]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024))
+        ->group(pieces);
+    const char* const grid = "A map of your own (report atlas)";
+    const auto add = [&](const char* name, auto& value, const char* placeholder, const char* help) {
+        return app.add_option(name, value, help)->type_name(placeholder)->group(grid);
+    };
+    GridWords& words = request.grid;
+    add("--grid", words.scene, "SCENE", "name of a scene, or a scene file");
+    add("--x", words.x, "OPTION=VALUES", "values FROM:TO:STEP, log:FROM:TO:COUNT or A,B,C");
+    add("--y", words.y, "OPTION=VALUES", "the same for the other axis");
+    add("--measure", words.measure, "NAME", "the number of the summary that cells show [max_penetration_m]");
+    add("--set", words.set, "OPTION=VALUE", "an option of all cells; may be repeated");
+    add("--replays", words.replays, "X:Y,...|all", "replays of these cells")->delimiter(',');
+}
+
 void add_report(CLI::App& app, Words& words) {
     Request& request = words.request;
     app.add_option(
            "REPORT", request.reports,
            "error: error against work and run time, of every method and scene; stability: stiff and "
            "extreme cases, each judged; cost: work and time per step of each scene; atlas: maps of outcomes "
-           "over two parameters")
+           "over two parameters; merge DIR...: the page of the shards in these folders")
         ->type_name("NAME");
     app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
         ->type_name("DIR");
@@ -204,6 +228,7 @@ void add_report(CLI::App& app, Words& words) {
                    "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib")
         ->type_name("DIR");
     add_verdict_files(app, request);
+    add_pieces(app, request);
 }
 
 void add_check(CLI::App& app, Words& words) {
@@ -265,15 +290,6 @@ constexpr std::array command_table{
                  "what is installed here: libraries, programs, font; whether pictures can be rendered", add_doctor},
 };
 
-// A word of the command line as a shell takes it.
-std::string quoted(const std::string& word) {
-    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 // CLI11 would list all unexpected arguments; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
@@ -317,6 +333,14 @@ void check_scenes(const Request& request) {
 }
 
 }  // namespace
+
+std::string quoted(const std::string& word) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
 
 std::optional<Request> parse_command_line(int argc, char** argv) {
     Words words;

@@ -20,6 +20,12 @@ struct CheckRequest {
     int jobs = 1;
 };
 
+// Of report atlas --grid.
+struct GridWords {
+    std::optional<std::string> scene, x, y, measure;
+    std::vector<std::string> set, replays;
+};
+
 struct Request {
     enum class Command { list, scene, family, run, render, figures, report, check, doctor };
 
@@ -43,7 +49,7 @@ struct Request {
     int figure_width = 1600;           // pixels
     int figure_samples = 8;
 
-    std::vector<std::string> reports;  // names; one
+    std::vector<std::string> reports;  // name; or "merge" and folders
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
     bool json = false;                           // doctor
@@ -52,6 +58,9 @@ struct Request {
     std::optional<std::string> problems;  // file or folder of contact problems
     std::optional<std::string> beside;    // CSV file of other solvers on these
     std::optional<std::string> exported;  // folder for frozen problems
+    std::optional<std::string> shard;     // "K/N"; of report and render
+    std::optional<int> report_jobs;       // pieces at once
+    GridWords grid;
 };
 
 }  // namespace pushfactor::demos
