@@ -155,6 +155,17 @@ void add_render(CLI::App& app, Words& words) {
     add_simulation(app, words);
     add_outputs(app, words.request);
     add_frames(app, words.request);
+    const char* const shares = "Long films on many machines";
+    app.add_option("--shard", words.request.shard, "draw only every N-th frame, from the K-th on")
+        ->type_name("K/N")
+        ->group(shares);
+    app.add_option("--from-trajectory", words.request.from_trajectory,
+                   "draw the poses of this file of --trajectory instead of simulating again")
+        ->type_name("FILE")
+        ->group(shares);
+    app.add_option("--join", words.request.joined, "make the --video of the frames in these folders; draws nothing")
+        ->type_name("DIR")
+        ->group(shares);
 }
 
 void add_figures(CLI::App& app, Words& words) {
@@ -324,7 +335,7 @@ void check_scenes(const Request& request) {
     if (request.families.size() > 1) {
         throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(request.families, " ")));
     }
-    if ((one || request.command == render) && request.scenes.empty()) {
+    if ((one || (request.command == render && request.joined.empty())) && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }
     if (one && request.scenes.size() > 1) {

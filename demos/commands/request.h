@@ -55,11 +55,13 @@ struct Request {
     bool json = false;                           // doctor
     std::optional<std::string> junit, markdown;  // paths; of report stability and check
     CheckRequest check;
-    std::optional<std::string> problems;  // file or folder of contact problems
-    std::optional<std::string> beside;    // CSV file of other solvers on these
-    std::optional<std::string> exported;  // folder for frozen problems
-    std::optional<std::string> shard;     // "K/N"; of report and render
-    std::optional<int> report_jobs;       // pieces at once
+    std::optional<std::string> problems;         // file or folder of contact problems
+    std::optional<std::string> beside;           // CSV file of other solvers on these
+    std::optional<std::string> exported;         // folder for frozen problems
+    std::optional<std::string> shard;            // "K/N"; of report and render
+    std::optional<int> report_jobs;              // pieces at once
+    std::optional<std::string> from_trajectory;  // path; of render
+    std::vector<std::string> joined;             // folders of frames; of render
     GridWords grid;
 };
 

@@ -13,7 +13,11 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 // Advances to a step. False if the run becomes non-finite before it; the run that is drawn reports that.
-bool reaches(Simulation& simulation, long step) {
+bool reaches(Simulation& simulation, long step, const GoTo& go_to) {
+    if (go_to) {
+        go_to(simulation, step);
+        return true;
+    }
     try {
         while (simulation.sample().step < step) {
             stop_if_interrupted("nothing was drawn yet");
@@ -54,7 +58,8 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
     return balls;
 }
 
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
+              const GoTo& go_to) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
     for (std::size_t p = 0; p < panels.size(); ++p) {
@@ -62,7 +67,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
         Simulation simulation(choices);
         const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step); ++f) {
+        for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step, go_to); ++f) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
             }

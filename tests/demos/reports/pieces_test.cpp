@@ -61,17 +61,19 @@ const std::string quick_map = "pushfactor report atlas --quick --only overlap_be
 }  // namespace
 
 TEST_CASE("an atlas in 2, 7 and 64 shards, in any order, one killed and started again, is that of one process") {
+    // tests/cluster does the same with all maps.
+    const std::string maps = "height_iterations,overlap_beta_persistent,step_beta_paper";
     const Folder folder;
-    require_success(folder, "pushfactor report atlas --quick --out whole");
+    require_success(folder, "pushfactor report atlas --quick --only " + maps + " --out whole");
     const auto whole = files_of(folder, "whole");
-    REQUIRE(whole.size() == 2 + 3 * 8);
+    REQUIRE(whole.size() == 2 + 3 * 3);
     const std::size_t cells = pieces_of(folder, "whole").size();
     std::mt19937 random(1);
     for (const int count : {2, 7, 64}) {
         INFO(count << " shards");
         const std::string out = "in-" + std::to_string(count);
         const auto shard = [&](int number) {
-            return " report atlas --quick --out " + out + " --shard " + to_text(Shard{number, count});
+            return " report atlas --quick --only " + maps + " --out " + out + " --shard " + to_text(Shard{number, count});
         };
         if (count == 2) {
             const Ended killed = shell(
@@ -137,7 +139,7 @@ TEST_CASE("what is missing is listed with the commands that make it, a damaged p
     CHECK(lines[2] == "made by:");
     for (std::size_t i = 3; i < lines.size(); ++i) {
         CHECK(lines[i].starts_with("pushfactor report atlas --quick --only overlap_beta_persistent --shard "));
-        require_success(folder, lines[i]);
+        require_success(folder, lines[i].substr(0, lines[i].find(" #")));
     }
     require_success(folder, "pushfactor report merge out");
     CHECK(folder.read(pieces[0]) == damaged);
@@ -218,10 +220,10 @@ TEST_CASE("shards of a million pieces are even to one percent, and so are the fo
     }
     CHECK(hashes.size() == 1000000);
     REQUIRE(of_folder.size() == 256);
-    for (const auto& [folder, count] : of_folder) CHECK(std::abs(count - 3906) < 0.1 * 3906);
+    for (const auto& [folder, count] : of_folder) CHECK(std::abs(count - 3906) < 390);
     long sum = 0;
     for (const auto& [shard, count] : of_shard) {
-        CHECK(std::abs(count - 142857) < 0.01 * 142857);
+        CHECK(std::abs(count - 142857) < 1428);
         sum += count;
     }
     CHECK(sum == 1000000);
