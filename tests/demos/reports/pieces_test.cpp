@@ -1,7 +1,6 @@
 // Reports in shares: whatever the number and order of the shards, and after a kill, merged files are those of one
 // process; what `report merge` refuses and lists.
 #include "demos/reports/pieces/piece.h"
-#include "demos/reports/pieces/store.h"
 #include "demos/text/json.h"
 #include "demos/text/shard.h"
 #include "tests/catch.h"
@@ -20,8 +19,6 @@ using namespace pushfactor::demos::reports;
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string version_folder = "pieces/" + PieceStore::version_folder() + "/";
 
 // All files of a report but its pieces.
 std::map<std::string, std::string> files_of(const Folder& folder, const std::string& report) {
@@ -150,7 +147,9 @@ TEST_CASE("pieces of several versions, of another one or of several reports are 
     require_success(folder, quick_map + "--out a --shard 1/2");
     require_success(folder, quick_map + "--out b --shard 2/2");
     fs::copy(folder / "b", folder / "c", fs::copy_options::recursive);
-    fs::rename(folder / ("c/" + version_folder), folder / "c/pieces/0.0.1-commit-1");
+    const fs::path version = fs::directory_iterator(folder / "c/pieces")->path();
+    CHECK(version.filename().string().starts_with("0.1.0-commit-"));
+    fs::rename(version, folder / "c/pieces/0.0.1-commit-1");
     check_refusal(folder, "pushfactor report merge a c", "pieces must be of one version, not of 0.0.1-commit-1 (");
     check_refusal(folder, "pushfactor report merge c", "must be of the version of this program, ");
     check_refusal(folder, "pushfactor report merge nowhere", "merge nowhere: must have pieces");
