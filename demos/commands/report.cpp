@@ -1,6 +1,5 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/merge.h"
-#include "demos/platform/version.h"
 #include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/suggest.h"
