@@ -155,6 +155,17 @@ void add_render(CLI::App& app, Words& words) {
     add_simulation(app, words);
     add_outputs(app, words.request);
     add_frames(app, words.request);
+    const char* const shares = "Long films on many machines";
+    app.add_option("--shard", words.request.shard, "draw only every N-th frame, from the K-th on")
+        ->type_name("K/N")
+        ->group(shares);
+    app.add_option("--from-trajectory", words.request.from_trajectory,
+                   "draw the poses of this file of --trajectory instead of simulating again")
+        ->type_name("FILE")
+        ->group(shares);
+    app.add_option("--join", words.request.joined, "make the --video of the frames in these folders; draws nothing")
+        ->type_name("DIR")
+        ->group(shares);
 }
 
 void add_figures(CLI::App& app, Words& words) {
@@ -187,13 +198,37 @@ void add_verdict_files(CLI::App& app, Request& request) {
         ->type_name("FILE");
 }
 
+// Of reports that are made of pieces.
+void add_pieces(CLI::App& app, Request& request) {
+    const char* const pieces = "Shares of a report (error, stability, atlas), which `report merge` joins";
+    app.add_option("--shard", request.shard, "make only the K-th of N shares, and no page; what is done is skipped")
+        ->type_name("K/N")
+        ->group(pieces);
+    app.add_option("--jobs", request.report_jobs,
+                   "runs at once [one per processor; error, which measures times: 1]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024))
+        ->group(pieces);
+    const char* const grid = "A map of your own (report atlas)";
+    const auto add = [&](const char* name, auto& value, const char* placeholder, const char* help) {
+        return app.add_option(name, value, help)->type_name(placeholder)->group(grid);
+    };
+    GridWords& words = request.grid;
+    add("--grid", words.scene, "SCENE", "name of a scene, or a scene file");
+    add("--x", words.x, "OPTION=VALUES", "values FROM:TO:STEP, log:FROM:TO:COUNT or A,B,C");
+    add("--y", words.y, "OPTION=VALUES", "the same for the other axis");
+    add("--measure", words.measure, "NAME", "the number of the summary that cells show [max_penetration_m]");
+    add("--set", words.set, "OPTION=VALUE", "an option of all cells; may be repeated");
+    add("--replays", words.replays, "X:Y,...|all", "replays of these cells")->delimiter(',');
+}
+
 void add_report(CLI::App& app, Words& words) {
     Request& request = words.request;
     app.add_option(
            "REPORT", request.reports,
            "error: error against work and run time, of every method and scene; stability: stiff and "
            "extreme cases, each judged; cost: work and time per step of each scene; atlas: maps of outcomes "
-           "over two parameters")
+           "over two parameters; merge DIR...: the page of the shards in these folders")
         ->type_name("NAME");
     app.add_option("--out", request.out, "folder for the page, its pictures and tables [out/report-NAME]")
         ->type_name("DIR");
@@ -216,6 +251,7 @@ void add_report(CLI::App& app, Words& words) {
                    "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib")
         ->type_name("DIR");
     add_verdict_files(app, request);
+    add_pieces(app, request);
 }
 
 void add_check(CLI::App& app, Words& words) {
@@ -277,15 +313,6 @@ constexpr std::array command_table{
                  "what is installed here: libraries, programs, font; whether pictures can be rendered", add_doctor},
 };
 
-// A word of the command line as a shell takes it.
-std::string quoted(const std::string& word) {
-    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 // CLI11 would list all unexpected arguments; one line with the nearest known name helps more.
 void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
@@ -320,7 +347,7 @@ void check_scenes(const Request& request) {
     if (request.families.size() > 1) {
         throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(request.families, " ")));
     }
-    if ((one || request.command == render) && request.scenes.empty()) {
+    if ((one || (request.command == render && request.joined.empty())) && request.scenes.empty()) {
         throw UsageError("a scene is missing (see `pushfactor list`)");
     }
     if (one && request.scenes.size() > 1) {
@@ -329,6 +356,14 @@ void check_scenes(const Request& request) {
 }
 
 }  // namespace
+
+std::string quoted(const std::string& word) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
 
 std::optional<Request> parse_command_line(int argc, char** argv) {
     Words words;

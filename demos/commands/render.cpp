@@ -1,4 +1,5 @@
 #include "demos/commands/commands.h"
+#include "demos/commands/join.h"
 #include "demos/pictures/film/frame_writer.h"
 #include "demos/pictures/film/sequence.h"
 #include "demos/pictures/gltf/glb_record.h"
@@ -38,6 +39,13 @@ void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames)
 
 Job understand_job(const std::string& scene, const Request& request) {
     Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}};
+    if (request.shard) {
+        const auto shard = parse_shard(*request.shard);
+        if (!shard)
+            throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
+        job.sequence.shard = *shard;
+    }
+    if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.glb) pictures::check_glb(*request.glb, job.sequence.panels.front().choices);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
@@ -57,12 +65,30 @@ void make_frames(const Job& job, const Request& request, std::vector<ObservedRun
                  pictures::StageTimes* times) {
     const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times);
-    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.frame_count()));
+    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
-    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.frame_count(),
+    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
                                     job.folder.string()));
     writer.finish();
     if (takers.replay) takers.replay->finish();
+}
+
+// Without a simulation there is no summary.
+void render_trajectory(Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+    Trajectory trajectory(*request.from_trajectory);
+    const pictures::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
+    pictures::add_overview(job.sequence.panels, job.sequence.frames, go_to);
+    const Choices& choices = job.sequence.panels.front().choices;
+    Simulation simulation(choices);
+    const pictures::Film film(studio, job.sequence.panels, {&simulation}, job.sequence.frames, go_to);
+    warn_of_strangers(job.folder, job.sequence.frames.front());
+    write_file(job.folder / "config.json", config_text(choices, request.given));
+    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times);
+    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
+    draw_frames(job.sequence, simulation, trajectory, film, writer.queue(), [&](long drawn) { bar.show(drawn); });
+    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
+                                    job.folder.string()));
+    writer.finish();
 }
 
 void render_job(Job& job, const Request& request, std::optional<pictures::Studio>& studio,
@@ -124,6 +150,23 @@ void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times
                1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
 }
 
+// A film from a trajectory has nothing to write about a run.
+void refuse_simulation(const Request& request) {
+    if (request.scenes.size() > 1) {
+        throw UsageError(
+            fmt::format("--from-trajectory {}: must be for one scene at a time", *request.from_trajectory));
+    }
+    for (const auto& [option, path] :
+         {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
+          std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
+          std::pair{"--save-state", request.files.save_state}, std::pair{"--replay", request.replay},
+          std::pair{"--glb", request.glb}}) {
+        if (!path) continue;
+        throw UsageError(
+            fmt::format("{} {}: must not be with --from-trajectory, which does not simulate", option, *path));
+    }
+}
+
 // An option that names one file cannot serve several scenes or panels.
 void refuse_shared_files(const Request& request) {
     const bool several = request.scenes.size() > 1;
@@ -145,6 +188,11 @@ void refuse_shared_files(const Request& request) {
         if (!path || !request.given.find("at")) continue;
         throw UsageError(fmt::format("{} {}: must be of a sequence, not of stills (--at)", option, *path));
     }
+    if (request.shard && request.video) {
+        throw UsageError(fmt::format("--video {}: must be with --join, when all shards are drawn, not with --shard",
+                                     *request.video));
+    }
+    if (request.from_trajectory) refuse_simulation(request);
     if (!request.png && !request.video && !request.replay) {
         throw UsageError("--frames off: must come with --video or --replay");
     }
@@ -155,6 +203,10 @@ void refuse_shared_files(const Request& request) {
 }  // namespace
 
 void render(const Request& request) {
+    if (!request.joined.empty()) {
+        join(request);
+        return;
+    }
     refuse_shared_files(request);
     if (request.video) pictures::require_ffmpeg(*request.video);
     // All input is checked and all folders are created before the first frame is drawn.
@@ -173,7 +225,11 @@ void render(const Request& request) {
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     std::optional<pictures::Studio> studio;
     if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
-    for (Job& job : jobs) render_job(job, request, studio, watch);
+    if (request.from_trajectory) {
+        render_trajectory(jobs.front(), request, studio.value(), watch);
+    } else {
+        for (Job& job : jobs) render_job(job, request, studio, watch);
+    }
     if (times) print_times(jobs, *times);
 }
 

@@ -20,6 +20,12 @@ struct CheckRequest {
     int jobs = 1;
 };
 
+// Of report atlas --grid.
+struct GridWords {
+    std::optional<std::string> scene, x, y, measure;
+    std::vector<std::string> set, replays;
+};
+
 struct Request {
     enum class Command { list, scene, family, run, render, figures, report, check, doctor };
 
@@ -46,15 +52,20 @@ struct Request {
     int figure_samples = 8;
     std::string figure_theme = "light", figure_background = "plain";
 
-    std::vector<std::string> reports;  // names; one
+    std::vector<std::string> reports;  // name; or "merge" and folders
     std::vector<std::string> parts;    // of the report; all when empty
     bool quick = false;
     bool json = false;                           // doctor
     std::optional<std::string> junit, markdown;  // paths; of report stability and check
     CheckRequest check;
-    std::optional<std::string> problems;  // file or folder of contact problems
-    std::optional<std::string> beside;    // CSV file of other solvers on these
-    std::optional<std::string> exported;  // folder for frozen problems
+    std::optional<std::string> problems;         // file or folder of contact problems
+    std::optional<std::string> beside;           // CSV file of other solvers on these
+    std::optional<std::string> exported;         // folder for frozen problems
+    std::optional<std::string> shard;            // "K/N"; of report and render
+    std::optional<int> report_jobs;              // pieces at once
+    std::optional<std::string> from_trajectory;  // path; of render
+    std::vector<std::string> joined;             // folders of frames; of render
+    GridWords grid;
 };
 
 }  // namespace pushfactor::demos

@@ -60,14 +60,6 @@ void refuse_unused(const Request& request) {
     }
 }
 
-// Of a replay: those of --fps, else as few as make at most 60 frames per second.
-long steps_a_frame(const Choices& choices) {
-    const Rational& dt = choices.settings.dt;
-    if (choices.frames.fps) return demos::steps_a_frame(*choices.frames.fps, dt);
-    const Rational sixtieth = Rational{1, 60} / dt;
-    return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
-}
-
 }  // namespace
 
 void run(const Request& request) {
@@ -76,7 +68,7 @@ void run(const Request& request) {
     const Choices& choices = runs.front().choices;
     const long steps = whole_steps(choices.settings);
     if (request.replay) pictures::check_replay_name(*request.replay);
-    const long every = request.replay ? steps_a_frame(choices) : 1;
+    const long every = request.replay ? pictures::steps_a_replay_frame(choices) : 1;
     std::vector<std::vector<Frame>> frames;
     if (request.glb) {
         pictures::check_glb(*request.glb, choices);

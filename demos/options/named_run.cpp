@@ -7,7 +7,7 @@ namespace pushfactor::demos {
 Choices run_of(const std::string& scene, const OptionTexts& options) {
     GivenOptions given;
     for (const auto& [name, text] : options) given.add(name, text, "--" + name);
-    if (find_scene(scene)) return understand(scene, given);
+    if (find_scene(scene) || scene.ends_with(".json")) return understand(scene, given);
     return understand((asset_folder("scenes") / (scene + ".json")).string(), given);
 }
 

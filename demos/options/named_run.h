@@ -12,7 +12,7 @@ namespace pushfactor::demos {
 // Option names without dashes, and their texts as on the command line.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
-// A run of a scene of the catalogue, or of a file in assets/scenes.
+// A run of a scene of the catalogue, of a file in assets/scenes, or of the file "PATH.json".
 Choices run_of(const std::string& scene, const OptionTexts& options);
 
 // "pushfactor render stack --preset paper"

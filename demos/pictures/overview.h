@@ -4,6 +4,7 @@
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
 #include "demos/pictures/framing.h"
+#include "demos/pictures/survey.h"
 
 #include <vector>
 
@@ -19,6 +20,7 @@ double least_aspect(const FrameChoices& frames, std::size_t panels);
 // Gives the panels a view that shows all motion in all frames, found by a separate run; does nothing if the scene
 // has a camera or one was given. Bodies that fly so far that the picture would show nothing else are followed only
 // part of their way.
-void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
+void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
+                  const GoTo& go_to = {});
 
 }  // namespace pushfactor::demos::pictures

@@ -15,7 +15,12 @@ namespace {
 // Advances to a step and shows each to `visit`. False if the run becomes non-finite before it; the run that is
 // drawn reports that.
 template <typename Visit>
-bool reaches(Simulation& simulation, long step, const Visit& visit) {
+bool reaches(Simulation& simulation, long step, const GoTo& go_to, const Visit& visit) {
+    if (go_to) {
+        go_to(simulation, step);
+        visit();
+        return true;
+    }
     try {
         while (simulation.sample().step < step) {
             stop_if_interrupted("nothing was drawn yet");
@@ -57,7 +62,8 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
     return balls;
 }
 
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames) {
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
+              const GoTo& go_to) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
     Outline outline;
@@ -79,7 +85,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
                 if (choices.frames.camera.fit && is_shown(time)) add_moving(scene, near, outline);
             };
             if (f == 0) add_shown();
-            if (!reaches(simulation, frames[p][f].step, add_shown)) break;
+            if (!reaches(simulation, frames[p][f].step, go_to, add_shown)) break;
             for (std::size_t i = 0; i < places.size(); ++i) {
                 if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
             }

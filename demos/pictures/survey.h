@@ -5,8 +5,9 @@
 #include "demos/options/comparison.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/outline.h"
-#include "demos/runs/scene.h"
+#include "demos/runs/simulation.h"
 
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -30,8 +31,12 @@ inline bool needs_survey(const FrameChoices& choices) {
 // Adds the corners of the box around all places of each body, as balls of the body's size.
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
 
-// `frames` are those of the panels, in the same order.
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames);
+// Brings a run to a step, which is not before its last one.
+using GoTo = std::function<void(Simulation& run, long step)>;
+
+// `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
+              const GoTo& go_to = {});
 
 // Balls around the movable bodies of a scene in its current state, and the points that they hang on.
 std::vector<Ball> movable_balls(const BuiltScene& scene);

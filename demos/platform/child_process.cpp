@@ -91,7 +91,8 @@ std::string first_line_of(const fs::path& program, const std::string& argument) 
     return shell.ending().words;
 }
 
-ChildProcess::ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments)
+ChildProcess::ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments,
+                           const fs::path& folder)
     : name_(name) {
     const fs::path program = require_program(name, package);
 
@@ -100,7 +101,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
     arguments.insert(arguments.begin(), name);
     try {
-        start(program, std::move(arguments));
+        start(program, std::move(arguments), folder);
     } catch (const ChildProcessError&) {
         close_if_open(input_);
         std::fclose(said_);
@@ -118,7 +119,7 @@ ChildProcess::~ChildProcess() {
     std::fclose(said_);
 }
 
-void ChildProcess::start(const fs::path& program, std::vector<std::string> words) {
+void ChildProcess::start(const fs::path& program, std::vector<std::string> words, const fs::path& folder) {
     // A socket, not a pipe, because send() can suppress SIGPIPE. Close-on-exec, or a tool started later would hold
     // it open and this one would never see end of file.
     int ends[2];
@@ -131,6 +132,7 @@ void ChildProcess::start(const fs::path& program, std::vector<std::string> words
     posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, fileno(said_), STDERR_FILENO);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
     // A process group of its own, which the terminal's Ctrl-C does not reach.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);

@@ -40,8 +40,10 @@ struct Ending {
 // only the destructor may be called.
 class ChildProcess {
   public:
-    // `package` is the Debian package to install if it is missing.
-    ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments);
+    // `package` is the Debian package to install if it is missing; `folder` is the tool's working folder, by
+    // default that of this process.
+    ChildProcess(const std::string& name, const std::string& package, std::vector<std::string> arguments,
+                 const std::filesystem::path& folder = {});
     ~ChildProcess();  // without finish() the tool is stopped
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
@@ -57,7 +59,8 @@ class ChildProcess {
     Ending ending();
 
   private:
-    void start(const std::filesystem::path& program, std::vector<std::string> words);
+    void start(const std::filesystem::path& program, std::vector<std::string> words,
+               const std::filesystem::path& folder);
     int wait_for_end();
     [[noreturn]] void fail(int status) const;
 

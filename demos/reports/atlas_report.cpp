@@ -1,11 +1,14 @@
-// The stability atlas, maps of the outcomes of runs over two of their parameters: atlas.csv, which grows by a line
-// per run and is in the order of the atlas at the end, and the maps that are complete. Runs that atlas.csv has
-// already are not repeated.
-#include "demos/reports/atlas/file.h"
+// The stability atlas, maps of the outcomes of runs over two of their parameters: atlas.csv, and the maps that are
+// complete. A piece is a cell, so that the full atlas, the quick one and a part share what they have in common.
+#include "demos/platform/output_file.h"
+#include "demos/reports/atlas/grid.h"
 #include "demos/reports/atlas/plot.h"
+#include "demos/reports/atlas/table.h"
 #include "demos/reports/study.h"
 
 #include <fmt/format.h>
+
+#include <memory>
 
 namespace pushfactor::demos::reports {
 
@@ -13,46 +16,61 @@ namespace {
 
 using namespace atlas;
 
-void run_missing(StudyRun& run, AtlasFile& file, const std::vector<AtlasMap>& maps) {
-    std::vector<AtlasCell> missing;
-    std::size_t total = 0;
-    for (const AtlasMap& map : maps) {
-        for (const AtlasCell& cell : cells_of(map)) {
-            ++total;
-            if (!file.find(cell)) missing.push_back(cell);
-        }
-    }
-    run.begin(total, total - missing.size(), "; the same command resumes from there");
-    const auto finished = [&](const AtlasCell& cell, const CellResult& result) {
-        file.add(cell, result);
-        run.count_run();
+// All maps of the request, whether asked for by --only or not.
+std::vector<AtlasMap> maps_of(const StudyRequest& request) {
+    if (request.grid) return {grid_map(*request.grid)};
+    std::vector<AtlasMap> maps = atlas_maps();
+    if (request.quick) std::transform(maps.begin(), maps.end(), maps.begin(), atlas::quick);
+    return maps;
+}
+
+Pieces atlas_pieces(const StudyRequest& request) {
+    // Cells refer to their maps.
+    const auto maps = std::make_shared<const std::vector<AtlasMap>>(maps_of(request));
+    Pieces pieces;
+    const auto add = [&](const Piece& piece) {
+        pieces.push_back({piece.key, [maps, make = piece.make](const auto& check) { return make(check); }});
     };
-    run_cells(missing, finished, run.check());
+    for (const AtlasMap& map : *maps) {
+        if (!request.grid && !request.wants(map.name)) continue;
+        for (const AtlasCell& cell : cells_of(map)) add(piece_of(cell));
+        if (!request.grid) continue;
+        for (const AtlasCell& cell : cells_with_replay(map, *request.grid)) add(replay_piece_of(cell));
+    }
+    return pieces;
 }
 
 // Results of one map; empty if a cell is missing.
-std::vector<CellResult> results_of(const AtlasMap& map, const AtlasFile& file) {
+std::vector<CellResult> results_of(const AtlasMap& map, const StudyRun& run) {
     std::vector<CellResult> results;
     for (const AtlasCell& cell : cells_of(map)) {
-        const CellResult* result = file.find(cell);
-        if (!result) return {};
-        results.push_back(*result);
+        const auto found = run.find(key_of(cell));
+        if (!found) return {};
+        results.push_back(result_in(*found));
     }
     return results;
 }
 
-void make_atlas(StudyRun& run) {
-    const std::vector<AtlasMap> all = atlas_maps();
-    std::vector<AtlasMap> shown = all;
-    if (run.quick()) std::transform(all.begin(), all.end(), shown.begin(), atlas::quick);
-    AtlasFile file(run.folder() / "atlas.csv", all);
-    const std::vector<AtlasMap> wanted = run.wanted(shown, &AtlasMap::name);
-    run_missing(run, file, wanted);
-    file.sort();
-    for (const AtlasMap& map : shown) {
-        const std::vector<CellResult> results = results_of(map, file);
-        if (!results.empty()) run.sections.push_back(atlas_section(map, results, run.folder()));
+void add_replays(const AtlasMap& map, StudyRun& run, Plate& plate) {
+    const std::vector<AtlasCell> cells = cells_with_replay(map, *run.request().grid);
+    if (cells.empty()) return;
+    make_folder(run.folder() / "cells");
+    for (const AtlasCell& cell : cells) {
+        run.write(replay_file(cell), run.result(replay_key_of(cell)).get<std::string>());
+        plate.replays.push_back(replay_file(cell));
     }
+}
+
+void make_atlas(StudyRun& run) {
+    Table table = empty_table();
+    for (const AtlasMap& map : maps_of(run.request())) {
+        const std::vector<CellResult> results = results_of(map, run);
+        if (results.empty()) continue;
+        add_lines(map, results, table);
+        run.sections.push_back(atlas_section(map, results, run.folder()));
+        if (run.request().grid) add_replays(map, run, run.sections.back().plate);
+    }
+    run.write("atlas.csv", file_text(table));
     run.write_page(fmt::format(
         "Outcomes of runs over two of their parameters: a cell is a run, its colour the outcome that the run's "
         "summary names, judged over the last second. White dashed lines are theoretical limits. "
@@ -65,7 +83,8 @@ void make_atlas(StudyRun& run) {
 Study atlas_study() {
     std::vector<std::string> parts;
     for (const AtlasMap& map : atlas_maps()) parts.push_back(map.name);
-    return {"atlas", "stability atlas", parts, make_atlas};
+    return {
+        .name = "atlas", .title = "stability atlas", .parts = parts, .make = make_atlas, .pieces = atlas_pieces};
 }
 
 }  // namespace pushfactor::demos::reports

@@ -2,13 +2,11 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
-#include "demos/reports/error/consistency.h"
 #include "demos/reports/error/contact_problems/contact_moments.h"
 #include "demos/reports/error/contact_problems/problem_sections.h"
 #include "demos/reports/error/contact_problems/rows_of_contacts.h"
-#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/error_pieces.h"
 #include "demos/reports/error/other_engines.h"
-#include "demos/reports/error/points.h"
 #include "demos/reports/error/work_plot.h"
 #include "demos/reports/study.h"
 
@@ -26,10 +24,6 @@ namespace {
 
 using namespace error;
 using engine::VectorX;
-
-constexpr int repeats = 5;  // timed runs per point
-constexpr const char* frozen_part = "frozen";
-constexpr const char* consistency_part = "consistency";
 
 using MakeWork = std::function<double(const ErrorPoint&)>;
 
@@ -125,35 +119,22 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
 
 class ErrorReport {
   public:
-    explicit ErrorReport(StudyRun& run)
-        : run_(run),
-          experiments_(run.wanted(error_experiments(run.quick()), &Experiment::name)),
-          moments_(run.wants(frozen_part) && run.request().problems.empty() ? hard_moments(run.quick())
-                                                                            : std::vector<FrozenMoment>{}) {
-        if (run_.wants(frozen_part)) {
-            for (const auto& file : run_.request().problems) problems_.push_back(read_fclib(file));
-        }
-        if (run_.request().beside && problems_.empty()) others_ = read_error_points(*run_.request().beside);
+    explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {
+        if (run_.request().beside && plan_.problems.empty()) others_ = read_error_points(*run_.request().beside);
         if (run_.request().exported) exports_ = contact_moments(run_.quick());
-        if (run_.wants(consistency_part)) plan_ = consistency_plan(run_.quick());
     }
 
     void make() {
         run_.write("about.json", json_text(about_this()));
         if (run_.request().exported) make_folder(*run_.request().exported);
-        std::size_t total = moments_.size() + problems_.size() + exports_.size() + plan_.cases.size();
-        for (const Experiment& sweep : experiments_) {
-            for (const Method& method : sweep.methods) total += method.values.size();
-        }
-        run_.begin(total);
-        for (const Experiment& sweep : experiments_) add_experiment(sweep);
-        for (const FrozenMoment& moment : moments_) add_moment(moment);
+        for (const Experiment& sweep : plan_.experiments) add_experiment(sweep);
+        for (const FrozenMoment& moment : plan_.moments) add_moment(moment);
         for (const ContactMoment& moment : exports_) {
             export_problem(freeze_contacts(moment, run_.check()), moment.name);
-            run_.count_run();
         }
-        if (!problems_.empty()) add_problems();
-        if (!plan_.cases.empty()) add_consistency();
+        if (!plan_.problems.empty()) add_problems();
+        if (!plan_.consistency.cases.empty()) add_consistency();
+        write_page();
     }
 
   private:
@@ -161,8 +142,7 @@ class ErrorReport {
         const std::size_t first = points_.size();
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values) {
-                points_.push_back(run_point(sweep, method, value, repeats, run_.check()));
-                run_.count_run();
+                points_.push_back(point_in(run_.result(key_of(sweep, method, value))));
             }
         }
         run_.write("error.csv", table_of(points_));
@@ -205,8 +185,7 @@ class ErrorReport {
     }
 
     void add_moment(const FrozenMoment& moment) {
-        const FrozenProblem problem = freeze(moment, run_.check());
-        const std::vector<FrozenPoint> points = solve_frozen(problem, run_.quick());
+        const auto [points, rows, columns] = frozen_in(run_.result(key_of(moment, run_.quick())));
         frozen_.insert(frozen_.end(), points.begin(), points.end());
         run_.write("frozen.csv", table_of(frozen_));
         const WorkPlot plot{.name = file_name("frozen_", moment.name),
@@ -217,15 +196,13 @@ class ErrorReport {
                             .theory = {}};
         Plate plate;
         plate.commands = {command_text("run", moment.scene, moment.options)};
-        if (run_.request().exported) export_problem(problem, plot.name);
-        run_.count_run();
+        if (run_.request().exported) export_problem(freeze(moment, run_.check()), plot.name);
         add(plot, "Frozen: " + moment.name,
             fmt::format(
                 "The system of one moment, {} rows and {} column{}, solved from zero (cold) and from the forces of "
                 "the step before (warm); points are labelled with their iterations. Residual: the largest velocity "
                 "that a row still gets wrong.",
-                problem.system().row_count(), problem.system().column_count(),
-                problem.system().column_count() == 1 ? "" : "s"),
+                rows, columns, columns == 1 ? "" : "s"),
             plate);
     }
 
@@ -240,21 +217,21 @@ class ErrorReport {
 
     void add_problems() {
         ProblemSections sections(run_.request().beside);
-        for (const ContactProblem& problem : problems_) {
-            const ProblemSection section = sections.add(problem, run_.quick(), run_.check(), run_.machine());
+        for (const ContactProblem& problem : plan_.problems) {
+            const auto [points, note] = problem_in(run_.result(key_of(problem, run_.quick())));
+            const ProblemSection section = sections.add(problem, points, note, run_.machine());
             run_.write("problems.csv", table_of(sections.points()));
-            run_.count_run();
             add(section.plot, section.heading, section.caption);
         }
         for (const double error : {1e-4, 1e-8}) {
             Plate plate = sections.profile(error, run_.folder(), run_.machine());
             run_.sections.push_back({fmt::format("profile_{:.0e}", error),
                                      fmt::format("All problems to an error of {:.0e}", error), std::move(plate)});
-            write_page();
         }
     }
 
     void add_consistency() {
+        const ConsistencyPlan& plan = plan_.consistency;
         Table table{{"scene", "differs_from_preset", "dt_s", "window_s", "windows", "error_rms_m", "size_m",
                      "observed_order"}};
         WorkPlot plot{.name = "consistency",
@@ -265,34 +242,31 @@ class ErrorReport {
                       .theory = {},
                       .front = false};
         std::vector<std::string> orders;
-        for (const ConsistencyCase& which : plan_.cases) {
+        for (const ConsistencyCase& which : plan.cases) {
             WorkLine line{.name = which.scene, .colour = which.colour, .points = {}};
             std::vector<std::string> differences;
             for (const auto& [name, value] : which.options) differences.push_back(name + "=" + value);
             double last = std::numeric_limits<double>::quiet_NaN();
-            for (const auto& [dt, error, size, order] : check_consistency(plan_, which, run_.check())) {
+            for (const auto& [dt, error, size, order] : consistency_in(run_.result(key_of(plan, which)))) {
                 table.rows.push_back({which.scene, fmt::format("{}", fmt::join(differences, " ")), dt,
-                                      plan_.window.value(), plan_.starts.size(), error, size, order});
+                                      plan.window.value(), plan.starts.size(), error, size, order});
                 line.points.push_back({error, 1.0 / dt, fmt::format("1/{:.0f} s", 1.0 / dt)});
                 last = order.value_or(last);
             }
             orders.push_back(fmt::format("{} {:.1f}", which.scene, last));
             plot.lines.push_back(std::move(line));
-            run_.count_run();
         }
         run_.write("consistency.csv", table);
         add(plot, "Consistency: each scene against itself at smaller steps",
             fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they "
                         "are compared. Order of the last halving: {}.",
-                        plan_.starts.size(), to_text(plan_.window), to_text(plan_.smallest),
-                        fmt::join(orders, ", ")));
+                        plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")));
     }
 
     void add(const WorkPlot& plot, const std::string& heading, const std::string& caption, Plate plate = {}) {
         plate.caption = caption;
         draw_work_plot(plot, run_.folder(), plate);
         run_.sections.push_back({plot.name, heading, std::move(plate)});
-        write_page();
     }
 
     void write_page() const {
@@ -305,11 +279,8 @@ class ErrorReport {
     }
 
     StudyRun& run_;
-    std::vector<Experiment> experiments_;
-    std::vector<FrozenMoment> moments_;
-    std::vector<ContactProblem> problems_;
+    ErrorPlan plan_;
     std::vector<ContactMoment> exports_;
-    ConsistencyPlan plan_;
     std::vector<ErrorPoint> points_, others_;
     std::vector<FrozenPoint> frozen_;
 };
@@ -320,7 +291,12 @@ Study error_study() {
     std::vector<std::string> parts;
     for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.name);
     parts.insert(parts.end(), {frozen_part, consistency_part});
-    return {"error", "error against run time", parts, [](StudyRun& run) { ErrorReport(run).make(); }};
+    return {.name = "error",
+            .title = "error against run time",
+            .parts = parts,
+            .make = [](StudyRun& run) { ErrorReport(run).make(); },
+            .pieces = error_pieces,
+            .at_once = 1};  // because it measures times
 }
 
 }  // namespace pushfactor::demos::reports

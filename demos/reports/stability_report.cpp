@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+#include <memory>
 
 namespace pushfactor::demos::reports {
 
@@ -83,27 +82,66 @@ std::string failure_of(const Trial& trial) {
     return text.empty() ? text : text + "; " + trial.command();
 }
 
-// Chapters are completed in order; runs are concurrent.
+// All trials of the request in order; they refer to the chapters.
+std::vector<Trial> trials_of(const std::vector<Chapter>& chapters, const std::filesystem::path& folder) {
+    std::vector<Trial> trials;
+    for (const Chapter& chapter : chapters) {
+        for (const Case& one : chapter.cases) {
+            for (const Expected& expected : one.expected) trials.emplace_back(one, expected, folder);
+        }
+    }
+    return trials;
+}
+
+std::vector<Chapter> chapters_of(const StudyRequest& request) {
+    std::vector<Chapter> all = chapters(request.quick);
+    std::erase_if(all, [&](const Chapter& chapter) { return !request.wants(chapter.name); });
+    return all;
+}
+
+// A piece is a trial.
+Pieces stability_pieces(const StudyRequest& request) {
+    struct Trials {
+        std::vector<Chapter> chapters;
+        std::vector<Trial> trials;
+    };
+    const auto all = std::make_shared<Trials>();
+    all->chapters = chapters_of(request);
+    all->trials = trials_of(all->chapters, request.folder);
+    if (request.merged.empty()) write_scenes(all->chapters, request.folder);
+    const auto program = std::filesystem::read_symlink("/proc/self/exe");
+    Pieces pieces;
+    for (std::size_t i = 0; i < all->trials.size(); ++i) {
+        pieces.push_back({all->trials[i].key(), [all, i, program](const std::function<void()>& check) {
+                              return all->trials[i].run(program, check);
+                          }});
+    }
+    return pieces;
+}
+
 class StabilityReport {
   public:
     explicit StabilityReport(StudyRun& run)
-        : run_(run), chapters_(run.wanted(chapters(run.quick()), &Chapter::name)), gallery_(run.folder()) {
+        : run_(run),
+          chapters_(chapters_of(run.request())),
+          gallery_(run.folder()),
+          trials_(trials_of(chapters_, run.folder())) {
         write_scenes(chapters_, run.folder());
+        std::size_t end = 0;
         for (const Chapter& chapter : chapters_) {
-            for (const Case& one : chapter.cases) {
-                for (const Expected& expected : one.expected) trials_.emplace_back(one, expected, run.folder());
-            }
-            ends_.push_back(trials_.size());
+            for (const Case& one : chapter.cases) end += one.expected.size();
+            ends_.push_back(end);
         }
     }
 
     void make() {
-        run_.begin(trials_.size(), 0, "; the table has the complete chapters");
-        while (ended_ < trials_.size()) {
-            start_some();
-            if (!end_some()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            complete_chapters();
+        for (Trial& trial : trials_) trial.judge(run_.result(trial.key()));
+        for (std::size_t c = 0; c < chapters_.size(); ++c) {
+            const std::size_t begin = c == 0 ? 0 : ends_[c - 1];
+            add_section(chapters_[c], std::span(trials_).subspan(begin, ends_[c] - begin));
         }
+        run_.write("stability.csv", csv_text(table_));
+        write_page();
         const std::string headline = unexpected_.empty() ? fmt::format("{} runs are as expected", trials_.size())
                                                          : fmt::format("{} of {} runs are not as expected",
                                                                        unexpected_.size(), trials_.size());
@@ -126,37 +164,6 @@ class StabilityReport {
         return suites;
     }
 
-    void start_some() {
-        run_.stop_if_interrupted();
-        const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
-        while (running_.size() < most && next_ < trials_.size()) {
-            trials_[next_].start(program_);
-            running_.push_back(next_++);
-        }
-    }
-
-    bool end_some() {
-        const std::size_t before = running_.size();
-        std::erase_if(running_, [this](std::size_t i) {
-            if (!trials_[i].has_ended()) return false;
-            trials_[i].judge();
-            run_.count_run();
-            return true;
-        });
-        ended_ += before - running_.size();
-        return running_.size() < before;
-    }
-
-    void complete_chapters() {
-        const std::size_t first_open =
-            running_.empty() ? next_ : std::min(next_, *std::min_element(running_.begin(), running_.end()));
-        while (run_.sections.size() < chapters_.size() && ends_[run_.sections.size()] <= first_open) {
-            const std::size_t done = run_.sections.size();
-            const std::size_t begin = done == 0 ? 0 : ends_[done - 1];
-            add_section(chapters_[done], std::span(trials_).subspan(begin, ends_[done] - begin));
-        }
-    }
-
     void add_section(const Chapter& chapter, std::span<const Trial> trials) {
         Table own{table_.columns};
         for (const Trial& trial : trials) {
@@ -176,25 +183,24 @@ class StabilityReport {
             if (std::filesystem::exists(run_.folder() / trial.replay())) plate.replays.push_back(trial.replay());
         }
         run_.sections.push_back({chapter.name, chapter.heading, plate});
-        run_.write("stability.csv", csv_text(table_));
+    }
+
+    void write_page() const {
         run_.write_page(fmt::format(
             "Stiff and extreme cases, each run and judged by the program. The outcome is that of the last "
             "second; the bar is what is required, and where it is known not to be met the table gives under "
             "\"expected\" the value that is reached. {} runs, {} numbers beyond their bar, {} not as expected. The "
             "numbers are in stability.csv. Made with {}.{}{}",
-            ends_[run_.sections.size() - 1], missed_bars_, unexpected_.size(), run_.machine(),
+            trials_.size(), missed_bars_, unexpected_.size(), run_.machine(),
             run_.quick() ? " This is the quick report: the short cases." : "",
             gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
     }
 
     StudyRun& run_;
-    std::filesystem::path program_ = std::filesystem::read_symlink("/proc/self/exe");
     std::vector<Chapter> chapters_;
     Gallery gallery_;
     std::vector<Trial> trials_;
-    std::vector<std::size_t> ends_;     // of the chapters, in trials_
-    std::vector<std::size_t> running_;  // in trials_
-    std::size_t next_ = 0, ended_ = 0;
+    std::vector<std::size_t> ends_;  // of the chapters, in trials_
     Table table_{{"case", "preset", "outcome", "expected", "measure", "value", "bar", "holds", "command"}};
     int missed_bars_ = 0;
     std::vector<std::string> unexpected_;
@@ -205,7 +211,12 @@ class StabilityReport {
 Study stability_study() {
     std::vector<std::string> parts;
     for (const Chapter& chapter : chapters(false)) parts.push_back(chapter.name);
-    return {"stability", "stability", parts, [](StudyRun& run) { StabilityReport(run).make(); }, true};
+    return {.name = "stability",
+            .title = "stability",
+            .parts = parts,
+            .make = [](StudyRun& run) { StabilityReport(run).make(); },
+            .judges = true,
+            .pieces = stability_pieces};
 }
 
 }  // namespace pushfactor::demos::reports

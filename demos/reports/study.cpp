@@ -4,21 +4,28 @@
 #include "demos/pages/job_summary.h"
 #include "demos/pages/junit.h"
 #include "demos/platform/output_file.h"
+#include "demos/platform/processors.h"
+#include "demos/reports/pieces/crew.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ctime>
+#include <mutex>
+#include <set>
 
 namespace pushfactor::demos::reports {
 
 StudyRun::StudyRun(const Study& study, StudyRequest request)
-    : study_(study), request_(std::move(request)), machine_(line_of(about_this())) {
+    : study_(study),
+      request_(std::move(request)),
+      machine_(line_of(about_this())),
+      store_(request_.merged.empty() ? std::vector{request_.folder} : request_.merged, machine_) {
     make_folder(request_.folder);
 }
 
-bool StudyRun::wants(const std::string& part) const {
-    const std::vector<std::string>& parts = request_.parts;
+bool StudyRequest::wants(const std::string& part) const {
     return parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
 }
 
@@ -41,6 +48,59 @@ std::function<void()> StudyRun::check() const {
     return [this] { stop_if_interrupted(); };
 }
 
+void StudyRun::gather(const Pieces& pieces) {
+    const bool merges = !request_.merged.empty();
+    std::vector<const Piece*> missing;
+    std::set<std::string> machines;
+    for (const Piece& piece : pieces) {
+        if (request_.shard && !request_.shard->takes(hash_of_key(piece.key))) continue;
+        ++count_.all;
+        if (const auto found = store_.find(piece.key)) {
+            ++count_.there;
+            machines.insert(found->machine);
+        } else {
+            missing.push_back(&piece);
+        }
+    }
+    if (merges && !missing.empty()) {
+        std::vector<std::string> keys;
+        for (const Piece* const piece : missing) keys.push_back(piece->key);
+        throw MissingPieces(fmt::format("{} of {} pieces are missing", missing.size(), pieces.size()), keys);
+    }
+    if (!merges) {
+        store_.put_note(request_.note);
+        const int at_once = study_.at_once > 0 ? study_.at_once : usable_cores();
+        begin(count_.all, count_.there, "; the same command resumes from there");
+        std::mutex mutex;
+        const auto keep = [&](const Piece& piece, const Json& result) {
+            if (!has_failed(result)) {
+                store_.put(piece.key, result);
+                return;
+            }
+            const std::lock_guard lock(mutex);
+            failures_[piece.key] = result;
+        };
+        make_pieces(
+            missing, request_.jobs.value_or(at_once), keep, [this] { count_run(); }, check());
+        count_.failed = failures_.size();
+    }
+    if (!missing.empty()) machines.insert(machine_);
+    if (!machines.empty()) machine_ = fmt::format("{}", fmt::join(machines, "; "));
+}
+
+std::optional<Json> StudyRun::find(const std::string& key) const {
+    if (const auto failed = failures_.find(key); failed != failures_.end()) return failed->second;
+    auto found = store_.find(key);
+    if (!found) return std::nullopt;
+    return std::move(found->result);
+}
+
+Json StudyRun::result(const std::string& key) const {
+    auto found = find(key);
+    if (!found) throw RunError(fmt::format("{}: a piece has vanished: {}", folder().string(), key));
+    return std::move(*found);
+}
+
 void StudyRun::write(const std::string& name, const std::string& text) const {
     write_file(folder() / name, text);
 }
@@ -58,9 +118,17 @@ void StudyRun::write_page(const std::string& opening) const {
     write("index.html", page_text("Pushfactor: " + study_.title, opening, sections));
 }
 
-void make_study(const Study& study, const StudyRequest& request) {
+StudyRun::Count make_study(const Study& study, const StudyRequest& request) {
     StudyRun run(study, request);
-    study.make(run);
+    if (study.pieces) run.gather(study.pieces(request));
+    if (!request.shard) {
+        study.make(run);
+        return run.count();
+    }
+    const auto [all, there, failed] = run.count();
+    if (failed == 0) return run.count();
+    throw CheckError(
+        fmt::format("{} of {} pieces of shard {} failed and are not kept", failed, all, to_text(*request.shard)));
 }
 
 std::vector<Study> all_studies() {

@@ -5,11 +5,15 @@
 #include "demos/pages/table.h"
 #include "demos/pages/verdicts.h"
 #include "demos/platform/progress.h"
+#include "demos/reports/pieces/piece.h"
+#include "demos/reports/pieces/store.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
+#include "demos/text/shard.h"
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +22,7 @@
 namespace pushfactor::demos::reports {
 
 class StudyRun;
+struct StudyRequest;
 
 struct Study {
     std::string name;                // as in the command: "error"
@@ -25,6 +30,18 @@ struct Study {
     std::vector<std::string> parts;  // for --only
     void (*make)(StudyRun& run);
     bool judges = false;  // it writes verdicts
+
+    // The pieces of a study that many processes can make; `make` then finds their results, and makes tables and
+    // page.
+    Pieces (*pieces)(const StudyRequest& request) = nullptr;
+    int at_once = 0;  // pieces that are made at once; 0: one per processor
+};
+
+// A map of the atlas over any two options of any scene, as texts of the command line.
+struct GridRequest {
+    std::string scene, x, y, measure;
+    std::vector<std::string> set{};      // "OPTION=VALUE", of all cells
+    std::vector<std::string> replays{};  // "X:Y", or "all"
 };
 
 struct StudyRequest {
@@ -35,6 +52,24 @@ struct StudyRequest {
     std::optional<std::filesystem::path> exported{};  // folder for frozen problems
     std::vector<std::string> parts{};                 // all when empty
     std::optional<std::string> junit{}, markdown{};   // paths, for the verdicts of a study that judges
+    std::optional<GridRequest> grid{};                // for the atlas, instead of its maps
+
+    // Of a study with pieces.
+    std::optional<Shard> shard{};                 // make only the pieces of this share, and no page
+    std::optional<int> jobs{};                    // pieces at once
+    std::vector<std::filesystem::path> merged{};  // if not empty: make no piece, find all in these folders
+    std::string note{};                           // stored with the pieces: what request they are for
+
+    bool wants(const std::string& part) const;
+};
+
+// Pieces of a merged report that are in none of its folders.
+class MissingPieces : public RunError {
+  public:
+    MissingPieces(const std::string& message, std::vector<std::string> missing)
+        : RunError(message), keys(std::move(missing)) {}
+
+    std::vector<std::string> keys;
 };
 
 // A running study: its folder, request, progress and interruption, tables and page.
@@ -45,8 +80,9 @@ class StudyRun {
     bool quick() const { return request_.quick; }
     const StudyRequest& request() const { return request_; }
     const std::filesystem::path& folder() const { return request_.folder; }
-    const std::string& machine() const { return machine_; }  // program, compiler and processor
-    bool wants(const std::string& part) const;
+    // Program, compiler and processor: this one, or those that made the pieces.
+    const std::string& machine() const { return machine_; }
+    bool wants(const std::string& part) const { return request_.wants(part); }
 
     // The things whose part was requested; `part_of` gives the part's name.
     template <typename Things, typename PartOf>
@@ -60,6 +96,19 @@ class StudyRun {
     void count_run();
     void stop_if_interrupted() const;
     std::function<void()> check() const;  // stop_if_interrupted() as a function
+
+    // Makes the pieces that are missing, or those of the share; throws MissingPieces where none may be made.
+    void gather(const Pieces& pieces);
+
+    // The result of a piece, if there is one; result() is for pieces that gather() made or found.
+    std::optional<Json> find(const std::string& key) const;
+    Json result(const std::string& key) const;
+
+    // Of gather(): pieces of the request or the share, those that were there before, and those that failed.
+    struct Count {
+        std::size_t all = 0, there = 0, failed = 0;
+    };
+    const Count& count() const { return count_; }
 
     // Writes a file, whole or not at all.
     void write(const std::string& name, const std::string& text) const;
@@ -75,14 +124,18 @@ class StudyRun {
     const Study& study_;
     StudyRequest request_;
     std::string machine_;
+    PieceStore store_;
+    std::map<std::string, Json> failures_;  // of this process, by key
+    Count count_;
     std::optional<ProgressBar> bar_;
     std::size_t runs_ = 0, done_ = 0;
     std::string hint_;
 };
 
-// Runs a study and writes its files, complete after each part, so that an interrupted one keeps its results. Throws
-// the exceptions of errors.h; CheckError if everything was written but a result is not as expected.
-void make_study(const Study& study, const StudyRequest& request);
+// Runs a study and writes its files. An interrupted one keeps its pieces, or the files of complete parts. Throws
+// the exceptions of errors.h; CheckError if everything was written but a result is not as expected, or if pieces of
+// a share failed.
+StudyRun::Count make_study(const Study& study, const StudyRequest& request);
 
 Study error_study();      // errors of methods against their work
 Study stability_study();  // judged extreme cases

@@ -1,5 +1,7 @@
 #include "demos/runs/records.h"
 
+#include "demos/runs/trajectory.h"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -64,9 +66,8 @@ class StepsRecord : public CsvRecord {
 class TrajectoryRecord : public CsvRecord {
   public:
     TrajectoryRecord(const std::filesystem::path& path, long every, const Simulation& start)
-        : CsvRecord(path,
-                    "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
-                    "wy_rad_per_s,wz_rad_per_s"),
+        : CsvRecord(path, std::string(pose_columns) +
+                              ",vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s"),
           every_(every) {
         observe(start);
     }
@@ -75,9 +76,8 @@ class TrajectoryRecord : public CsvRecord {
         if (simulation.sample().step % every_ != 0) return;
         const auto& bodies = simulation.scene().world.bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (!is_recorded(simulation.scene(), i)) continue;
             const Body& body = bodies[i];
-            const auto& described = simulation.scene().bodies;
-            if (body.is_static() && !(i < described.size() && described[i].motion)) continue;
             const Vector3 v = velocity(body);
             const Vector3 w = angular_velocity(body);
             line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", simulation.sample().time, i, body.position.x(),

@@ -101,6 +101,16 @@ const Sample& Simulation::advance() {
     return sample_;
 }
 
+void Simulation::show(long step, std::span<const BodyPose> poses) {
+    sample_.step = step;
+    sample_.time = (settings_.dt * Rational{step, 1}).value();
+    for (const BodyPose& pose : poses) {
+        engine::Body& body = scene_.world.bodies[pose.body];
+        body.position = pose.position;
+        body.orientation = pose.orientation;
+    }
+}
+
 void Simulation::divide_step() {
     const double dt = settings_.dt.value();
     int parts = division_.divide(scene_.world, dt);

@@ -10,6 +10,7 @@
 #include "engine/measures/penetration.h"
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace pushfactor::demos {
@@ -38,6 +39,13 @@ struct Sample {
     std::optional<BodyPair> worst_unsolved, contradicting;
 };
 
+// Where a body of the world is.
+struct BodyPose {
+    std::size_t body = 0;
+    engine::Vector3 position = engine::Vector3::Zero();
+    engine::Quaternion orientation = engine::Quaternion::Identity();
+};
+
 // Number of whole steps in settings.seconds.
 long whole_steps(const Settings& settings);
 
@@ -57,6 +65,10 @@ class Simulation {
     // Takes one step of settings.dt. Throws NonFiniteError if a number of the state or of the sample is not finite
     // afterwards; the simulation cannot be continued then.
     const Sample& advance();
+
+    // Puts bodies where they were after this step, for pictures. Velocities, forces and measurements stay as they
+    // were, so the simulation cannot be continued.
+    void show(long step, std::span<const BodyPose> poses);
 
     // The current state, and the one before the last step.
     Checkpoint checkpoint() const;

@@ -31,13 +31,13 @@ double round_number(double value) {
 }  // namespace
 
 Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-           const std::vector<std::vector<Frame>>& frames)
+           const std::vector<std::vector<Frame>>& frames, const GoTo& go_to)
     : studio_(studio),
       choices_(panels.front().choices.frames),
       runs_(std::move(runs)),
       caption_(caption_of(panels.front().choices)) {
     for (const Simulation* run : runs_) require_shown(run->scene(), choices_.overlay);
-    if (needs_survey(choices_)) survey_ = pictures::survey(panels, frames);
+    if (needs_survey(choices_)) survey_ = pictures::survey(panels, frames, go_to);
 
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {

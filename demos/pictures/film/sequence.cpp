@@ -33,6 +33,7 @@ class Shooting {
             watch.end("simulate");
             if (takers_.replay) takers_.replay->record();
             watch.end("replay");
+            if (!sequence_.shard.takes(frame)) continue;
             Snapshot moment;
             if (takers_.film) moment = takers_.film->look(frames[frame].name);
             watch.end("look");
@@ -64,6 +65,41 @@ class Shooting {
 long Sequence::last_step(std::size_t panel) const {
     const Choices& choices = panels[panel].choices;
     return choices.frames.at.empty() ? whole_steps(choices.settings) : frames[panel].back().step;
+}
+
+std::size_t Sequence::drawn_count() const {
+    const auto count = static_cast<std::size_t>(shard.count);
+    return (frame_count() + count - static_cast<std::size_t>(shard.number)) / count;
+}
+
+void require_poses_only(const Sequence& sequence, const std::string& file) {
+    const FrameChoices& frames = sequence.panels.front().choices.frames;
+    if (sequence.panels.size() > 1) {
+        throw UsageError(fmt::format("--from-trajectory {}: must be of one run, not with --compare", file));
+    }
+    for (const OverlayItem& item : frames.overlay) {
+        if (item.kind == OverlayKind::no_contacts) continue;
+        throw UsageError(fmt::format(
+            "--overlay {}: must not be with --from-trajectory, which has poses only; without it each shard "
+            "simulates the run itself",
+            name_of(item.kind)));
+    }
+}
+
+void draw_frames(const Sequence& sequence, Simulation& simulation, Trajectory& trajectory, const Film& film,
+                 FrameQueue& queue, const std::function<void(long)>& progress) {
+    long drawn = 0;
+    const std::vector<Frame>& frames = sequence.frames.front();
+    trajectory.place(simulation, 0);  // is it of this run?
+    for (std::size_t i = 0; i < frames.size() && !interrupted(); ++i) {
+        if (!sequence.shard.takes(i)) continue;
+        trajectory.place(simulation, frames[i].step);
+        renderer::Image image = queue.blank();
+        film.draw(film.look(frames[i].name), image);
+        queue.send(frames[i].name, std::move(image));
+        progress(++drawn);
+    }
+    queue.flush();
 }
 
 Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {

@@ -65,6 +65,13 @@ std::vector<double> units_of(const std::vector<double>& sizes) {
 
 }  // namespace
 
+long steps_a_replay_frame(const Choices& choices) {
+    const Rational& dt = choices.settings.dt;
+    if (choices.frames.fps) return steps_a_frame(*choices.frames.fps, dt);
+    const Rational sixtieth = Rational{1, 60} / dt;
+    return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
+}
+
 void check_replay_name(const std::filesystem::path& file) {
     if (file == "-" || file.extension() == ".html") return;
     throw UsageError(fmt::format("--replay {}: must end in .html", file.string()));

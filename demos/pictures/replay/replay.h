@@ -19,6 +19,9 @@ namespace pushfactor::demos::pictures {
 // Throws UsageError unless the name ends in .html or is that of standard output.
 void check_replay_name(const std::filesystem::path& file);
 
+// Steps from frame to frame of a replay: those of --fps, else as few as make at most 60 frames per second.
+long steps_a_replay_frame(const Choices& choices);
+
 struct ReplayChoices {
     std::filesystem::path file;
     long steps_a_frame = 1;

@@ -1,17 +1,12 @@
 #include "demos/reports/atlas/cells.h"
 
 #include "demos/reports/atlas/outcomes.h"
+#include "demos/reports/pieces/replay_run.h"
 #include "demos/reports/study.h"
+#include "demos/runs/summary.h"
 #include "demos/text/errors.h"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <utility>
+#include <limits>
 
 namespace pushfactor::demos::reports::atlas {
 
@@ -24,59 +19,12 @@ OptionTexts options_of(const AtlasCell& cell) {
     return options;
 }
 
-// Threads that run cells, and the results that have not been fetched yet.
-class Crew {
-  public:
-    explicit Crew(std::span<const AtlasCell> cells) : cells_(cells) {
-        const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-        for (std::size_t i = 0; i < std::min(cores, cells.size()); ++i) {
-            workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
-        }
-    }
-
-    // Requests all stops before the first join.
-    ~Crew() {
-        for (std::jthread& worker : workers_) worker.request_stop();
-    }
-
-    Crew(const Crew&) = delete;
-    Crew& operator=(const Crew&) = delete;
-
-    using Finished = std::vector<std::pair<std::size_t, CellResult>>;  // number of the cell
-
-    // Results since the last call; waits briefly if there are none. Throws what a run threw.
-    Finished fetch() {
-        std::unique_lock lock(mutex_);
-        news_.wait_for(lock, std::chrono::milliseconds(100), [this] { return !finished_.empty() || error_; });
-        if (error_) std::rethrow_exception(error_);
-        return std::exchange(finished_, {});
-    }
-
-  private:
-    void work(const std::stop_token& stop) {
-        try {
-            for (std::size_t i = next_++; i < cells_.size(); i = next_++) {
-                const auto result = run_cell(cells_[i], stop);
-                if (!result) return;
-                const std::lock_guard lock(mutex_);
-                finished_.emplace_back(i, *result);
-                news_.notify_one();
-            }
-        } catch (...) {
-            const std::lock_guard lock(mutex_);
-            error_ = std::current_exception();
-            news_.notify_one();
-        }
-    }
-
-    std::span<const AtlasCell> cells_;
-    std::atomic<std::size_t> next_ = 0;
-    std::mutex mutex_;  // guards the two below
-    Finished finished_;
-    std::exception_ptr error_;
-    std::condition_variable news_;
-    std::vector<std::jthread> workers_;  // last, so that they are joined first
-};
+// NaN if the summary has no such number, as a drift after 10 s in a shorter run.
+double number_of_summary(const std::string& summary, const std::string& name) {
+    const Json json = Json::parse(summary);
+    if (!json.contains(name) || !json[name].is_number()) return std::numeric_limits<double>::quiet_NaN();
+    return json[name].get<double>();
+}
 
 }  // namespace
 
@@ -92,34 +40,40 @@ std::string command_of(const AtlasCell& cell) {
     return command_text("run", cell.map->scene, options_of(cell));
 }
 
-std::optional<CellResult> run_cell(const AtlasCell& cell, const std::stop_token& stop) {
+CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check) {
     const Choices choices = run_of(cell.map->scene, options_of(cell));
     Simulation run(choices);
     Measurements measurements(run);
-    const auto result = [&](std::string_view outcome) {
-        return CellResult{std::string(outcome), (measurements.*cell.map->measure.value)()};
-    };
-    try {
-        play(
-            run, [&](const Simulation& now) { return before_end(now) && !stop.stop_requested(); }, measurements);
-    } catch (const NonFiniteError&) {
-        return result(non_finite);
-    }
-    if (before_end(run)) return std::nullopt;
-    return result(name_of(measurements.outcome()));
+    const bool finite = play_to_end(run, check, measurements);
+    const AtlasMeasure& measure = cell.map->measure;
+    const double value = measure.value ? (measurements.*measure.value)()
+                                       : number_of_summary(summary_text(choices, run, measurements), measure.key);
+    return {std::string(finite ? name_of(measurements.outcome()) : non_finite), value};
 }
 
-void run_cells(std::span<const AtlasCell> cells,
-               const std::function<void(const AtlasCell&, const CellResult&)>& finished,
-               const std::function<void()>& check) {
-    Crew crew(cells);
-    for (std::size_t done = 0; done < cells.size();) {
-        check();
-        for (const auto& [i, result] : crew.fetch()) {
-            finished(cells[i], result);
-            ++done;
-        }
-    }
+std::string key_of(const AtlasCell& cell) {
+    return "atlas: " + cell.map->measure.key + " of " + run_key(cell.map->scene, options_of(cell));
+}
+
+Piece piece_of(const AtlasCell& cell) {
+    return {key_of(cell), [cell](const std::function<void()>& check) {
+                const CellResult result = run_cell(cell, check);
+                return Json{{"outcome", result.outcome}, {"value", json_number(result.value)}};
+            }};
+}
+
+CellResult result_in(const Json& json) {
+    return {json.at("outcome").get<std::string>(), number_in(json.at("value"))};
+}
+
+std::string replay_key_of(const AtlasCell& cell) {
+    return "atlas: replay of " + run_key(cell.map->scene, options_of(cell));
+}
+
+Piece replay_piece_of(const AtlasCell& cell) {
+    return {replay_key_of(cell), [cell](const std::function<void()>& check) {
+                return Json(replay_of(cell.map->scene, options_of(cell), check));
+            }};
 }
 
 }  // namespace pushfactor::demos::reports::atlas

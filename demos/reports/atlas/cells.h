@@ -2,11 +2,9 @@
 #pragma once
 
 #include "demos/reports/atlas/maps.h"
+#include "demos/reports/pieces/piece.h"
 
 #include <functional>
-#include <optional>
-#include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,16 +23,19 @@ std::string command_of(const AtlasCell& cell);
 
 struct CellResult {
     std::string outcome;  // of the summary, or "non-finite"
-    double value = 0.0;   // of the map's measure, up to the last finite step
+    double value = 0.0;  // of the map's measure, up to the last finite step; NaN if the summary has no number there
 };
 
-// None if it was stopped. Throws the exceptions of errors.h except NonFiniteError.
-std::optional<CellResult> run_cell(const AtlasCell& cell, const std::stop_token& stop);
+// Throws the exceptions of errors.h except NonFiniteError, and those of `check`, which is called at each step.
+CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check);
 
-// Runs the cells on all cores. `finished` is called in the calling thread as soon as a cell is done, in unspecified
-// order; `check` is called often. An exception of theirs or of a run stops all: runs in progress are dropped.
-void run_cells(std::span<const AtlasCell> cells,
-               const std::function<void(const AtlasCell&, const CellResult&)>& finished,
-               const std::function<void()>& check);
+// The cell as a piece of the report, and its result as it was stored. The map must outlive the piece.
+std::string key_of(const AtlasCell& cell);
+Piece piece_of(const AtlasCell& cell);
+CellResult result_in(const Json& json);
+
+// A page that plays the run of the cell, as a piece; its result is the text of the page.
+std::string replay_key_of(const AtlasCell& cell);
+Piece replay_piece_of(const AtlasCell& cell);
 
 }  // namespace pushfactor::demos::reports::atlas

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -120,6 +121,7 @@ AtlasMap chain_map(const std::string& name, const std::string& substeps, const s
 }  // namespace
 
 double AtlasAxis::shown(const std::string& value) const {
+    if (names) return static_cast<double>(std::find(values.begin(), values.end(), value) - values.begin());
     return scale * parse_rational(value).value().value();
 }
 

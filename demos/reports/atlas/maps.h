@@ -17,6 +17,7 @@ struct AtlasAxis {
     std::vector<std::string> values;  // as on the command line, in ascending order of the shown numbers
     double scale = 1.0;               // shown number / number of the text
     bool logarithmic = true;
+    bool names = false;  // values are no numbers; they are shown as 0, 1, 2, ...
 
     double shown(const std::string& value) const;
     std::string tick(const std::string& value) const;  // the text of the shown number
@@ -24,9 +25,9 @@ struct AtlasAxis {
 
 // A number of the summary that is shown in each cell.
 struct AtlasMeasure {
-    std::string key;    // in the summary
-    std::string words;  // with the unit
-    double (Measurements::*value)() const;
+    std::string key;                                  // in the summary
+    std::string words;                                // with the unit
+    double (Measurements::*value)() const = nullptr;  // null: only the summary has it
 };
 
 // A theoretical limit: a line on the map.
@@ -39,7 +40,7 @@ struct AtlasMap {
     std::string name;
     std::string title;
     std::string caption;
-    std::string scene;   // of the catalogue
+    std::string scene;   // of the catalogue, or a file
     OptionTexts common;  // options of all its runs
     AtlasAxis x, y;
     AtlasMeasure measure;

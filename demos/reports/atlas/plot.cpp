@@ -28,13 +28,23 @@ std::vector<double> edges_of(const AtlasAxis& axis) {
     return edges;
 }
 
-// For `set xtics (...)`.
+// For `set xtics (...)`: all values, or about as many as have room.
 std::string ticks_of(const AtlasAxis& axis) {
+    constexpr std::size_t most = 16;
+    const std::size_t every = (axis.values.size() + most - 1) / most;
     std::string text;
-    for (const std::string& value : axis.values) {
+    for (std::size_t i = 0; i < axis.values.size(); i += every) {
+        const std::string& value = axis.values[i];
         text += fmt::format("{}\"{}\" {}", text.empty() ? "" : ", ", axis.tick(value), axis.shown(value));
     }
     return text;
+}
+
+// The number of a cell; a blank where cells are too small or there is none.
+std::string text_in_cell(const AtlasMap& map, double value) {
+    constexpr std::size_t across = 16, up = 24;
+    if (map.x.values.size() > across || map.y.values.size() > up || std::isnan(value)) return " ";
+    return short_number(value);
 }
 
 // 0xRRGGBB of a name in the palette or of "#RRGGBB".
@@ -55,7 +65,7 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
         const OutcomeLook& look = *find_look(results[i].outcome);
         text += fmt::format("{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]),
                             map.y.shown(map.y.values[row]), xs[column], xs[column + 1], ys[row], ys[row + 1],
-                            number_of(look.colour), short_number(results[i].value), number_of(look.ink));
+                            number_of(look.colour), text_in_cell(map, results[i].value), number_of(look.ink));
     }
     text += "\n\n# theory: x,y\n";
     constexpr int points = 400;

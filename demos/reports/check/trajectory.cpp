@@ -1,5 +1,6 @@
 #include "demos/reports/check/trajectory.h"
 
+#include "demos/runs/trajectory.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 
@@ -11,18 +12,12 @@
 
 namespace pushfactor::demos::reports::check {
 
-namespace {
-
-constexpr const char* first_columns = "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz";
-
-}  // namespace
-
 TrajectoryCheck::TrajectoryCheck(const std::filesystem::path& file, double tolerance)
     : name_(file.string()), tolerance_(tolerance), stream_(file) {
     std::string heading;
     if (!stream_) throw UsageError(fmt::format("{}: cannot be read; --physics {} needs it", name_, tolerance));
-    if (!std::getline(stream_, heading) || !heading.starts_with(first_columns)) {
-        throw UsageError(fmt::format("{}: line 1: must begin with {}", name_, first_columns));
+    if (!std::getline(stream_, heading) || !heading.starts_with(pose_columns)) {
+        throw UsageError(fmt::format("{}: line 1: must begin with {}", name_, pose_columns));
     }
     has_next_ = read_line();
 }

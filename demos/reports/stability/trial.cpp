@@ -1,12 +1,21 @@
 #include "demos/reports/stability/trial.h"
 
+#include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"
+#include "demos/reports/pieces/piece.h"
 #include "demos/reports/stability/measures/measures.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
 
 namespace pushfactor::demos::reports::stability {
 
@@ -16,6 +25,11 @@ namespace fs = std::filesystem;
 
 fs::path scene_file(const Case& one, const fs::path& folder) {
     return folder / "scenes" / (one.name + ".json");
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 bool better_or_equal(double value, double bar, bool at_least) {
@@ -37,7 +51,7 @@ std::optional<double> worst(const Check& check, const std::vector<double>& value
 Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
     : one_(one),
       expected_(expected),
-      runs_(folder / "runs"),
+      folder_(folder),
       scene_(one.own() ? scene_file(one, folder).string() : std::get<std::string>(one.scene)),
       options_{{"preset", expected.preset}},
       start_(one.own() ? *one.own() : run_of(scene_, one.options).description) {
@@ -51,14 +65,59 @@ Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
     for (const std::string& output : outputs_) command_ += " --" + output + " " + output + ".csv";
 }
 
-void Trial::start(const fs::path& program) {
-    std::vector<std::string> words{"run", scene_};
+std::string Trial::key() const {
+    // The report's own scenes by their content, as people may keep an old folder.
+    const std::string scene =
+        one_.own() ? fmt::format("{} {:016x}", one_.name, text_hash(scene_file_text(*one_.own()))) : scene_;
+    return fmt::format("stability: {}: {}", name(), command_text("run", scene, options_));
+}
+
+// In the folder, with relative names, so that the files of a run are the same on every machine.
+Json Trial::run(const fs::path& program, const std::function<void()>& check) const {
+    std::vector<std::string> words{"run", one_.own() ? "scenes/" + one_.name + ".json" : scene_};
     for (const auto& [name, text] : options_) words.insert(words.end(), {"--" + name, text});
-    words.insert(words.end(), {"--summary", file(".json"), "--save-state", state(), "--replay", file(".html"),
-                               "--replay-data", "poses"});
+    const std::array kept{name_of(".json"), name_of("-state.json"), name_of(".html")};
+    words.insert(words.end(),
+                 {"--summary", kept[0], "--save-state", kept[1], "--replay", kept[2], "--replay-data", "poses"});
     for (const std::string& output : outputs_)
-        words.insert(words.end(), {"--" + output, file("." + output + ".csv")});
-    tool_ = std::make_unique<ChildProcess>(program.string(), "pushfactor", words);
+        words.insert(words.end(), {"--" + output, name_of("." + output + ".csv")});
+    std::error_code ignored;
+    for (const std::string& name : kept) {
+        if (fs::is_regular_file(folder_ / name, ignored)) fs::remove(folder_ / name, ignored);
+    }
+    ChildProcess tool(program.string(), "pushfactor", words, folder_);
+    while (!tool.has_ended()) {
+        check();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    const Ending ending = tool.ending();
+    Json result = measured(ending.status == done);
+    if (ending.status != done) result["outcome"] = "non-finite";
+    if (ending.status != done && ending.status != not_finite) {
+        result["outcome"] = "failed: " + ending.words;
+        result["failed"] = ending.words;
+    }
+    for (const std::string& name : kept) {
+        if (fs::is_regular_file(folder_ / name)) result["files"][name] = text_of(folder_ / name);
+    }
+    for (const std::string& output : outputs_) fs::remove(file("." + output + ".csv"));
+    return result;
+}
+
+// Outcome and values of each check; without values if the run has not reached its end.
+Json Trial::measured(bool ended) const {
+    Json result{{"outcome", ""}, {"values", Json::array()}, {"files", Json::object()}};
+    Evidence evidence{.scene = &start_};
+    if (ended) {
+        evidence.summary = read_json_file(file(".json"), "summary");
+        result["outcome"] = evidence.summary.at("outcome");
+        for (const std::string& output : outputs_)
+            evidence.outputs[output] = read_columns(file("." + output + ".csv"));
+    }
+    for (const Check& check : one_.checks) {
+        result["values"].push_back(json_numbers(ended ? take(check.measure, evidence) : std::vector<double>{}));
+    }
+    return result;
 }
 
 fs::path Trial::state() const {
@@ -78,28 +137,18 @@ Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<do
     return verdict;
 }
 
-void Trial::judge() {
-    const Ending ending = tool_->ending();
-    tool_.reset();
-    Evidence evidence{.scene = &start_};
-    if (ending.status == done) {
-        evidence.summary = read_json_file(file(".json"), "summary");
-        outcome_ = evidence.summary.at("outcome").get<std::string>();
-        for (const std::string& output : outputs_)
-            evidence.outputs[output] = read_columns(file("." + output + ".csv"));
-    } else {
-        outcome_ = ending.status == not_finite ? "non-finite" : "failed: " + ending.words;
-    }
+void Trial::judge(const Json& result) {
+    outcome_ = result.at("outcome").get<std::string>();
     for (std::size_t i = 0; i < one_.checks.size(); ++i) {
-        const bool measured = ending.status == done;
-        verdicts_.push_back(
-            judge(one_.checks[i], i, measured ? take(one_.checks[i].measure, evidence) : std::vector<double>{}));
+        verdicts_.push_back(judge(one_.checks[i], i, numbers_in(result.at("values").at(i))));
     }
     if (verdicts_.empty()) verdicts_.push_back({});
     for (Verdict& verdict : verdicts_) {
         verdict.holds = verdict.holds && (outcome_ == expected_.outcome || outcome_ == one_.wanted);
     }
-    for (const std::string& output : outputs_) fs::remove(file("." + output + ".csv"));
+    for (const auto& [name, text] : result.at("files").items()) {
+        write_file(folder_ / name, text.get_ref<const std::string&>());
+    }
 }
 
 bool Trial::holds() const {

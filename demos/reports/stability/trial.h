@@ -2,11 +2,11 @@
 // verdicts.
 #pragma once
 
-#include "demos/platform/child_process.h"
 #include "demos/reports/stability/cases.h"
+#include "demos/text/json.h"
 
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,10 +30,15 @@ class Trial {
     std::string name() const { return one_.name + "-" + expected_.preset; }
     const std::string& command() const { return command_; }  // that reproduces it
 
-    // `program` is the path of this program. Throws ChildProcessError.
-    void start(const std::filesystem::path& program);
-    bool has_ended() const { return tool_->has_ended(); }
-    void judge();  // after it has ended
+    // Names everything that decides the result.
+    std::string key() const;
+
+    // Runs it: outcome, measured values and the files of the run. `program` is the path of this program; `check` is
+    // called often, and its exceptions end the run. Throws ChildProcessError.
+    Json run(const std::filesystem::path& program, const std::function<void()>& check) const;
+
+    // Judges what run() returned, here or elsewhere, and writes its files.
+    void judge(const Json& result);
 
     // Valid after judge().
     const std::string& outcome() const { return outcome_; }
@@ -49,18 +54,20 @@ class Trial {
     std::filesystem::path state() const;
 
   private:
-    std::filesystem::path file(const std::string& what) const { return runs_ / (name() + what); }
+    // Of the run, relative to the folder and in it.
+    std::string name_of(const std::string& what) const { return "runs/" + name() + what; }
+    std::filesystem::path file(const std::string& what) const { return folder_ / name_of(what); }
+    Json measured(bool ended) const;
     Verdict judge(const Check& check, std::size_t index, const std::vector<double>& values) const;
 
     const Case& one_;
     const Expected& expected_;
-    std::filesystem::path runs_;
+    std::filesystem::path folder_;
     std::string scene_;
     OptionTexts options_;
     SceneDescription start_;
     std::vector<std::string> outputs_;  // output options that the measures need
     std::string command_;
-    std::unique_ptr<ChildProcess> tool_;
     std::string outcome_;
     std::vector<Verdict> verdicts_;
 };

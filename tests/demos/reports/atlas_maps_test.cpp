@@ -21,7 +21,7 @@ AtlasMap map_named(const std::string& name) {
 }
 
 CellResult result_of(const AtlasMap& map, const std::string& x, const std::string& y) {
-    return run_cell({&map, x, y}, {}).value();
+    return run_cell({&map, x, y}, [] {});
 }
 
 bool stands(const CellResult& result) {

@@ -1,4 +1,5 @@
-// The stability atlas command: all files; interrupted and resumed; each command of its table repeated.
+// The stability atlas command: all files; interrupted and resumed; each command of its table repeated. Its pieces
+// are tested in pieces_test.cpp, maps of one's own in grid_test.cpp.
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
@@ -10,21 +11,6 @@ using namespace pushfactor::tests;
 namespace {
 
 constexpr const char* quick_map = "pushfactor report atlas --quick --only overlap_beta_persistent --out .";
-
-std::string quick_csv() {
-    const Folder folder;
-    const Ended ended = shell(folder, quick_map);
-    INFO(ended.err);
-    REQUIRE(ended.status == 0);
-    return folder.read("atlas.csv");
-}
-
-// Four rows, and the fifth as a killed run left it.
-std::string cut_short(const std::string& csv) {
-    std::size_t end = 0;
-    for (int line = 0; line < 6; ++line) end = csv.find('\n', end) + 1;
-    return csv.substr(0, end + 20);
-}
 
 }  // namespace
 
@@ -55,91 +41,34 @@ TEST_CASE("one command makes a table, maps and a page, a command of the table gi
     CHECK(fields_of(lines[10])[5] == "fly");
 }
 
-TEST_CASE("an atlas goes on from the lines that are there, without the one that was cut, and ends the same") {
-    const std::string whole = quick_csv();
+TEST_CASE("maps that are complete stay when another one is asked for") {
     const Folder folder;
-    folder.write("atlas.csv", cut_short(whole));
-    const Ended ended = shell(folder, quick_map);
-    INFO(ended.err);
-    REQUIRE(ended.status == 0);
-    CHECK(folder.read("atlas.csv") == whole);
-}
-
-TEST_CASE("what is in the table is not run again, and lines of maps that were not asked for stay") {
-    // The last line first, with a number that no run gives.
-    std::vector<std::string> lines = lines_of(quick_csv());
-    std::vector<std::string> row = fields_of(lines.back());
-    std::string changed = lines.back();
-    changed.replace(changed.find(row[7]), row[7].size(), "12345");
-    lines.back() = changed;
-    std::swap(lines[2], lines.back());
-    std::string text;
-    for (const std::string& line : lines) text += line + "\n";
-
-    const Folder folder;
-    folder.write("atlas.csv", text);
+    REQUIRE(shell(folder, quick_map).status == 0);
     const Ended ended = shell(folder, "pushfactor report atlas --quick --only overlap_beta_single_frame --out .");
     INFO(ended.err);
     REQUIRE(ended.status == 0);
-    const std::vector<std::string> now = lines_of(folder.read("atlas.csv"));
-    REQUIRE(now.size() == 2 + 18);
-    CHECK(now[10] == changed);
+    CHECK(lines_of(folder.read("atlas.csv")).size() == 2 + 18);
     CHECK(folder.read("index.html").find("overlap_beta_persistent.png") != std::string::npos);
 }
 
-TEST_CASE("an interrupted atlas ends with status 1 and whole lines, from which it goes on") {
-    const std::string whole = quick_csv();
+TEST_CASE("an interrupted atlas ends with status 1 and whole pieces, from which it goes on") {
     const Folder folder;
-    folder.write("atlas.csv", cut_short(whole));
     const Ended ended =
         shell(folder, "'" PUSHFACTOR_PROGRAM
                       "' report atlas --out . & "
-                      "while [ \"$(wc -l <atlas.csv)\" -lt 9 ]; do sleep 0.05; done; kill -INT $!; wait $!");
+                      "until ls pieces/*/*/*.json >list 2>/dev/null; do sleep 0.05; done; kill -INT $!; "
+                      "wait $!");
     INFO(ended.err);
     CHECK(ended.status == 1);
     CHECK(ended.err.find("the same command resumes from there") != std::string::npos);
-    CHECK(folder.files() == std::vector<std::string>{"atlas.csv"});
-    const std::string csv = folder.read("atlas.csv");
-    CHECK(csv.ends_with("\n"));
-    CHECK(lines_of(csv).size() >= 9);
-    for (const std::string& line : lines_of(csv)) {
-        if (!line.starts_with("#")) CHECK(fields_of(line).size() == 9);
+    std::filesystem::remove(folder / "list");
+    for (const std::string& file : folder.files()) {
+        CHECK(file.starts_with("pieces/"));
+        CHECK_NOTHROW(pushfactor::demos::Json::parse(folder.read(file)));
     }
+    const auto count = folder.files().size();
     CHECK(shell(folder, quick_map).status == 0);
-    for (const std::string& line : lines_of(whole)) CHECK(folder.read("atlas.csv").find(line) != std::string::npos);
-}
-
-TEST_CASE("a table that this atlas did not write is refused in one line and left alone") {
-    const std::string whole = quick_csv();
-    const std::vector<std::string> lines = lines_of(whole);
-    const auto with_row = [&](const std::string& row) { return lines[0] + "\n" + lines[1] + "\n" + row + "\n"; };
-    const auto changed = [](std::string text, const std::string& from, const std::string& to) {
-        REQUIRE(text.find(from) != std::string::npos);
-        return text.replace(text.find(from), from.size(), to);
-    };
-    for (const std::string& text : {
-             std::string(),
-             std::string("time,value\n1,2\n"),
-             changed(whole, "# pushfactor ", "# pushfactor 9"),
-             with_row(lines[2]) + lines[2] + "\n",
-             with_row("nothing"),
-             with_row(lines[2] + ",more"),
-             with_row(changed(lines[2], ",rest,", ",well,")),
-             with_row(changed(lines[2], "--seconds 3", "--seconds 4")),
-             with_row(changed(lines[2], fields_of(lines[2])[7], "nan")),
-             with_row(changed(lines[2], ",beta,0.1,", ",beta,0.15,")),
-         }) {
-        INFO(text);
-        const Folder folder;
-        folder.write("atlas.csv", text);
-        const Ended ended = shell(folder, quick_map);
-        INFO(ended.err);
-        CHECK(ended.status == 2);
-        CHECK(ended.err.find("atlas.csv: ") != std::string::npos);
-        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-        CHECK(folder.read("atlas.csv") == text);
-        CHECK(folder.files() == std::vector<std::string>{"atlas.csv"});
-    }
+    CHECK(folder.files().size() > count);
 }
 
 TEST_CASE("without gnuplot the atlas has its table, and the page says what to install") {
@@ -147,6 +76,7 @@ TEST_CASE("without gnuplot the atlas has its table, and the page says what to in
     const Ended ended = shell(folder, std::string("PATH=/nowhere ") + quick_map);
     INFO(ended.err);
     CHECK(ended.status == 0);
+    std::filesystem::remove_all(folder / "pieces");
     CHECK(folder.files() == std::vector<std::string>{"atlas.csv", "index.html", "overlap_beta_persistent.dat"});
     CHECK(folder.read("index.html").find("apt install gnuplot-nox") != std::string::npos);
 }

@@ -99,10 +99,8 @@ ProblemSections::ProblemSections(const std::optional<std::filesystem::path>& bes
     if (beside) others_ = read_points(*beside);
 }
 
-ProblemSection ProblemSections::add(const ContactProblem& problem, bool quick, const std::function<void()>& check,
-                                    const std::string& machine) {
-    std::string note;
-    std::vector<ProblemPoint> own = solve_problem(problem, quick, check, note);
+ProblemSection ProblemSections::add(const ContactProblem& problem, std::vector<ProblemPoint> own,
+                                    const std::string& note, const std::string& machine) {
     points_.insert(points_.end(), own.begin(), own.end());
     for (const ProblemPoint& point : others_) {
         if (point.problem == title_of(problem)) own.push_back(point);

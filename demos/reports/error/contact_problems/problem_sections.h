@@ -18,8 +18,8 @@ class ProblemSections {
     // `beside` is a CSV file of other solvers with the columns of problems.csv. Throws UsageError if it is not.
     explicit ProblemSections(const std::optional<std::filesystem::path>& beside);
 
-    // Solves the problem and describes the results. `check` as in solve_problem().
-    ProblemSection add(const ContactProblem& problem, bool quick, const std::function<void()>& check,
+    // Describes what solve_problem() returned.
+    ProblemSection add(const ContactProblem& problem, std::vector<ProblemPoint> own, const std::string& note,
                        const std::string& machine);
 
     // Dolan-Moré profiles of all methods over the problems so far.

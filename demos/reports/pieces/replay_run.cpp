@@ -1,0 +1,65 @@
+#include "demos/reports/pieces/replay_run.h"
+
+#include "demos/pictures/replay/replay.h"
+#include "demos/reports/study.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace pushfactor::demos::reports {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A temporary folder, removed with the object.
+class Scratch {
+  public:
+    Scratch() {
+        std::string name = (fs::temp_directory_path() / "pushfactor-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw OutputError(name + ": cannot be created");
+        path_ = name;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+}  // namespace
+
+std::string replay_of(const std::string& scene, const OptionTexts& options, const std::function<void()>& check) {
+    const Scratch folder;
+    const fs::path file = folder.path() / "replay.html";
+    const std::vector<ComparedRun> runs{{.label = "", .choices = run_of(scene, options)}};
+    Simulation simulation(runs.front().choices);
+    const long every = pictures::steps_a_replay_frame(runs.front().choices);
+    pictures::Replay replay({.file = file,
+                             .steps_a_frame = every,
+                             .poses_only = true,
+                             .command = command_text("run", scene, options) + " --replay replay.html"},
+                            runs, {&simulation});
+    replay.record();
+    try {
+        while (before_end(simulation)) {
+            check();
+            simulation.advance();
+            if (simulation.sample().step % every == 0) replay.record();
+        }
+        replay.finish();
+    } catch (const NonFiniteError& error) {
+        replay.finish(error.what());
+    }
+    std::ifstream stream(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+}  // namespace pushfactor::demos::reports

@@ -1,0 +1,130 @@
+#include "demos/reports/pieces/store.h"
+
+#include "demos/platform/output_file.h"
+#include "demos/platform/version.h"
+#include "demos/text/errors.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace pushfactor::demos::reports {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* note_name = "report.json";
+
+std::optional<std::string> text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+// Content, because another build of modified sources has the same version.
+std::string own_file_hash() {
+    const auto text = text_of("/proc/self/exe");
+    return fmt::format("{:016x}", text ? text_hash(*text) : 0);
+}
+
+std::string make_version() {
+    std::string version = version_text();
+    const bool exact = version.find("-dirty") == std::string::npos && version.find("unknown") == std::string::npos;
+    return exact ? version : version + ", program " + own_file_hash();
+}
+
+// "0.1.0-commit-0123456789ab"
+std::string folder_name(const std::string& version) {
+    std::string name;
+    for (const char c : version) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.';
+        if (plain || !name.ends_with('-')) name += plain ? c : '-';
+    }
+    return name;
+}
+
+fs::path folder_of_version(const fs::path& folder) {
+    return folder / "pieces" / folder_name(version_of_pieces());
+}
+
+// Unlike other output files these have names that no other process on any machine uses, because two may make the
+// same file at once.
+void write_alone(const fs::path& path, const std::string& text) {
+    std::array<char, 256> host{};
+    gethostname(host.data(), host.size() - 1);
+    const fs::path own =
+        path.string() + fmt::format(".{}-{}-{}", host.data(), getpid(), static_cast<int>(gettid()));
+    write_file(own, text);
+    std::error_code error;
+    fs::rename(own, path, error);
+    if (error) throw OutputError(path.string() + ": " + error.message());
+}
+
+}  // namespace
+
+const std::string& version_of_pieces() {
+    static const std::string version = make_version();
+    return version;
+}
+
+PieceStore::PieceStore(std::vector<fs::path> folders, std::string machine)
+    : folders_(std::move(folders)), machine_(std::move(machine)) {}
+
+fs::path PieceStore::place_of(const fs::path& folder, const std::string& key) const {
+    const std::string name = fmt::format("{:016x}", hash_of_key(key));
+    return folder_of_version(folder) / name.substr(0, 2) / (name.substr(2) + ".json");
+}
+
+std::optional<StoredPiece> PieceStore::find(const std::string& key) const {
+    for (const fs::path& folder : folders_) {
+        const auto text = text_of(place_of(folder, key));
+        if (!text) continue;
+        Json json = Json::parse(*text, nullptr, false);
+        const bool whole = json.is_object() && json.value("key", "") == key && json.contains("result") &&
+                           json.value("made_with", "") == version_of_pieces();
+        if (whole) return StoredPiece{json.value("machine", ""), std::move(json["result"])};
+    }
+    return std::nullopt;
+}
+
+void PieceStore::put(const std::string& key, const Json& result) const {
+    const fs::path path = place_of(folders_.front(), key);
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
+    const Json json{{"key", key}, {"made_with", version_of_pieces()}, {"machine", machine_}, {"result", result}};
+    write_alone(path, json.dump() + "\n");
+}
+
+void PieceStore::put_note(const std::string& text) const {
+    const fs::path path = folder_of_version(folders_.front()) / note_name;
+    if (text_of(path) == text) return;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
+    write_alone(path, text);
+}
+
+std::optional<std::string> PieceStore::note_of(const fs::path& folder) {
+    return text_of(folder_of_version(folder) / note_name);
+}
+
+std::string PieceStore::version_folder() {
+    return folder_name(version_of_pieces());
+}
+
+std::set<std::string> PieceStore::versions_in(const fs::path& folder) {
+    std::set<std::string> versions;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / "pieces", error)) {
+        if (entry.is_directory()) versions.insert(entry.path().filename());
+    }
+    return versions;
+}
+
+}  // namespace pushfactor::demos::reports
