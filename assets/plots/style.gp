@@ -9,8 +9,9 @@ if (format eq 'svg') {
     set terminal svg size width,height font sprintf('DejaVu Sans,%.1f', letters) linewidth lines \
         background rgb (transparent ? '#00ffffff' : paper)
 } else { if (format eq 'pdf') {
+    # Its letters have two thirds of the given size unless fontscale is 0.75.
     set terminal pdfcairo size ceil(72.0 * width / inch) / 72.0,ceil(72.0 * height / inch) / 72.0 font sprintf('DejaVu Sans,%.2f', letters * 72.0 / inch) \
-        linewidth lines * 72.0 / inch * 2.0 dashlength 0.7 pointscale 0.55
+        linewidth lines * 72.0 / inch * 2.0 dashlength 0.7 pointscale 0.6 fontscale 0.75
     if (dark && !transparent) { set object 1 rectangle from screen 0,0 to screen 1,1 behind fillcolor rgb paper fillstyle solid noborder }
 } else { if (transparent) {
     set terminal pngcairo size width,height font sprintf('DejaVu Sans,%.1f', 0.75 * letters) linewidth lines transparent
@@ -29,4 +30,4 @@ set grid linecolor rgb (dark ? '#3a3d44' : '#dddddd') linetype 1 linewidth 0.4
 set key top right reverse Left spacing 1.3 samplen 2.5 textcolor rgb ink
 # In one column of a page there is room for some thirty letters only, and the key stands below.
 narrow = width / letters < 50
-if (narrow) { set key outside bottom center horizontal samplen 1.5 spacing 1.1; set xlabel offset 0,0.4 }
+if (narrow) { set key outside bottom center horizontal samplen 1.5 spacing 1.1; set xlabel offset 0,0.7 }

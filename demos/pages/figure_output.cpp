@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pushfactor::demos::figures {
 
 namespace fs = std::filesystem;
@@ -74,7 +76,7 @@ void FigureOutput::plot(const Table& table, const std::string& name, double aspe
               .data = name + ".csv",
               .name = name,
               .width = format_.width,
-              .aspect = narrow ? 0.72 * aspect : aspect,
+              .aspect = narrow ? std::min(0.72 * aspect, 1.2) : aspect,
               .format = format_},
              csv_text(table), folder_, plate);
 }
