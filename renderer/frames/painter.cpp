@@ -76,7 +76,8 @@ enum class Lit { openly, flat, bodily };
 // The shaders of a program with the parts that light what it draws.
 std::vector<const char*> lit_by(Lit lit, Light light, std::vector<const char*> files) {
     const auto add = [&](std::initializer_list<const char*> more) { files.insert(files.end(), more); };
-    add({"light.frag", "haze.frag", lit == Lit::openly ? "no_shadow.frag" : "shadow.frag"});
+    const char* const shadow = light == Light::summed_with_sky ? "sampled/shadow.frag" : "shadow.frag";
+    add({"light.frag", "haze.frag", lit == Lit::openly ? "no_shadow.frag" : shadow});
     add({light == Light::at_once ? "exposed.frag" : "sampled/unexposed.frag"});
     if (light != Light::summed_with_sky || lit == Lit::openly) {
         add({"open_sky.frag"});
@@ -105,7 +106,7 @@ Painter::Painter(const Gl& gl, int width, int height, Light light, const std::fi
       contact_program_(gl, shaders, std::array{"contact.vert", "contact.frag", "haze.frag"}),
       body_program_(gl, shaders, lit_by(Lit::bodily, light, {"body.vert", "body.frag"})),
       sphere_program_(gl, shaders, lit_by(Lit::bodily, light, {"sphere.vert", "sphere.frag"})),
-      bar_program_(gl, shaders, lit_by(Lit::bodily, light, {"bar.vert", "bar.frag"})),
+      bar_program_(gl, shaders, lit_by(Lit::flat, light, {"bar.vert", "bar.frag"})),
       panel_program_(gl, shaders, lit_by(Lit::flat, light, {"panel.vert", "panel.frag", "lines.frag"})),
       boxes_(gl, box_mesh()),
       spheres_(gl),
@@ -134,6 +135,8 @@ void Painter::draw_shadows(const Drawing& scene) {
     draw_thick_shadows(scene.sun, scene.view.towards_sun, shadow_map_);
     draw_bar_shadows(scene);
     if (scene.sky) {
+        // What hides the sky may be coarser.
+        spheres_.set_instances(scene.bodies.spheres, scene.picture.camera.eye, 3.0f * scene.view.pixel);
         // A bar hides next to nothing of the sky, but each direction would show as a streak.
         draw_thick_shadows(scene.sky->above, scene.sky->towards_sky, sky_map_);
         draw_thick_shadows(scene.sky->below, -scene.sky->towards_sky, bounce_map_);

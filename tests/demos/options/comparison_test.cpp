@@ -46,5 +46,7 @@ TEST_CASE("a config of compared runs holds what was given, so that it makes the 
     given.add("beta", "0.5", "--beta");
     const auto panels = compared_runs("stack", given);
     const std::string config = config_text(panels.front().choices, given);
-    CHECK(config == "{\n  \"scene\": \"stack\",\n  \"beta\": 0.5,\n  \"compare\": \"preset=paper,default\"\n}\n");
+    CHECK(config ==
+          "{\n  \"scene\": \"stack\",\n  \"beta\": 0.5,\n  \"compare\": \"preset=paper,default\",\n  \"camera\": "
+          "\"fit\"\n}\n");
 }

@@ -173,7 +173,7 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
     const Folder folder;
     REQUIRE(shell(folder,
                   "pushfactor render intersecting-stack --seconds 1 --compare push=persistent,single-frame "
-                  "--frames off --replay run.html")
+                  "--camera scene --frames off --replay run.html")
                 .status == 0);
     CHECK(folder.files() == std::vector<std::string>{"out/intersecting-stack/config.json",
                                                      "out/intersecting-stack/summary.json", "run.html"});
@@ -212,7 +212,7 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
     }
     CHECK(text_of("command") ==
           "pushfactor render intersecting-stack --seconds 1 --compare "
-          "push=persistent,single-frame --frames off --replay run.html");
+          "push=persistent,single-frame --camera scene --frames off --replay run.html");
 
     // A click on the lowest cube of the right half, seen by its place in the picture.
     browser->value_of("pushfactor.seek(60)");

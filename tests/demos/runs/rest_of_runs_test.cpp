@@ -59,8 +59,8 @@ TEST_CASE("the summary and the CSV say how many bodies rest, and since when all 
 TEST_CASE("the overlay of rest is green where bodies rest and red where they move, and needs --rest on") {
     const Folder folder;
     const std::string scene = " '" PUSHFACTOR_SOURCE_DIR "/assets/scenes/woken.json' ";
-    REQUIRE(shell(folder,
-                  "pushfactor render" + scene + "--overlay rest --caption off --size 320x130 --at 1.5,2.2 --out o")
+    REQUIRE(shell(folder, "pushfactor render" + scene +
+                              "--overlay rest --caption off --camera scene --size 320x130 --at 1.5,2.2 --out o")
                 .status == 0);
     const renderer::Image before = read_image(folder, "o/at_1.5s.png"), after = read_image(folder, "o/at_2.2s.png");
     CHECK(pixels_of(before, 1, 0) > 1500);
