@@ -30,4 +30,4 @@ set grid linecolor rgb (dark ? '#3a3d44' : '#dddddd') linetype 1 linewidth 0.4
 set key top right reverse Left spacing 1.3 samplen 2.5 textcolor rgb ink
 # In one column of a page there is room for some thirty letters only, and the key stands below.
 narrow = width / letters < 50
-if (narrow) { set key outside bottom center horizontal samplen 1.5 spacing 1.1; set xlabel offset 0,0.7 }
+if (narrow) { set key outside bottom center horizontal samplen 1.5 title ' ' spacing 1.1 }

@@ -185,8 +185,9 @@ void add_figures(CLI::App& app, Words& words) {
     app.add_option("--theme", request.figure_theme, "light, or dark for talks [light]")->type_name("NAME");
     app.add_option("--background", request.figure_background, "plain, or none: transparent [plain]")
         ->type_name("NAME");
-    app.add_option("--samples", request.figure_samples,
-                   "renderings averaged per picture: smoother edges, soft shadows [8]")
+    app.add_option(
+           "--samples", request.figure_samples,
+           "renderings averaged per picture: smoother edges, soft shadows, light of the whole sky from 16 on [32]")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
 }

@@ -49,7 +49,7 @@ struct Request {
     std::string figure_width = "1600";  // pixels, or a length on paper
     std::optional<int> figure_dpi;
     std::optional<std::string> figure_letters;  // length
-    int figure_samples = 8;
+    int figure_samples = 32;
     std::string figure_theme = "light", figure_background = "plain";
 
     std::vector<std::string> reports;  // name; or "merge" and folders
