@@ -15,8 +15,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,11 @@ int checked_samples(int samples) {
     return samples;
 }
 
+Light light_for(int samples) {
+    if (samples == 1) return Light::at_once;
+    return samples < Renderer::least_sky_samples ? Light::summed : Light::summed_with_sky;
+}
+
 }  // namespace
 
 // Keeps the last frame and redraws only what the next one changes.
@@ -52,17 +59,20 @@ class Renderer::Pipeline {
           samples_(samples),
           width_(width),
           height_(height),
-          painter_(gl_, width, height, shaders, stages),
-          target_(gl_, width, height),
-          rgba_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+          painter_(gl_, width, height, light_for(samples), shaders, stages),
+          target_(gl_, width, height, samples > 1 ? Stored::light : Stored::bytes),
           frame_{
               width, height,
               std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))} {
-        if (samples > 1) mean_.emplace(width, height);
+        if (samples > 1) {
+            mean_.emplace(width, height);
+        } else {
+            rgba_.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        }
     }
 
     const Image& draw(const Picture& picture) {
-        FrameContents contents = contents_of(picture);
+        FrameContents contents = contents_of(picture, 0, samples_);
         Tiles changed(width_, height_);
         if (drawn_) {
             changed = changed_tiles(*drawn_, contents);
@@ -79,35 +89,69 @@ class Renderer::Pipeline {
         return frame_;
     }
 
+    // Each sample of another picture; a single sample is of the last.
+    const Image& draw_spread(std::span<const Picture> pictures) {
+        if (samples_ == 1) return draw(pictures.back());
+        drawn_.reset();
+        Tiles all(width_, height_);
+        all.add_all();
+        const std::vector<PixelArea> areas = all.areas();
+        mean_->clear(areas);
+        for (int sample = 0; sample < samples_; ++sample) {
+            const auto which =
+                static_cast<std::size_t>(sample) * pictures.size() / static_cast<std::size_t>(samples_);
+            const Picture& picture = pictures[which];
+            const FrameContents contents = contents_of(picture, sample, sample + 1);
+            end(Stage::plan);
+            draw_raw(picture, contents, 0, all);
+            add_to_mean(areas);
+        }
+        mean_->put(samples_, areas, frame_);
+        check_gl_errors(gl_);
+        end(Stage::smooth);
+        return frame_;
+    }
+
     void end(Stage stage) const {
         if (stages_) stages_->end(stage);
     }
 
   private:
-    FrameContents contents_of(const Picture& picture) const {
+    // With the renderings from `first` to before `end`.
+    FrameContents contents_of(const Picture& picture, int first, int end) const {
         const float scale = scale_of(picture.camera);
         FrameContents contents{.camera = picture.camera,
+                               .background = picture.background,
                                .ground = picture.ground,
                                // Bodies beyond are invisible in the haze, however far they have been thrown.
                                .bodies = visible_bodies(picture, ground_reach * scale),
                                .panels = picture.panels,
                                .suns = {},
-                               .views = {}};
+                               .views = {},
+                               .skies = {}};
         const std::vector<Instance> bodies = contents.bodies.all();
         const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
         // The corners of the ground are the farthest points drawn.
         const glm::mat4 world_to_clip = camera_view(picture.camera, aspect, 1.5f * ground_reach * scale);
-        for (int index = 0; index < samples_; ++index) {
-            const auto [pixel, towards_sun] = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
-            const glm::vec2 clip = 2.0f * pixel / glm::vec2(width_, height_);
-            contents.suns.push_back(sun_view(picture.camera, towards_sun, bodies, ShadowMap::max_side));
+        for (int index = first; index < end; ++index) {
+            const SampleOffset offset = sample_offset(index, samples_, glm::normalize(picture.towards_sun));
+            const glm::vec2 clip = 2.0f * offset.pixel / glm::vec2(width_, height_);
+            const auto seen_from = [&](const glm::vec3& direction) {
+                return sun_view(picture.camera, direction, bodies, ShadowMap::max_side);
+            };
+            contents.suns.push_back(seen_from(offset.towards_sun));
             contents.views.push_back(
                 {.width = width_,
                  .height = height_,
                  .world_to_clip = glm::translate(glm::mat4(1.0f), glm::vec3(clip, 0.0f)) * world_to_clip,
-                 .towards_sun = towards_sun,
+                 .towards_sun = offset.towards_sun,
                  .texel = contents.suns.back().texel,
                  .pixel = pixel_at_one_metre(picture.camera, height_)});
+            if (samples_ < least_sky_samples) continue;
+            contents.skies.push_back({.above = seen_from(offset.towards_sky),
+                                      .below = seen_from(-offset.towards_sky),
+                                      .towards_sky = offset.towards_sky,
+                                      .weight = offset.sky_weight});
         }
         return contents;
     }
@@ -116,34 +160,44 @@ class Renderer::Pipeline {
     static_assert(smoothing_reach <= Tiles::side);
     void draw_once(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
         draw_raw(picture, contents, 0, changed);
+        target_.read(changed.areas(), rgba_);
+        end(Stage::read);
         smooth_edges(rgba_, changed.with_neighbours().areas(), frame_);
         end(Stage::smooth);
     }
 
-    // Only the sum of several renderings is kept, so the surroundings of changed tiles are drawn again.
     void draw_mean(const Picture& picture, const FrameContents& contents, const Tiles& changed) {
-        const Tiles smoothed = changed.with_neighbours();
-        const Tiles drawn = smoothed.with_neighbours();
-        const std::vector<PixelArea> areas = smoothed.areas();
+        const std::vector<PixelArea> areas = changed.areas();
         mean_->clear(areas);
         for (std::size_t sample = 0; sample < contents.views.size(); ++sample) {
-            draw_raw(picture, contents, sample, drawn);
-            smooth_edges(rgba_, areas, frame_);
-            mean_->add(frame_, areas);
-            end(Stage::smooth);
+            draw_raw(picture, contents, sample, changed);
+            add_to_mean(areas);
         }
         mean_->put(samples_, areas, frame_);
         end(Stage::smooth);
+    }
+
+    // In strips, so that little memory is needed besides the sum.
+    void add_to_mean(const std::vector<PixelArea>& areas) {
+        constexpr int rows = 32;
+        for (const PixelArea& area : areas) {
+            for (int y = area.y; y < area.y + area.height; y += rows) {
+                const PixelArea strip{area.x, y, area.width, std::min(rows, area.y + area.height - y)};
+                light_.resize(4 * static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height));
+                target_.read(strip, light_);
+                mean_->add(light_, strip);
+            }
+        }
+        end(Stage::read);
     }
 
     void draw_raw(const Picture& picture, const FrameContents& contents, std::size_t sample, const Tiles& tiles) {
         painter_.draw({.picture = picture,
                        .bodies = contents.bodies,
                        .sun = contents.suns[sample],
-                       .view = contents.views[sample]},
+                       .view = contents.views[sample],
+                       .sky = contents.skies.empty() ? nullptr : &contents.skies[sample]},
                       tiles, target_);
-        target_.read(tiles.areas(), rgba_);
-        end(Stage::read);
     }
 
     Gl gl_;
@@ -153,7 +207,8 @@ class Renderer::Pipeline {
     int height_;  // pixels
     Painter painter_;
     RenderTarget target_;
-    std::vector<std::uint8_t> rgba_;      // before smoothing
+    std::vector<std::uint8_t> rgba_;      // before smoothing; for one rendering
+    std::vector<float> light_;            // a part of a rendering; for several
     std::optional<SampleMean> mean_;      // for several renderings
     Image frame_;                         // without marks
     std::optional<FrameContents> drawn_;  // contents of frame_
@@ -172,16 +227,17 @@ Renderer::~Renderer() {
 
 Image Renderer::render(const Picture& picture) {
     Image image;
-    render(picture, image);
+    render(std::span(&picture, 1), image);
     return image;
 }
 
-void Renderer::render(const Picture& picture, Image& image) {
-    check(picture);
+void Renderer::render(std::span<const Picture> pictures, Image& image) {
+    if (pictures.empty()) throw RendererError("no picture to render");
+    for (const Picture& picture : pictures) check(picture);
     context_.make_current();
-    image = pipeline_->draw(picture);
-    draw_marks(image, picture);
-    check_in_view(image, background, picture.camera);
+    image = pictures.size() == 1 ? pipeline_->draw(pictures.front()) : pipeline_->draw_spread(pictures);
+    draw_marks(image, pictures.back());
+    check_in_view(image, pictures.back().background.colour, pictures.back().camera);
     pipeline_->end(Stage::marks);
 }
 

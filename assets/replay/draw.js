@@ -231,7 +231,7 @@ class Painter {
         const gl = canvas.getContext("webgl2", {antialias: false, alpha: false, depth: false, stencil: false});
         if (!gl) throw new Error("WebGL 2 is missing");
         this.gl = gl;
-        const light = ["light.frag", "shadow.frag", "haze.frag"];
+        const light = ["light.frag", "open_sky.frag", "exposed.frag", "shadow.frag", "haze.frag"];
         const program = (...files) => new Program(gl, shaders, files);
         this.programs = {
             shadow: program("body.vert"), sphereShadow: program("sphere.vert"), barShadow: program("bar.vert"),
@@ -293,7 +293,7 @@ class Painter {
         const sun = sunView(camera, all.towardsSun, [...thick, ...scene.bars]);
         const textureFromClip = Float64Array.of(0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0.5, 0.5, 0.5, 1);
         const view = {
-            world_to_clip: cameraView(camera, aspect), eye: camera.eye, viewer: camera.eye, parallel: false, towards_sun: all.towardsSun,
+            world_to_clip: cameraView(camera, aspect), eye: camera.eye, viewer: camera.eye, parallel: false, towards_sun: all.towardsSun, sun_share: 1,
             background, haze_distance: haze * scaleOf(camera), line_spacing: lineSpacing(scaleOf(camera)),
             world_to_shadow: product(textureFromClip, sun.worldToClip), shadow_texel: sun.texel,
         };

@@ -172,9 +172,19 @@ void add_figures(CLI::App& app, Words& words) {
     Request& request = words.request;
     app.add_option("FIGURE", request.figures, "names of figures [all]");
     app.add_option("--out", request.out, "folder for the page and its pictures [out/figures]")->type_name("DIR");
-    app.add_option("--width", request.figure_width, "width of a figure in pixels [1600]")
+    app.add_option(
+           "--width", request.figure_width,
+           "width of a figure: pixels, or for print a length (85mm, 17cm, 3.35in, 240pt), which adds PDF and "
+           "LaTeX [1600]")
+        ->type_name("N|LENGTH");
+    app.add_option("--dpi", request.figure_dpi, "with a length: pixels per inch of pictures [300]")
         ->type_name("N")
-        ->check(CLI::Range(400, 4096));
+        ->check(CLI::Range(72, 1200));
+    app.add_option("--font-size", request.figure_letters, "with a length: size of all letters on paper [8pt]")
+        ->type_name("LENGTH");
+    app.add_option("--theme", request.figure_theme, "light, or dark for talks [light]")->type_name("NAME");
+    app.add_option("--background", request.figure_background, "plain, or none: transparent [plain]")
+        ->type_name("NAME");
     app.add_option("--samples", request.figure_samples,
                    "renderings averaged per picture: smoother edges, soft shadows [8]")
         ->type_name("N")
@@ -233,7 +243,9 @@ void add_report(CLI::App& app, Words& words) {
                    "error: contact problems of FCLib instead of our own frozen ones: a file or a folder (.hdf5)")
         ->type_name("FILE|DIR");
     app.add_option("--beside", request.beside,
-                   "error: other solvers on the same problems, a CSV file with the columns of problems.csv")
+                   "error: other engines on the same scenes, a CSV file with the columns of error.csv; with "
+                   "--problems other "
+                   "solvers on these, with those of problems.csv")
         ->type_name("FILE");
     app.add_option("--export", request.exported,
                    "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib")

@@ -63,9 +63,6 @@ void refuse_foreign(const Request& request, const reports::Study& study) {
                 fmt::format("{} {}: must be with report error, the only one that has problems", option, *value));
         }
     }
-    if (request.beside && !request.problems) {
-        throw UsageError(fmt::format("--beside {}: must be with --problems", *request.beside));
-    }
     for (const auto& [option, file] :
          {std::pair{"--junit", request.junit}, std::pair{"--markdown", request.markdown}}) {
         if (file && !study.judges) {

@@ -46,8 +46,11 @@ struct Request {
     bool names_only = false;  // list
 
     std::vector<std::string> figures;  // names; all when empty
-    int figure_width = 1600;           // pixels
+    std::string figure_width = "1600";  // pixels, or a length on paper
+    std::optional<int> figure_dpi;
+    std::optional<std::string> figure_letters;  // length
     int figure_samples = 8;
+    std::string figure_theme = "light", figure_background = "plain";
 
     std::vector<std::string> reports;  // name; or "merge" and folders
     std::vector<std::string> parts;    // of the report; all when empty

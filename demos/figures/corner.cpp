@@ -48,8 +48,9 @@ Corner look_at(const Simulation& run) {
     return corner;
 }
 
-renderer::Image draw(FigureOutput& output, const Simulation& run, const Corner& corner,
-                     const pictures::Size& size) {
+// Into the upper left of the sheet.
+void draw(FigureOutput& output, const Simulation& run, const Corner& corner, const pictures::Size& size,
+          Sheet& sheet) {
     constexpr double arrow = 0.42;  // m, drawn length of a unit vector
     const View view = run.scene().view;
     renderer::Picture picture = pictures::draw_list(run.scene(), view);
@@ -62,16 +63,16 @@ renderer::Image draw(FigureOutput& output, const Simulation& run, const Corner& 
         picture.dots.push_back(
             {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
     }
-    renderer::Image image = output.studio().draw(picture, size, output.samples());
-    const float letters = static_cast<float>(output.width()) / 50.0f;
+    sheet.paste(output.studio(), std::move(picture), size, output.samples(), 0, 0);
+    const float letters = output.letters(50.0f);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
         const auto [x, y] = pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
-        output.studio().lettering().text(image, i == 0 ? "a" : "b",
-                                         {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
-                                         letters, true);
+        sheet.texts.push_back({i == 0 ? "a" : "b",
+                               {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
+                               letters,
+                               true});
     }
-    return image;
 }
 
 }  // namespace
@@ -83,13 +84,19 @@ Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const Corner corner = look_at(run);
     const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];
 
-    const pictures::Size size{output.width() / 2, output.width() * 2 / 5};
-    renderer::Image sheet = renderer::blank_image(output.width(), size.height, glm::vec3(1.0f));
-    renderer::paste(sheet, draw(output, run, corner, size), 0, 0);
-    const float letters = static_cast<float>(output.width()) / 62.0f;
-    glm::vec2 at(static_cast<float>(size.width) + 2.0f * letters, 0.18f * static_cast<float>(size.height));
+    // The texts stand beside the picture, or below it where a column of paper is too narrow for both.
+    const float letters = output.letters(62.0f);
+    const bool beside = static_cast<float>(output.width()) > 60.0f * letters;
+    const pictures::Size size = beside ? pictures::Size{output.width() / 2, output.width() * 2 / 5}
+                                       : pictures::Size{output.width(), output.width() * 3 / 5};
+    const int below = beside ? 0 : static_cast<int>(24.0f * letters);
+    Sheet sheet = Sheet::blank(output.width(), size.height + below, output.format());
+    draw(output, run, corner, size, sheet);
+    glm::vec2 at =
+        beside ? glm::vec2(static_cast<float>(size.width) + 2.0f * letters, 0.18f * static_cast<float>(size.height))
+               : glm::vec2(0.0f, static_cast<float>(size.height) + 1.5f * letters);
     const auto line = [&](const std::string& text, float space) {
-        output.studio().lettering().text(sheet, text, at, letters);
+        sheet.texts.push_back({text, at, letters});
         at.y += space * letters;
     };
     line("One row of J for each contact (12.2):", 2.2f);
@@ -105,7 +112,7 @@ Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
          1.0f);
 
     Plate plate;
-    plate.pictures.push_back(output.save(sheet, std::string(figure.name)));
+    output.save(sheet, std::string(figure.name), plate);
     plate.caption = fmt::format(
         "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
         "rows "

@@ -33,7 +33,6 @@ Plate funnel(FigureOutput& output, const Figure& figure) {
     const OptionTexts options{{"seconds", "30"}};
     Strip strip{.runs = {run_of("funnel", options)}, .columns = 2};
     strip.cell_aspect = 1.6;
-    strip.fit = false;
     add_instants(strip, 0, {{2, 1}, {30, 1}});
     double energy = 0.0;
     strip.look = [&](const Cell&, const Simulation& run) { energy = run.sample().kinetic_energy; };

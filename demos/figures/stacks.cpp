@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace pushfactor::demos::figures {
 
 namespace {
@@ -13,7 +15,9 @@ namespace {
 std::vector<std::string> upward_speeds(const Simulation& run) {
     std::vector<std::string> speeds;
     for (const engine::Body& body : run.scene().world.bodies) {
-        if (!body.is_static()) speeds.push_back(fmt::format("{:.1f}", velocity(body).y() + 0.0));
+        if (body.is_static()) continue;
+        const double speed = velocity(body).y();
+        speeds.push_back(fmt::format("{:.1f}", std::abs(speed) < 0.05 ? 0.0 : speed));  // never "-0.0"
     }
     return speeds;
 }

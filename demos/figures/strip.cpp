@@ -1,11 +1,11 @@
 #include "demos/figures/strip.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/replay/replay.h"
-#include "demos/pictures/survey.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 
@@ -17,7 +17,6 @@ namespace pushfactor::demos::figures {
 
 namespace {
 
-using pictures::Ball;
 using pictures::Layout;
 using pictures::Size;
 
@@ -42,15 +41,20 @@ void play(const Strip& strip, const Show& show) {
     }
 }
 
-View camera_of(const Strip& strip, double aspect) {
-    std::vector<Ball> balls;
-    View view = strip.view.value_or(strip.runs.front().description.view);
+// `label` is the height of a cell's label as a share of the cell's.
+View camera_of(const Strip& strip, double aspect, double label) {
+    const View view = strip.view.value_or(strip.runs.front().description.view);
     if (!strip.fit) return view;
+    pictures::Outline outline;
+    Eigen::AlignedBox3d near;
     play(strip, [&](std::size_t, const Simulation& run) {
-        const std::vector<Ball> now = pictures::movable_balls(run.scene());
-        balls.insert(balls.end(), now.begin(), now.end());
+        if (near.isEmpty()) near = pictures::surroundings(run.scene());
+        pictures::add_moving(run.scene(), near, outline);
     });
-    return pictures::fitted(view, balls, aspect);
+    const BuiltScene scene = build_scene(strip.runs.front());
+    pictures::add_support(scene, outline);
+    const pictures::Subject subject = pictures::with_room(pictures::subject_of(scene, outline), label, 0.0);
+    return pictures::composed(view, subject, aspect);
 }
 
 // What tells the run of a row from the others: its title, or the first option in which they differ.
@@ -69,15 +73,64 @@ std::string label_of(const Strip& strip, std::size_t row) {
     return "";
 }
 
-// Row titles, each vertically centred on its row.
-void write_titles(const Strip& strip, const Layout& layout, int margin, float size,
-                  const pictures::Lettering& lettering, renderer::Image& image) {
+// Room for texts around the cells [pixels].
+struct Room {
+    float size = 16.0f;  // of the font
+    int left = 0;        // of the titles of the rows
+    int below = 0;       // of the labels of a row of cells, for print; on a screen these are in the cells
+};
+
+float width_of(const std::string& lines, float size, const pictures::Lettering& lettering) {
+    float widest = 0.0f;
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line);) widest = std::max(widest, lettering.width(line, size));
+    return widest;
+}
+
+std::vector<std::string> label_lines(const Strip& strip, std::size_t cell, float size, int across,
+                                     const pictures::Lettering& lettering) {
+    return wrapped(strip.cells[cell].label, size, static_cast<float>(across), lettering);
+}
+
+Room room_of(const FigureOutput& output, const Strip& strip, const pictures::Lettering& lettering) {
+    Room room{.size = output.letters(95.0f)};
+    if (!output.format().print) {
+        if (!strip.titles.empty()) room.left = output.width() / 11;
+        return room;
+    }
+    for (const std::string& title : strip.titles) {
+        const float wide = width_of(title, room.size, lettering) + room.size;
+        room.left = std::max(room.left, static_cast<int>(wide));
+    }
+    const int across = (output.width() - room.left) / strip.columns;
+    std::size_t most = 1;
+    for (std::size_t i = 0; i < strip.cells.size(); ++i)
+        most = std::max(most, label_lines(strip, i, room.size, across, lettering).size());
+    room.below = static_cast<int>(room.size * (0.6f + 1.2f * static_cast<float>(most)));
+    return room;
+}
+
+// Each vertically centred on its row.
+void add_titles(const Strip& strip, const Room& room, const std::vector<renderer::Rectangle>& cells, Sheet& sheet) {
     for (std::size_t row = 0; row < strip.titles.size(); ++row) {
-        const renderer::Rectangle place = layout.place(row * static_cast<std::size_t>(layout.columns));
+        const renderer::Rectangle& place = cells[row * static_cast<std::size_t>(strip.columns)];
         std::istringstream lines(strip.titles[row]);
         float y = place.y + 0.5f * place.height;
-        for (std::string line; std::getline(lines, line); y += 1.5f * size) {
-            lettering.text(image, line, {0.5f * static_cast<float>(margin), y}, size, true);
+        for (std::string line; std::getline(lines, line); y += 1.5f * room.size) {
+            sheet.texts.push_back({line, {0.5f * static_cast<float>(room.left), y}, room.size, true});
+        }
+    }
+}
+
+// Under each cell, for print.
+void add_labels(const Strip& strip, const Room& room, const std::vector<renderer::Rectangle>& cells,
+                const pictures::Lettering& lettering, Sheet& sheet) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        float y = cells[i].y + cells[i].height + 1.2f * room.size;
+        for (const std::string& line :
+             label_lines(strip, i, room.size, static_cast<int>(cells[i].width), lettering)) {
+            sheet.texts.push_back({line, {cells[i].x + 0.5f * cells[i].width, y}, room.size, true});
+            y += 1.2f * room.size;
         }
     }
 }
@@ -111,42 +164,51 @@ void write_replay(const Strip& strip, const std::string& command, const std::fil
 
 }  // namespace
 
-renderer::Image draw_strip(FigureOutput& output, const Strip& strip) {
-    const int margin = strip.titles.empty() ? 0 : output.width() / 11;
+Sheet draw_strip(FigureOutput& output, const Strip& strip) {
+    const pictures::Lettering& lettering = output.studio().lettering();
+    const Room room = room_of(output, strip, lettering);
     const int rows = (static_cast<int>(strip.cells.size()) + strip.columns - 1) / strip.columns;
-    const int across = (output.width() - margin) / strip.columns;
-    const Size sheet{output.width() - margin, rows * static_cast<int>(across / strip.cell_aspect)};
-    const Layout layout = pictures::grid(sheet, strip.columns, rows);
+    const int across = (output.width() - room.left) / strip.columns;
+    const Size size{output.width() - room.left, rows * static_cast<int>(across / strip.cell_aspect)};
+    const Layout layout = pictures::grid(size, strip.columns, rows);
     const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
-    const View view = camera_of(strip, aspect);
+    // A label in the cell needs room at the top of it.
+    const double label = room.below > 0 ? 0.0 : 1.8 * room.size / layout.cell.height;
+    const View view = camera_of(strip, aspect, label);
 
-    std::vector<renderer::Image> images(strip.cells.size());
+    Sheet sheet = Sheet::blank(output.width(), size.height + rows * room.below, output.format());
+    std::vector<renderer::Rectangle> cells(strip.cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i] = layout.place(i);
+        cells[i].x += static_cast<float>(room.left);
+        cells[i].y += static_cast<float>(static_cast<int>(i) / strip.columns * room.below);
+    }
     play(strip, [&](std::size_t i, const Simulation& run) {
         renderer::Picture picture = pictures::draw_list(run.scene(), view);
         picture.mark_scale = static_cast<float>(rows);
         if (strip.overlay) {
             pictures::add_overlay(run.scene(), strip.overlay->kind, *strip.overlay->units_a_metre, picture);
         }
-        images[i] = output.studio().draw(picture, layout.cell, output.samples());
+        sheet.paste(output.studio(), std::move(picture), layout.cell, output.samples(),
+                    static_cast<int>(cells[i].x), static_cast<int>(cells[i].y));
         if (strip.look) strip.look(strip.cells[i], run);
     });
-    renderer::Image image = pictures::assemble(layout, images);
-    const pictures::Lettering& lettering = output.studio().lettering();
-    const float size = static_cast<float>(output.width()) / 95.0f;
-    for (std::size_t i = 0; i < strip.cells.size(); ++i) {
-        lettering.name(image, layout.place(i), strip.cells[i].label, size);
+    add_titles(strip, room, cells, sheet);
+    if (room.below > 0) {
+        add_labels(strip, room, cells, lettering, sheet);
+    } else {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            for (SheetLayer& layer : sheet.layers)
+                lettering.name(layer.image, cells[i], strip.cells[i].label, room.size);
+        }
     }
-    if (margin == 0) return image;
-    renderer::Image with_margin = renderer::blank_image(output.width(), sheet.height, glm::vec3(1.0f));
-    renderer::paste(with_margin, image, margin, 0);
-    write_titles(strip, layout, margin, size, lettering, with_margin);
-    return with_margin;
+    return sheet;
 }
 
 Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip) {
     Plate plate;
     const std::string name(figure.name);
-    plate.pictures.push_back(output.save(draw_strip(output, strip), name));
+    output.save(draw_strip(output, strip), name, plate);
     write_replay(strip, "pushfactor figures " + name, output.file(name + ".html"));
     plate.replays.push_back(name + ".html");
     return plate;

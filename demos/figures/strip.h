@@ -32,7 +32,7 @@ struct Strip {
     std::function<void(const Cell& cell, const Simulation& run)> look{};
 };
 
-renderer::Image draw_strip(FigureOutput& output, const Strip& strip);
+Sheet draw_strip(FigureOutput& output, const Strip& strip);
 
 // The same as a figure's picture.
 Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip);

@@ -12,7 +12,9 @@ std::optional<CameraChoice> parse_camera(std::string_view text) {
     constexpr std::string_view orbit = "orbit:";
     CameraChoice choice{.text = std::string(text)};
     for (const std::string_view part : parts_of(text)) {
-        if (part == "fit") {
+        if (part == "scene") {
+            continue;
+        } else if (part == "fit") {
             choice.fit = true;
         } else if (part.starts_with(orbit)) {
             const auto speed = parse_number(part.substr(orbit.size()));

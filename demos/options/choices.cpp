@@ -108,6 +108,11 @@ FrameChoices understand_frames(const GivenOptions& given) {
         const auto* chosen = given.find(option.name);
         if (chosen && !option.set(choices, chosen->text)) refuse(*chosen, option.allowed);
     }
+    if (choices.shutter > 0.0 && choices.samples == 1) {
+        refuse(*given.find("shutter"), "0 with a single sample; --samples 16 spreads 16 over the time");
+    }
+    // Pictures to look at for longer than a frame of a video.
+    if (!given.find("camera") && (!choices.at.empty() || choices.compare)) choices.camera = *parse_camera("fit");
     return choices;
 }
 
@@ -157,6 +162,10 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         }
         if (!above.preset_decides(name)) given.add(name, text_of(value), field);
     }
+    // Programs that did not fit cameras to stills did not write which camera they had.
+    if (config.contains("at") || config.contains("compare")) {
+        given.add("camera", "scene", fmt::format("camera in {}", file.string()));
+    }
 }
 
 Choices understand(const std::string& scene, GivenOptions given) {
@@ -196,6 +205,7 @@ std::string config_text(const Choices& choices, const GivenOptions& given) {
         for (const auto& [name, option] : given.all()) {
             if (name != "scene") config[name] = json_of(option.text);
         }
+        config["camera"] = choices.frames.camera.text;
         return config.dump(2) + "\n";
     }
     config["preset"] = choices.settings.preset;

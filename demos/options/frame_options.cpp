@@ -36,21 +36,36 @@ bool set_fps(FrameChoices& choices, std::string_view text) {
     return true;
 }
 
-bool set_at(FrameChoices& choices, std::string_view text) {
+bool set_times(std::vector<Rational>& list, std::string_view text) {
     std::vector<Rational> times;
     for (const std::string_view part : parts_of(text)) {
         const auto time = parse_rational(part);
         if (!time || time->numerator < 0) return false;
         times.push_back(*time);
     }
-    choices.at = times;
+    list = times;
     return true;
 }
 
-std::string get_at(const FrameChoices& choices) {
+std::string text_of(const std::vector<Rational>& times) {
     std::string text;
-    for (const Rational& time : choices.at) text += (text.empty() ? "" : ",") + to_text(time);
+    for (const Rational& time : times) text += (text.empty() ? "" : ",") + to_text(time);
     return text;
+}
+
+bool set_at(FrameChoices& choices, std::string_view text) {
+    return set_times(choices.at, text);
+}
+
+bool set_ghosts(FrameChoices& choices, std::string_view text) {
+    return set_times(choices.ghosts, text);
+}
+
+bool set_shutter(FrameChoices& choices, std::string_view text) {
+    const auto shutter = parse_number(text);
+    if (!shutter || *shutter < 0.0 || *shutter > 1.0) return false;
+    choices.shutter = *shutter;
+    return true;
 }
 
 bool set_samples(FrameChoices& choices, std::string_view text) {
@@ -116,25 +131,36 @@ const std::array frame_table{
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
                 }},
     FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
-                "times in s from 0, separated by commas, like 0,0.5,10", set_at, get_at},
-    FrameOption{"samples", "N", "renderings averaged per picture: smoother edges, soft shadows [1]",
-                fmt::format("a whole number from 1 to {}", most_samples), set_samples,
-                [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
+                "times in s from 0, separated by commas, like 0,0.5,10", set_at,
+                [](const FrameChoices& c) { return text_of(c.at); }},
+    FrameOption{"ghosts", "T,T,...", "the bodies as they were at these times in s too, paler the older they are",
+                "times in s from 0, separated by commas, like 0,0.5,10", set_ghosts,
+                [](const FrameChoices& c) { return text_of(c.ghosts); }},
+    FrameOption{
+        "samples", "N",
+        "renderings averaged per picture: smoother edges, soft shadows; from 16 on the light of the sky too [1]",
+        fmt::format("a whole number from 1 to {}", most_samples), set_samples,
+        [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
+    FrameOption{
+        "shutter", "X",
+        "how much of the time of a frame its samples are spread over, 0 to 1: motion blur; with --samples [0]",
+        "a number from 0 to 1", set_shutter,
+        [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
     FrameOption{"camera", "WHAT",
-                "a camera FILE (.json), fit (close, with all motion in the picture) or "
-                "orbit:DEGREES_PER_SECOND; several separated by commas [the scene's own]",
-                "a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
-                [](const FrameChoices& c) { return c.camera.text; }},
+                "scene (its own), a camera FILE (.json), fit (close, with all motion in the picture) or "
+                "orbit:DEGREES_PER_SECOND; several separated by commas [scene; fit for stills and comparisons]",
+                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
+                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; }},
     FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
         "overlay", "WHAT",
         "contacts, forces, torques, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per "
         "metre; islands: a colour for each; rest: what is at rest, and what keeps the others awake; no-contacts: "
-        "lines between bodies that do not touch; thrust: where contact forces act as a whole; several with commas",
-        "some of contacts, forces, torques, push, velocities, islands, rest, no-contacts, thrust with commas, "
-        "forces, "
-        "torques, push and velocities also with a scale like forces:50",
+        "lines between bodies that do not touch; thrust: where contact forces act as a whole; trails: the paths "
+        "of the last second, trails:0.5 of half a second; several with commas",
+        "some of contacts, forces, torques, push, velocities, islands, rest, no-contacts, thrust, trails with "
+        "commas, forces, torques, push and velocities also with a scale like forces:50, trails with seconds",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
@@ -161,7 +187,31 @@ std::string rates_that_fit(const Rational& fps, const Rational& dt, const Ration
     return text;
 }
 
+// The step at a time that an option gives.
+long step_of(std::string_view option, const Rational& time, const Rational& dt) {
+    const Rational step = time / dt;
+    if (!step.is_whole()) {
+        const long below = static_cast<long>(std::floor(step.value()));
+        throw UsageError(fmt::format("{} {}: must be a whole number of steps of {} s; the nearest are {} and {}",
+                                     option, to_text(time), to_text(dt), to_text(dt * Rational{below, 1}),
+                                     to_text(dt * Rational{below + 1, 1})));
+    }
+    return static_cast<long>(step.numerator);
+}
+
 }  // namespace
+
+double FrameChoices::trail_seconds() const {
+    const auto trails = std::ranges::find(overlay, OverlayKind::trails, &OverlayItem::kind);
+    return trails == overlay.end() ? 0.0 : trails->seconds.value_or(1.0);
+}
+
+std::vector<long> plan_ghosts(const FrameChoices& choices, const Rational& dt) {
+    std::vector<long> steps;
+    for (const Rational& time : choices.ghosts) steps.push_back(step_of("--ghosts", time, dt));
+    std::ranges::sort(steps);
+    return steps;
+}
 
 std::span<const FrameOption> frame_options() {
     return frame_table;
@@ -187,20 +237,14 @@ std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, 
         return frames;
     }
     for (const Rational& time : choices.at) {
-        const Rational step = time / dt;
-        if (!step.is_whole()) {
-            const long below = static_cast<long>(std::floor(step.value()));
-            throw UsageError(fmt::format(
-                "--at {}: must be a whole number of steps of {} s; the nearest are {} and {}", to_text(time),
-                to_text(dt), to_text(dt * Rational{below, 1}), to_text(dt * Rational{below + 1, 1})));
-        }
-        if (step.numerator > steps) {
+        const long step = step_of("--at", time, dt);
+        if (step > steps) {
             throw UsageError(fmt::format("--at {}: must be within the {} s of the run", to_text(time),
                                          to_text(dt * Rational{steps, 1})));
         }
         std::string name = to_text(time);
         std::replace(name.begin(), name.end(), '/', '_');
-        frames.push_back({static_cast<long>(step.numerator), "at_" + name + "s.png"});
+        frames.push_back({step, "at_" + name + "s.png"});
     }
     std::stable_sort(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.step < b.step; });
     const auto same = [](const Frame& a, const Frame& b) { return a.step == b.step; };

@@ -25,12 +25,15 @@ struct FrameChoices {
     std::optional<Rational> fps{};   // frames per second of the film; 60 if not given
     Rational play_speed{1, 1};       // simulated seconds per second of the film
     std::vector<Rational> at{};      // s; stills instead of a sequence when not empty
+    std::vector<Rational> ghosts{};  // s; the bodies at these times are in later pictures too
+    double shutter = 0.0;            // share of a frame's time that its samples are spread over, 0..1
     CameraChoice camera{};
     bool caption = true;  // scene, options and time, below
     std::vector<OverlayItem> overlay{};
     std::optional<Comparison> compare{};
     std::string gl{};  // OpenGL back end, osmesa or egl; empty: the first available
 
+    double trail_seconds() const;                                         // 0 without trails
     Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames per second of the film
 };
 
@@ -54,6 +57,9 @@ struct Frame {
 // The frames of a run of `steps` steps of `dt`, by time. Throws UsageError for a time that is not a whole number of
 // steps (the message names rates or times that are) or is beyond the end.
 std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, long steps);
+
+// The steps of the ghosts, in order. Throws UsageError as plan_frames does.
+std::vector<long> plan_ghosts(const FrameChoices& choices, const Rational& dt);
 
 // Steps per frame of a film with `fps` frames per second. Throws UsageError as plan_frames does.
 long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play_speed = {1, 1});

@@ -9,8 +9,8 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> names{"contacts", "forces", "torques",     "push",  "velocities",
-                                                "islands",  "rest",   "no-contacts", "thrust"};
+constexpr std::array<std::string_view, 10> names{"contacts", "forces", "torques",     "push",   "velocities",
+                                                 "islands",  "rest",   "no-contacts", "thrust", "trails"};
 
 }  // namespace
 
@@ -26,8 +26,10 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
         if (found == names.end()) return std::nullopt;
         OverlayItem item{.kind = static_cast<OverlayKind>(found - names.begin())};
         if (colon != std::string_view::npos) {
-            item.units_a_metre = parse_number(part.substr(colon + 1));
-            if (!has_arrows(item.kind) || !item.units_a_metre || *item.units_a_metre <= 0.0) return std::nullopt;
+            const bool trails = item.kind == OverlayKind::trails;
+            std::optional<double>& number = trails ? item.seconds : item.units_a_metre;
+            number = parse_number(part.substr(colon + 1));
+            if (!(trails || has_arrows(item.kind)) || !number || *number <= 0.0) return std::nullopt;
         }
         const bool twice = std::any_of(overlay.begin(), overlay.end(), [&](const OverlayItem& other) {
             return other.kind == item.kind || (colours_bodies(other.kind) && colours_bodies(item.kind));
@@ -43,6 +45,7 @@ std::string to_text(const std::vector<OverlayItem>& overlay) {
     for (const OverlayItem& item : overlay) {
         text += (text.empty() ? "" : ",") + std::string(name_of(item.kind));
         if (item.units_a_metre) text += ":" + to_text(*item.units_a_metre);
+        if (item.seconds) text += ":" + to_text(*item.seconds);
     }
     return text;
 }

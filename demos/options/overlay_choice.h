@@ -18,14 +18,17 @@ enum class OverlayKind {
     rest,         // colours of the bodies: at rest, still, or moving (which keeps their island awake)
     no_contacts,  // lines between bodies that do not touch each other
     thrust,       // centres of pressure of touching pairs, joined within bodies that have two: the line of thrust
+    trails,       // paths of the centres of bodies that move, over the last seconds
 };
 
 struct OverlayItem {
     OverlayKind kind = OverlayKind::contacts;
     std::optional<double> units_a_metre{};  // N or m/s per metre of arrow; chosen for the run if not given
+    std::optional<double> seconds{};        // of trails
 };
 
-// Parses "forces,velocities" or, with a scale, "forces:50" for 50 N per metre. None for other text.
+// Parses "forces,velocities" or, with a number, "forces:50" for 50 N per metre or "trails:0.5" for half a second.
+// None for other text.
 std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text);
 std::string to_text(const std::vector<OverlayItem>& overlay);
 std::string_view name_of(OverlayKind kind);
@@ -38,7 +41,7 @@ inline bool colours_bodies(OverlayKind kind) {
 // Whether the overlay has arrows, and so a scale.
 inline bool has_arrows(OverlayKind kind) {
     return kind != OverlayKind::contacts && kind != OverlayKind::thrust && kind != OverlayKind::no_contacts &&
-           !colours_bodies(kind);
+           kind != OverlayKind::trails && !colours_bodies(kind);
 }
 
 }  // namespace pushfactor::demos

@@ -26,10 +26,10 @@ std::string hexadecimal(const Colour& colour) {
     return fmt::format("#{:06x}", number_of(colour));
 }
 
-// The palette of the frames as gnuplot variables.
-std::string colours() {
+// The palette of the frames, or that of print, as gnuplot variables.
+std::string colours(const FigureFormat& format) {
     std::string text;
-    for (const Colour& colour : palette) {
+    for (const Colour& colour : format.print ? print_palette : palette) {
         text += fmt::format("{} = {}; ", colour.name, gnuplot_string(hexadecimal(colour)));
     }
     return text;
@@ -45,6 +45,34 @@ std::string variables_of(const Plot& plot) {
     return text;
 }
 
+// The variables that style.gp uses.
+std::string style_of(const Plot& plot, const std::string& file_format) {
+    const FigureFormat& format = plot.format;
+    const double letters = format.print ? format.print->letter_pixels() : plot.width / 75.0;
+    const double pixels_an_inch = format.print ? format.print->dpi : 96.0;
+    return fmt::format(
+        "format = {}; width = {}; height = {}; letters = {}; inch = {}; dark = {}; transparent = {}; ",
+        gnuplot_string(file_format), plot.width, static_cast<int>(plot.width / plot.aspect), letters,
+        pixels_an_inch, format.theme == Theme::dark ? 1 : 0, format.background == Background::none ? 1 : 0);
+}
+
+// Returns the name of the file.
+std::string draw(const Plot& plot, const std::string& file_format, const fs::path& folder) {
+    const fs::path scripts = asset_folder("plots");
+    const std::string made = plot.name + "." + file_format;
+    const std::string settings =
+        fmt::format("{}{}{}data = {}; made = {}; style = {}", colours(plot.format), variables_of(plot),
+                    style_of(plot, file_format), gnuplot_string((folder / plot.data).string()),
+                    gnuplot_string((folder / made).string()), gnuplot_string((scripts / "style.gp").string()));
+    try {
+        ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
+            .finish();
+    } catch (const ChildProcessError& error) {
+        throw OutputError(error.what());
+    }
+    return made;
+}
+
 const char* const what_plots_need =
     " The plot needs gnuplot, which is not installed (Debian: apt install gnuplot-nox); its data are here.";
 
@@ -57,23 +85,19 @@ void add_plot(const Plot& plot, const std::string& text, const fs::path& folder,
         plate.caption += what_plots_need;
         return;
     }
-    const fs::path scripts = asset_folder("plots");
-    const int height = static_cast<int>(plot.width / plot.aspect);
-    for (const std::string format : {"png", "svg"}) {
-        const std::string made = plot.name + "." + format;
-        const std::string settings =
-            fmt::format("{}{}data = {}; made = {}; format = {}; width = {}; height = {}; style = {}", colours(),
-                        variables_of(plot), gnuplot_string((folder / plot.data).string()),
-                        gnuplot_string((folder / made).string()), gnuplot_string(format), plot.width, height,
-                        gnuplot_string((scripts / "style.gp").string()));
-        try {
-            ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
-                .finish();
-        } catch (const ChildProcessError& error) {
-            throw OutputError(error.what());
-        }
-        (format == "png" ? plate.pictures : plate.files).push_back(made);
+    plate.pictures.push_back(draw(plot, "png", folder));
+    plate.files.push_back(draw(plot, "svg", folder));
+    if (plot.format.print) plate.files.push_back(draw(plot, "pdf", folder));
+}
+
+void add_pdf(const Plot& plot, const std::string& text, const fs::path& folder, Plate& plate) {
+    if (!find_program("gnuplot")) {
+        plate.caption += " Its PDF needs gnuplot, which is not installed (Debian: apt install gnuplot-nox).";
+        return;
     }
+    write_file(folder / plot.data, text);
+    plate.files.push_back(draw(plot, "pdf", folder));
+    fs::remove(folder / plot.data);
 }
 
 }  // namespace pushfactor::demos

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "demos/pages/page.h"
+#include "demos/pages/printing/format.h"
 
 #include <filesystem>
 #include <string>
@@ -19,11 +20,15 @@ struct Plot {
     double aspect = 1.6;  // width over height
     // Other variables of the script, by name.
     std::vector<std::pair<std::string, std::variant<double, std::string>>> variables{};
+    FigureFormat format{};  // its width and samples are not used
 };
 
-// Writes `text` as the plot's data into `folder` and, where gnuplot is installed, draws NAME.png and NAME.svg. Adds
-// the files to the plate; without gnuplot its caption says what to install. Throws OutputError with the message of
-// gnuplot.
+// Writes `text` as the plot's data into `folder` and, where gnuplot is installed, draws NAME.png, NAME.svg and, for
+// print, NAME.pdf. Adds the files to the plate; without gnuplot its caption says what to install. Throws
+// OutputError with the message of gnuplot.
 void add_plot(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
+
+// The same as NAME.pdf alone, without data among the plate's files.
+void add_pdf(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
 
 }  // namespace pushfactor::demos

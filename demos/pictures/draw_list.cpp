@@ -139,6 +139,16 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     return picture;
 }
 
+std::vector<glm::vec3> colours_of(const BuiltScene& scene) {
+    std::vector<glm::vec3> colours;
+    std::size_t movable = 0;
+    for (const BodyDescription& body : scene.bodies) {
+        const bool plane = std::holds_alternative<PlaneShape>(body.shape);
+        colours.push_back(plane ? glm::vec3(0.5f) : colour_of(body, movable));
+    }
+    return colours;
+}
+
 std::vector<Link> links_of(const BuiltScene& scene) {
     std::vector<Link> links;
     const double least = least_radius(scene);

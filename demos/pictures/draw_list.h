@@ -21,6 +21,9 @@ struct Link {
 // In the order of the picture's bars; the pin of a hinge sticks out of the smaller of its bodies.
 std::vector<Link> links_of(const BuiltScene& scene);
 
+// Colours of the bodies as draw_list() has them, sRGB; those of planes mean nothing.
+std::vector<glm::vec3> colours_of(const BuiltScene& scene);
+
 // The scene as it is now, seen from `view`.
 renderer::Picture draw_list(const BuiltScene& scene, const View& view);
 

@@ -70,15 +70,17 @@ View fitted(const View& view, std::span<const Ball> balls, double aspect) {
     const Axes axes = axes_of(view);
     Edges sides{.slope = used * half_tangent(view) * aspect};
     Edges top{.slope = used * half_tangent(view)};
-    double depth = 0.0, largest = 0.0;
+    double depth = 0.0, largest = 0.0, nearest = std::numeric_limits<double>::infinity();
     for (const Ball& ball : balls) {
         const double z = ball.centre.dot(axes.forward);
         sides.hold(ball.centre.dot(axes.right), z, ball.radius);
         top.hold(ball.centre.dot(axes.up), z, ball.radius);
         depth += z / static_cast<double>(balls.size());
         largest = std::max(largest, ball.radius);
+        nearest = std::min(nearest, z - ball.radius);
     }
-    const double forward = std::min({sides.forward(), top.forward(), depth - 2.0 * largest});
+    const double forward =
+        std::min({sides.forward(), top.forward(), depth - 2.0 * largest, nearest - 0.05 * (depth - nearest)});
     View fit = view;
     fit.eye = sides.middle() * axes.right + top.middle() * axes.up + forward * axes.forward;
     fit.target = fit.eye + (depth - forward) * axes.forward;

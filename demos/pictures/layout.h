@@ -13,6 +13,7 @@ struct Layout {
     Size sheet{}, cell{};  // pixels
     int gap = 0;           // pixels between cells
 
+    double cell_aspect() const { return static_cast<double>(cell.width) / cell.height; }
     renderer::Rectangle place(std::size_t index) const;  // of a cell, numbered row by row; pixels
 };
 

@@ -12,7 +12,7 @@ using renderer::Image;
 using renderer::Paint;
 using renderer::Rectangle;
 
-const Paint ink{.colour = glm::vec3(0.13f, 0.14f, 0.17f)};
+const Paint ink{.colour = Lettering::ink_colour};
 const Paint paper{.colour = glm::vec3(1.0f), .opacity = 0.72f};
 
 }  // namespace
@@ -27,9 +27,10 @@ std::string Lettering::font_file() {
     return PUSHFACTOR_FONT;
 }
 
-void Lettering::text(Image& image, const std::string& text, glm::vec2 at, float size, bool centred) const {
+void Lettering::text(Image& image, const std::string& text, glm::vec2 at, float size, bool centred,
+                     const glm::vec3& colour) const {
     if (centred) at.x -= 0.5f * font_.width(text, size);
-    font_.draw(image, text, at, size, ink);
+    font_.draw(image, text, at, size, {.colour = colour});
 }
 
 std::string Lettering::cut(const std::string& text, float size, float width) const {

@@ -32,9 +32,11 @@ class Lettering {
     void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
                 float size) const;
 
+    static constexpr glm::vec3 ink_colour{0.13f, 0.14f, 0.17f};  // sRGB
+
     // Plain text whose baseline begins at `at`; centred there when `centred`.
-    void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size,
-              bool centred = false) const;
+    void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size, bool centred = false,
+              const glm::vec3& colour = ink_colour) const;
     float width(const std::string& text, float size) const { return font_.width(text, size); }
 
   private:

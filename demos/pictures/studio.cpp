@@ -23,12 +23,12 @@ Studio::Studio(const std::string& gl, StageTimes* times)
 
 renderer::Image Studio::draw(const renderer::Picture& picture, const Size& size, int samples) {
     renderer::Image image;
-    draw(picture, size, samples, image);
+    draw(std::span(&picture, 1), size, samples, image);
     return image;
 }
 
-void Studio::draw(const renderer::Picture& picture, const Size& size, int samples, renderer::Image& image,
-                  std::size_t seat) {
+void Studio::draw(std::span<const renderer::Picture> pictures, const Size& size, int samples,
+                  renderer::Image& image, std::size_t seat) {
     if (times_) times_->begin_drawing();
     if (seats_.size() <= seat) seats_.resize(seat + 1);
     auto& [made_for, renderer] = seats_[seat];
@@ -40,7 +40,7 @@ void Studio::draw(const renderer::Picture& picture, const Size& size, int sample
         made_for = wanted;
         end("set up");
     }
-    renderer->render(picture, image);
+    renderer->render(pictures, image);
 }
 
 StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
@@ -53,7 +53,7 @@ StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
         // A new camera per frame, so that nothing can be reused.
         renderer::Picture picture{.camera = {}, .spheres = {{.radius = 0.2f}}};
         picture.camera.eye.x = 0.1f * static_cast<float>(frame);
-        studio.draw(picture, size, 1, image);
+        studio.draw(std::span(&picture, 1), size, 1, image);
     }
     const StageTime end = process_time();
     return {.wall = (end.wall - start.wall) / frames, .cpu = (end.cpu - start.cpu) / frames};

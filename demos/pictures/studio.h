@@ -7,6 +7,7 @@
 #include "renderer/renderer.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -28,7 +29,8 @@ class Studio {
 
     // The same into `image`, whose memory is reused. Content equal to that of the last picture of the same `seat`,
     // 0, 1, ..., is not drawn again; each seat takes the memory of some images.
-    void draw(const renderer::Picture& picture, const Size& size, int samples, renderer::Image& image,
+    // With several pictures the samples are spread over them, in their order, for motion blur.
+    void draw(std::span<const renderer::Picture> pictures, const Size& size, int samples, renderer::Image& image,
               std::size_t seat = 0);
 
     // Adds the time since the last picture to this stage.

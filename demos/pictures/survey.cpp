@@ -12,16 +12,20 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// Advances to a step. False if the run becomes non-finite before it; the run that is drawn reports that.
-bool reaches(Simulation& simulation, long step, const GoTo& go_to) {
+// Advances to a step and shows each to `visit`. False if the run becomes non-finite before it; the run that is
+// drawn reports that.
+template <typename Visit>
+bool reaches(Simulation& simulation, long step, const GoTo& go_to, const Visit& visit) {
     if (go_to) {
         go_to(simulation, step);
+        visit();
         return true;
     }
     try {
         while (simulation.sample().step < step) {
             stop_if_interrupted("nothing was drawn yet");
             simulation.advance();
+            visit();
         }
     } catch (const NonFiniteError&) {
         return false;
@@ -62,12 +66,26 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
               const GoTo& go_to) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
+    Outline outline;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Choices& choices = panels[p].choices;
         Simulation simulation(choices);
         const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        for (std::size_t f = 0; f < frames[p].size() && reaches(simulation, frames[p][f].step, go_to); ++f) {
+        const Eigen::AlignedBox3d near = surroundings(scene);
+        const std::vector<long> ghosts = plan_ghosts(choices.frames, choices.settings.dt);
+        const double dt = choices.settings.dt.value();
+        const auto is_shown = [&](double frame_time) {
+            return std::ranges::binary_search(ghosts, simulation.sample().step) ||
+                   simulation.sample().time > frame_time - choices.frames.trail_seconds() - 0.5 * dt;
+        };
+        for (std::size_t f = 0; f < frames[p].size(); ++f) {
+            const double time = dt * static_cast<double>(frames[p][f].step);
+            const auto add_shown = [&] {
+                if (choices.frames.camera.fit && is_shown(time)) add_moving(scene, near, outline);
+            };
+            if (f == 0) add_shown();
+            if (!reaches(simulation, frames[p][f].step, go_to, add_shown)) break;
             for (std::size_t i = 0; i < places.size(); ++i) {
                 if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
             }
@@ -86,6 +104,8 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vec
             }
         }
         add_corners(places, scene, found.reached);
+        if (choices.frames.camera.fit) add_support(scene, outline);
+        if (p + 1 == panels.size()) found.subject = subject_of(scene, outline);
     }
     for (auto& [kind, values] : maxima) {
         std::erase(values, 0.0);

@@ -4,6 +4,7 @@
 
 #include "demos/options/comparison.h"
 #include "demos/pictures/framing.h"
+#include "demos/pictures/outline.h"
 #include "demos/runs/simulation.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ namespace pushfactor::demos::pictures {
 
 struct Survey {
     std::vector<Ball> reached;  // around all moving bodies, in all frames of all panels
+    Subject subject;            // of all frames of all panels, if the camera is to fit it
     std::map<OverlayKind, double>
         typical;  // N or m/s: median over the frames of the largest value in any panel; absent for none
     std::set<std::pair<OverlayKind, std::size_t>> shown;  // legend entries that occur

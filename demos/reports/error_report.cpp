@@ -6,6 +6,7 @@
 #include "demos/reports/error/contact_problems/problem_sections.h"
 #include "demos/reports/error/contact_problems/rows_of_contacts.h"
 #include "demos/reports/error/error_pieces.h"
+#include "demos/reports/error/other_engines.h"
 #include "demos/reports/error/work_plot.h"
 #include "demos/reports/study.h"
 
@@ -119,6 +120,7 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
 class ErrorReport {
   public:
     explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {
+        if (run_.request().beside && plan_.problems.empty()) others_ = read_error_points(*run_.request().beside);
         if (run_.request().exported) exports_ = contact_moments(run_.quick());
     }
 
@@ -146,7 +148,7 @@ class ErrorReport {
         run_.write("error.csv", table_of(points_));
         const auto points = std::span<const ErrorPoint>(points_).subspan(first);
         for (const bool seconds : {false, true}) {
-            WorkPlot plot{.name = file_name(seconds ? "error_cpu_" : "error_", sweep.scene),
+            WorkPlot plot{.name = file_name(seconds ? "error_cpu_" : "error_", sweep.name),
                           .error_axis = sweep.error_axis,
                           .work_axis = seconds        ? "CPU time [s] a simulated second"
                                        : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
@@ -161,7 +163,25 @@ class ErrorReport {
             // Part of the CPU time does not depend on the knob, so theory does not apply to it.
             if (!seconds) plot.theory = theory_of(sweep, plot.lines);
             add(plot, sweep.title + (seconds ? ", CPU time" : ""), sweep.caption + numbers_of(points));
+            if (seconds) add_others(sweep, plot);
         }
+    }
+
+    // The same plot with other engines, if there are any.
+    void add_others(const Experiment& sweep, WorkPlot plot) {
+        const std::vector<ErrorPoint> others = about(others_, sweep.scene, points_.back().errors.front().name);
+        if (others.empty()) return;
+        Plate plate;
+        plate.table = who_is_faster(plot.lines, others);
+        plot.name = file_name("beside_", sweep.name);
+        plot.lines = lines_beside(plot.lines, others);
+        add(plot, sweep.title + ", beside other engines",
+            "In colour our methods that no other of ours beats everywhere, in grey other engines (tests/compare "
+            "error), "
+            "on one machine in one run: CPU time of the steps, one thread. Where an engine has no bar, a link is a "
+            "ball "
+            "joint at the end of an arm that is fixed to the ball, and the exact motion is that of this.",
+            plate);
     }
 
     void add_moment(const FrozenMoment& moment) {
@@ -261,7 +281,7 @@ class ErrorReport {
     StudyRun& run_;
     ErrorPlan plan_;
     std::vector<ContactMoment> exports_;
-    std::vector<ErrorPoint> points_;
+    std::vector<ErrorPoint> points_, others_;
     std::vector<FrozenPoint> frozen_;
 };
 
@@ -269,7 +289,7 @@ class ErrorReport {
 
 Study error_study() {
     std::vector<std::string> parts;
-    for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.scene);
+    for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.name);
     parts.insert(parts.end(), {frozen_part, consistency_part});
     return {.name = "error",
             .title = "error against run time",

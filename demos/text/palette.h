@@ -20,6 +20,14 @@ inline constexpr std::array palette{
     Colour{"violet", 0.36f, 0.24f, 0.56f},    Colour{"ivory", 0.88f, 0.85f, 0.78f},
 };
 
+// For plots on paper: the same hues, but each lighter than the one before it also in grey, in the order violet,
+// blue, vermilion, green, orange, ivory.
+inline constexpr std::array print_palette{
+    Colour{"vermilion", 0.84f, 0.30f, 0.17f}, Colour{"orange", 0.98f, 0.75f, 0.35f},
+    Colour{"blue", 0.05f, 0.38f, 0.66f},      Colour{"green", 0.22f, 0.68f, 0.57f},
+    Colour{"violet", 0.27f, 0.14f, 0.45f},    Colour{"ivory", 0.93f, 0.91f, 0.86f},
+};
+
 inline std::optional<Colour> find_colour(std::string_view name) {
     for (const Colour& colour : palette) {
         if (colour.name == name) return colour;

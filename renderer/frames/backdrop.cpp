@@ -2,8 +2,8 @@
 
 namespace pushfactor::renderer {
 
-Backdrop::Backdrop(const Gl& gl, int width, int height)
-    : image_(gl, width, height), whole_{.x = 0, .y = 0, .width = width, .height = height} {}
+Backdrop::Backdrop(const Gl& gl, int width, int height, Stored stored)
+    : image_(gl, width, height, stored), whole_{.x = 0, .y = 0, .width = width, .height = height} {}
 
 bool Backdrop::is_worth_keeping(const BackdropView& view) {
     if (view_ == view) return true;

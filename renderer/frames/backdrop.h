@@ -18,6 +18,7 @@ struct BackdropView {
     glm::mat4 world_to_clip;
     glm::vec3 towards_sun;  // unit length
     Camera camera;
+    Background background;
     std::optional<Ground> ground;
 
     bool operator==(const BackdropView&) const = default;
@@ -27,7 +28,7 @@ struct BackdropView {
 class Backdrop {
   public:
     // Size in pixels. Throws RendererError if GL refuses it.
-    Backdrop(const Gl& gl, int width, int height);
+    Backdrop(const Gl& gl, int width, int height, Stored stored);
 
     // Announces the backdrop of this frame. True if it is that of the last call: only a backdrop used twice is
     // worth caching.

@@ -105,12 +105,17 @@ Tiles changed_tiles(const FrameView& view, const BodiesComparison& bodies, const
 
 Tiles changed_tiles(const FrameContents& before, const FrameContents& now) {
     Tiles tiles(now.views.front().width, now.views.front().height);
-    if (before.camera != now.camera || before.ground != now.ground || before.panels != now.panels ||
-        !same_shapes(before.bodies, now.bodies)) {
+    if (before.camera != now.camera || before.background != now.background || before.ground != now.ground ||
+        before.panels != now.panels || !same_shapes(before.bodies, now.bodies)) {
         tiles.add_all();
         return tiles;
     }
     const BodiesComparison bodies = compare(before.bodies, now.bodies);
+    // A body darkens all that is near it.
+    if (!now.skies.empty() && !bodies.differing.all().empty()) {
+        tiles.add_all();
+        return tiles;
+    }
     const bool other_maps = before.suns != now.suns;
     const bool none_differs = bodies.differing.all().empty();
     for (std::size_t i = 0; i < now.views.size(); ++i) {

@@ -80,7 +80,7 @@ void check_framebuffer(const Gl& gl, const char* purpose) {
 }
 
 void check_in_view(const Image& image, const glm::vec3& background, const Camera& camera) {
-    const glm::vec3 bytes = 255.0f * glm::convertLinearToSRGB(background);
+    const glm::vec3 bytes = 255.0f * background;
     const std::size_t count = image.rgb.size();
     // Starts in the middle, which is most likely to show something.
     const std::size_t first = count / 6 * 3;

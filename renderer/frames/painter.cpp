@@ -1,6 +1,7 @@
 #include "renderer/frames/painter.h"
 
 #include "renderer/frames/frame_checks.h"
+#include "renderer/images/exposure.h"
 #include "renderer/meshes/meshes.h"
 #include "renderer/picture/instances.h"
 #include "renderer/picture/panels.h"
@@ -9,13 +10,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <span>
 
 namespace pushfactor::renderer {
-
-const glm::vec3 background = glm::convertSRGBToLinear(glm::vec3(0.85f, 0.875f, 0.90f));
 
 namespace {
 
@@ -69,26 +70,43 @@ bool reaches_below(const Ground& ground, const Drawing& scene) {
            });
 }
 
+// What a program looks up: nothing; shadows of sun and sky; also what the ground sends up.
+enum class Lit { openly, flat, bodily };
+
+// The shaders of a program with the parts that light what it draws.
+std::vector<const char*> lit_by(Lit lit, Light light, std::vector<const char*> files) {
+    const auto add = [&](std::initializer_list<const char*> more) { files.insert(files.end(), more); };
+    add({"light.frag", "haze.frag", lit == Lit::openly ? "no_shadow.frag" : "shadow.frag"});
+    add({light == Light::at_once ? "exposed.frag" : "sampled/unexposed.frag"});
+    if (light != Light::summed_with_sky || lit == Lit::openly) {
+        add({"open_sky.frag"});
+    } else {
+        add({"sampled/sky.frag", lit == Lit::bodily ? "sampled/bounce.frag" : "sampled/no_bounce.frag"});
+    }
+    return files;
+}
+
 }  // namespace
 
-Painter::Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages)
+Painter::Painter(const Gl& gl, int width, int height, Light light, const std::filesystem::path& shaders,
+                 Stages* stages)
     : gl_(gl),
       stages_(stages),
-      backdrop_(gl, width, height),
-      shadow_map_(gl),
-      shadow_program_(gl, shaders, {"body.vert"}),
-      sphere_shadow_program_(gl, shaders, {"sphere.vert"}),
-      bar_shadow_program_(gl, shaders, {"bar.vert"}),
-      ground_program_(gl, shaders,
-                      {"body.vert", "ground.frag", "lines.frag", "light.frag", "no_shadow.frag", "haze.frag"}),
-      shadowed_ground_program_(
-          gl, shaders, {"body.vert", "ground.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
-      contact_program_(gl, shaders, {"contact.vert", "contact.frag", "haze.frag"}),
-      body_program_(gl, shaders, {"body.vert", "body.frag", "light.frag", "shadow.frag", "haze.frag"}),
-      sphere_program_(gl, shaders, {"sphere.vert", "sphere.frag", "light.frag", "shadow.frag", "haze.frag"}),
-      bar_program_(gl, shaders, {"bar.vert", "bar.frag", "light.frag", "shadow.frag", "haze.frag"}),
-      panel_program_(gl, shaders,
-                     {"panel.vert", "panel.frag", "lines.frag", "light.frag", "shadow.frag", "haze.frag"}),
+      backdrop_(gl, width, height, light == Light::at_once ? Stored::bytes : Stored::light),
+      shadow_map_(gl, 0),
+      sky_map_(gl, 1),
+      bounce_map_(gl, 2),
+      light_(light),
+      shadow_program_(gl, shaders, std::array{"body.vert"}),
+      sphere_shadow_program_(gl, shaders, std::array{"sphere.vert"}),
+      bar_shadow_program_(gl, shaders, std::array{"bar.vert"}),
+      ground_program_(gl, shaders, lit_by(Lit::openly, light, {"body.vert", "ground.frag", "lines.frag"})),
+      shadowed_ground_program_(gl, shaders, lit_by(Lit::flat, light, {"body.vert", "ground.frag", "lines.frag"})),
+      contact_program_(gl, shaders, std::array{"contact.vert", "contact.frag", "haze.frag"}),
+      body_program_(gl, shaders, lit_by(Lit::bodily, light, {"body.vert", "body.frag"})),
+      sphere_program_(gl, shaders, lit_by(Lit::bodily, light, {"sphere.vert", "sphere.frag"})),
+      bar_program_(gl, shaders, lit_by(Lit::bodily, light, {"bar.vert", "bar.frag"})),
+      panel_program_(gl, shaders, lit_by(Lit::flat, light, {"panel.vert", "panel.frag", "lines.frag"})),
       boxes_(gl, box_mesh()),
       spheres_(gl),
       polyhedra_(gl),
@@ -108,36 +126,52 @@ void Painter::end(Stage stage) const {
     stages_->end(stage);
 }
 
-void Painter::draw_shadow(const Drawing& scene) {
+void Painter::draw_shadows(const Drawing& scene) {
     boxes_.set_instances(scene.bodies.boxes);
     polyhedra_.set_instances(scene.bodies.polyhedra, scene.bodies.shapes);
     spheres_.set_instances(scene.bodies.spheres, scene.picture.camera.eye, scene.view.pixel);
     bars_.set_instances(scene.bodies.bars);
-    const auto use_for_sun = [&](const ShaderProgram& program) {
-        program.use();
-        program.set("world_to_clip", scene.sun.world_to_clip);
-        program.set("viewer", scene.view.towards_sun);
-        program.set("parallel", 1);
-    };
+    draw_thick_shadows(scene.sun, scene.view.towards_sun, shadow_map_);
+    draw_bar_shadows(scene);
+    if (scene.sky) {
+        // A bar hides next to nothing of the sky, but each direction would show as a streak.
+        draw_thick_shadows(scene.sky->above, scene.sky->towards_sky, sky_map_);
+        draw_thick_shadows(scene.sky->below, -scene.sky->towards_sky, bounce_map_);
+        bounce_map_.bind_texture();
+        sky_map_.bind_texture();
+    }
+    shadow_map_.bind_texture();
+    end(Stage::shadow);
+}
 
-    shadow_map_.begin(scene.sun.width, scene.sun.height);
-    use_for_sun(shadow_program_);
+void Painter::draw_thick_shadows(const SunView& light, const glm::vec3& towards_light, ShadowMap& map) {
+    map.begin(light.width, light.height);
+    shadow_program_.use();
+    shadow_program_.set("world_to_clip", light.world_to_clip);
     boxes_.draw();
     polyhedra_.draw();
-    use_for_sun(sphere_shadow_program_);
+    sphere_shadow_program_.use();
+    sphere_shadow_program_.set("world_to_clip", light.world_to_clip);
+    sphere_shadow_program_.set("viewer", towards_light);
+    sphere_shadow_program_.set("parallel", 1);
     spheres_.draw();
-    use_for_sun(bar_shadow_program_);
+}
+
+// Into the map of the sun, which is bound.
+void Painter::draw_bar_shadows(const Drawing& scene) {
+    bar_shadow_program_.use();
+    bar_shadow_program_.set("world_to_clip", scene.sun.world_to_clip);
+    bar_shadow_program_.set("viewer", scene.view.towards_sun);
+    bar_shadow_program_.set("parallel", 1);
     bar_shadow_program_.set("least_radius", 0.5f * least_bar_width * scene.sun.texel);
     bar_shadow_program_.set("margin", 0.0f);
     gl_.Disable(GL_CULL_FACE);
     bars_.draw();
     gl_.Enable(GL_CULL_FACE);
-    end(Stage::shadow);
 }
 
 void Painter::draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target) {
-    draw_shadow(scene);
-    shadow_map_.bind_texture();
+    draw_shadows(scene);
     draw_floor(scene, tiles, target);
     end(Stage::ground);
     // Drawing outside of the tiles is harmless but takes time.
@@ -153,14 +187,21 @@ void Painter::draw(const Drawing& scene, const Tiles& tiles, const RenderTarget&
 // on it, because each separate area takes time.
 void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target) {
     const std::optional<Ground>& ground = scene.picture.ground;
-    const Tiles shadowed = ground ? shadowed_tiles(scene.view, scene.bodies.all(), *ground)
-                                  : Tiles(scene.view.width, scene.view.height);
+    Tiles shadowed(scene.view.width, scene.view.height);
+    if (ground) shadowed = shadowed_tiles(scene.view, scene.bodies.all(), *ground);
+    if (ground && scene.sky) {
+        FrameView from_sky = scene.view;
+        from_sky.towards_sun = scene.sky->towards_sky;
+        from_sky.texel = scene.sky->above.texel;
+        shadowed.add(shadowed_tiles(from_sky, scene.bodies.all(), *ground));
+    }
     const FramePlan plan = plan_frame(tiles, shadowed);
     const std::vector<PixelArea> all{bounds_of(tiles.areas())};
     if (ground) place_ground(*ground, scene.picture.camera);
     const BackdropView view{.world_to_clip = scene.view.world_to_clip,
                             .towards_sun = scene.view.towards_sun,
                             .camera = scene.picture.camera,
+                            .background = scene.picture.background,
                             .ground = ground};
     gl_.Disable(GL_DEPTH_TEST);
     if (backdrop_.is_worth_keeping(view)) {
@@ -176,15 +217,23 @@ void Painter::draw_floor(const Drawing& scene, const Tiles& tiles, const RenderT
     }
     if (ground) {
         draw_ground(scene, shadowed_ground_program_, plan.shadowed);
-        draw_contacts(scene, tiles);
+        // What hides the sky is better than a guess at it.
+        if (!scene.sky) draw_contacts(scene, tiles);
     }
     gl_.Enable(GL_DEPTH_TEST);
     within(all, [&] { gl_.Clear(GL_DEPTH_BUFFER_BIT); });
     if (ground && reaches_below(*ground, scene)) draw_ground_depth(scene, all);
 }
 
+// In linear light, before exposure if that comes later.
+glm::vec3 Painter::background_of(const Drawing& scene) const {
+    const glm::vec3 light = glm::convertSRGBToLinear(scene.picture.background.colour);
+    return light_ == Light::at_once ? light : unexposed(light);
+}
+
 void Painter::draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                             const std::vector<PixelArea>& lit) {
+    const glm::vec3 background = background_of(scene);
     gl_.ClearColor(background.r, background.g, background.b, 0.0f);
     within(cleared, [&] { gl_.Clear(GL_COLOR_BUFFER_BIT); });
     if (scene.picture.ground) draw_ground(scene, ground_program_, lit);
@@ -208,12 +257,27 @@ void Painter::use(const ShaderProgram& program, const Drawing& scene) const {
     program.set("viewer", scene.picture.camera.eye);
     program.set("parallel", 0);
     program.set("towards_sun", scene.view.towards_sun);
-    program.set("background", background);
-    program.set("haze_distance", haze * scale_of(scene.picture.camera));
+    program.set("background", background_of(scene));
+    const float without_haze = 1e6f;
+    program.set("haze_distance",
+                (scene.picture.background.haze ? haze : without_haze) * scale_of(scene.picture.camera));
     program.set("line_spacing", line_spacing(scale_of(scene.picture.camera)));
     program.set("world_to_shadow", texture_from_clip() * scene.sun.world_to_clip);
     program.set("shadow_texel", scene.sun.texel);
     program.set("shadow_map", 0);
+    // A brighter sky where what hides it shows.
+    program.set("sun_share", scene.sky ? 0.7f : 1.0f);
+    if (!scene.sky) return;
+    program.set("sky_map", 1);
+    program.set("bounce_map", 2);
+    program.set("world_to_sky", texture_from_clip() * scene.sky->above.world_to_clip);
+    program.set("world_to_bounce", texture_from_clip() * scene.sky->below.world_to_clip);
+    program.set("sky_texel", std::max(scene.sky->above.texel, scene.sky->below.texel));
+    program.set("towards_sky", scene.sky->towards_sky);
+    program.set("sky_weight", scene.sky->weight);
+    // Far below where there is none: no shadow of the sun reaches there.
+    const float far_below = scene.picture.camera.target.y - ground_reach * scale_of(scene.picture.camera);
+    program.set("ground_height", scene.picture.ground ? scene.picture.ground->height : far_below);
 }
 
 void Painter::place_ground(const Ground& ground, const Camera& camera) {

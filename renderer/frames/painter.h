@@ -23,11 +23,12 @@
 
 namespace pushfactor::renderer {
 
-// In linear light.
-extern const glm::vec3 background;
-
 // Draw distance from the eye, in units of the picture's scale.
 constexpr float ground_reach = 12.0f;
+
+// Light of a frame that is rendered once; that of several renderings, to be summed and then exposed; and that with
+// what hides the sky in another direction each.
+enum class Light { at_once, summed, summed_with_sky };
 
 // One rendering of a picture.
 struct Drawing {
@@ -35,6 +36,7 @@ struct Drawing {
     const Bodies& bodies;  // the visible ones of the picture
     const SunView& sun;
     const FrameView& view;
+    const SkyView* sky;  // null without Light::summed_with_sky
 };
 
 // Issues the GL draw calls: owns programs and meshes, and defines the drawing order.
@@ -42,16 +44,19 @@ class Painter {
   public:
     // For frames of this size in pixels. `stages`, if not null, is notified of each stage. Throws RendererError if
     // a shader is missing or does not compile.
-    Painter(const Gl& gl, int width, int height, const std::filesystem::path& shaders, Stages* stages);
+    Painter(const Gl& gl, int width, int height, Light light, const std::filesystem::path& shaders, Stages* stages);
 
     // Draws these tiles of the scene, at least one; the target is undefined outside of them afterwards.
     void draw(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
 
   private:
-    void draw_shadow(const Drawing& scene);
+    void draw_shadows(const Drawing& scene);
+    void draw_thick_shadows(const SunView& light, const glm::vec3& towards_light, ShadowMap& map);
+    void draw_bar_shadows(const Drawing& scene);
     void draw_floor(const Drawing& scene, const Tiles& tiles, const RenderTarget& target);
     void draw_backdrop(const Drawing& scene, const std::vector<PixelArea>& cleared,
                        const std::vector<PixelArea>& lit);
+    glm::vec3 background_of(const Drawing& scene) const;
     void use(const ShaderProgram& program, const Drawing& scene) const;
     void place_ground(const Ground& ground, const Camera& camera);
     void draw_ground(const Drawing& scene, const ShaderProgram& program, const std::vector<PixelArea>& areas);
@@ -69,6 +74,9 @@ class Painter {
     Stages* stages_;
     Backdrop backdrop_;
     ShadowMap shadow_map_;
+    ShadowMap sky_map_;
+    ShadowMap bounce_map_;
+    Light light_;
     ShaderProgram shadow_program_;
     ShaderProgram sphere_shadow_program_;
     ShaderProgram bar_shadow_program_;

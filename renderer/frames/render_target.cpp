@@ -17,7 +17,7 @@ void attach(const Gl& gl, GLenum attachment, const GlObject& image, GLenum forma
 
 }  // namespace
 
-RenderTarget::RenderTarget(const Gl& gl, int width, int height)
+RenderTarget::RenderTarget(const Gl& gl, int width, int height, Stored stored)
     : gl_(gl),
       width_(width),
       height_(height),
@@ -25,7 +25,8 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height)
       depth_(gl.GenRenderbuffers, gl.DeleteRenderbuffers),
       framebuffer_(gl.GenFramebuffers, gl.DeleteFramebuffers) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    attach(gl, GL_COLOR_ATTACHMENT0, colour_, GL_SRGB8_ALPHA8, width, height);
+    attach(gl, GL_COLOR_ATTACHMENT0, colour_, stored == Stored::bytes ? GL_SRGB8_ALPHA8 : GL_RGBA32F, width,
+           height);
     attach(gl, GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT24, width, height);
     check_framebuffer(gl, "an image of this size");
 }
@@ -52,6 +53,13 @@ void RenderTarget::read(std::span<const PixelArea> areas, std::span<std::uint8_t
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
         gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, &rgba[4 * first]);
     }
+}
+
+void RenderTarget::read(const PixelArea& area, std::span<float> rgba) const {
+    assert(rgba.size() == 4 * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+    gl_.PixelStorei(GL_PACK_ROW_LENGTH, area.width);
+    gl_.ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_FLOAT, rgba.data());
 }
 
 }  // namespace pushfactor::renderer

@@ -6,8 +6,9 @@
 
 namespace pushfactor::renderer {
 
-ShadowMap::ShadowMap(const Gl& gl)
+ShadowMap::ShadowMap(const Gl& gl, int unit)
     : gl_(gl),
+      unit_(GL_TEXTURE0 + static_cast<GLenum>(unit)),
       texture_(gl.GenTextures, gl.DeleteTextures),
       framebuffer_(gl.GenFramebuffers, gl.DeleteFramebuffers) {
     constexpr std::array<float, 4> farthest = {1.0f, 1.0f, 1.0f, 1.0f};
@@ -41,7 +42,7 @@ void ShadowMap::begin(int width, int height) {
 }
 
 void ShadowMap::bind_texture() const {
-    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.ActiveTexture(unit_);
     gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
 }
 

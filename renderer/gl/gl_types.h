@@ -72,6 +72,7 @@ constexpr GLenum GL_SRC_COLOR = 0x0300;
 constexpr GLenum GL_SRGB8_ALPHA8 = 0x8C43;
 constexpr GLenum GL_STATIC_DRAW = 0x88E4;
 constexpr GLenum GL_STREAM_DRAW = 0x88E0;
+constexpr GLenum GL_RGBA32F = 0x8814;
 constexpr GLenum GL_TEXTURE0 = 0x84C0;
 constexpr GLenum GL_TEXTURE_2D = 0x0DE1;
 constexpr GLenum GL_TEXTURE_BORDER_COLOR = 0x1004;

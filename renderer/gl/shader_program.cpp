@@ -55,7 +55,7 @@ ShaderProgram::ShaderProgram(const Gl& gl) : gl_(gl), program_(gl.CreateProgram(
 
 // Delegates, so that the destructor deletes the program if a file throws.
 ShaderProgram::ShaderProgram(const Gl& gl, const std::filesystem::path& directory,
-                             std::initializer_list<const char*> files)
+                             std::span<const char* const> files)
     : ShaderProgram(gl) {
     for (const char* file : files) attach(gl, program_, directory / file);
     gl.LinkProgram(program_);

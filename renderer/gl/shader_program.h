@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <filesystem>
-#include <initializer_list>
+#include <span>
 
 namespace pushfactor::renderer {
 
@@ -15,7 +15,7 @@ namespace pushfactor::renderer {
 class ShaderProgram {
   public:
     // Throws RendererError with the name of a file that cannot be read or compiled, and the compiler's message.
-    ShaderProgram(const Gl& gl, const std::filesystem::path& directory, std::initializer_list<const char*> files);
+    ShaderProgram(const Gl& gl, const std::filesystem::path& directory, std::span<const char* const> files);
     ~ShaderProgram();
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -1,6 +1,7 @@
 #include "renderer/images/png.h"
 
 #include "renderer/base/renderer_error.h"
+#include "renderer/images/cut_out.h"
 
 #include <libdeflate.h>
 
@@ -55,23 +56,28 @@ void append(void* bytes, void* data, int size) {
                                                            first, first + size);
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encode(int width, int height, int channels, const std::vector<std::uint8_t>& bytes) {
     [[maybe_unused]] static const bool once = set_filter();
-
-    constexpr int channels = 3;
-    const bool empty = image.width <= 0 || image.height <= 0;
-    if (empty || image.rgb.size() !=
-                     static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels) {
+    const bool empty = width <= 0 || height <= 0;
+    if (empty || bytes.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                                     static_cast<std::size_t>(channels)) {
         throw RendererError("cannot encode an image whose bytes do not fit its width and height");
     }
     std::vector<std::uint8_t> png;
-    if (stbi_write_png_to_func(append, &png, image.width, image.height, channels, image.rgb.data(),
-                               channels * image.width) == 0) {
+    if (stbi_write_png_to_func(append, &png, width, height, channels, bytes.data(), channels * width) == 0) {
         throw RendererError("cannot encode the image as PNG");
     }
     return png;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image) {
+    return encode(image.width, image.height, 3, image.rgb);
+}
+
+std::vector<std::uint8_t> encode_png(const CutOut& image) {
+    return encode(image.width, image.height, 4, image.rgba);
 }
 
 }  // namespace pushfactor::renderer

@@ -1,5 +1,6 @@
 #include "renderer/images/sampling.h"
 
+#include "renderer/images/exposure.h"
 #include "renderer/images/light_bytes.h"
 
 #include <glm/geometric.hpp>
@@ -18,11 +19,29 @@ float fraction(double x) {
     return static_cast<float>(x - std::floor(x));
 }
 
+// Height of the direction towards the sky of rendering `index`: half of them as dense as the cosine to the
+// vertical, half evenly, so that their density over the solid angle is (1 + 2 height) / (4 pi).
+float sky_height(int index, int count) {
+    const double share = (index + 0.5) / count;
+    return static_cast<float>(0.5 * (std::sqrt(1.0 + 8.0 * share) - 1.0));
+}
+
+float raw_weight(float height) {
+    return 4.0f / (1.0f + 2.0f * height);
+}
+
+// What makes the weights of `count` directions light the ground exactly as the whole sky does.
+float exactness(int count) {
+    float sum = 0.0f;
+    for (int i = 0; i < count; ++i) sum += sky_height(i, count) * raw_weight(sky_height(i, count));
+    return static_cast<float>(count) / sum;
+}
+
 }  // namespace
 
 SampleOffset sample_offset(int index, int count, const glm::vec3& towards_sun) {
     assert(index >= 0 && index < count);
-    if (count == 1) return {glm::vec2(0.0f), towards_sun};
+    if (count == 1) return {glm::vec2(0.0f), towards_sun, glm::vec3(0.0f, 1.0f, 0.0f), 0.0f};
     const double i = index;
     // Multiples of the powers of 1/g, where g is the root of g^3 = g + 1, fill the square evenly.
     constexpr double g = 1.32471795724474602596;
@@ -36,7 +55,12 @@ SampleOffset sample_offset(int index, int count, const glm::vec3& towards_sun) {
         std::abs(towards_sun.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
     const glm::vec3 right = glm::normalize(glm::cross(beside, towards_sun));
     const glm::vec3 up = glm::cross(towards_sun, right);
-    return {pixel, glm::normalize(towards_sun + radius * (std::cos(angle) * right + std::sin(angle) * up))};
+    const float height = sky_height(index, count);
+    const float level = std::sqrt(1.0f - height * height);
+    return {.pixel = pixel,
+            .towards_sun = glm::normalize(towards_sun + radius * (std::cos(angle) * right + std::sin(angle) * up)),
+            .towards_sky = {level * std::cos(angle), height, level * std::sin(angle)},
+            .sky_weight = exactness(count) * raw_weight(height)};
 }
 
 SampleMean::SampleMean(int width, int height)
@@ -61,17 +85,28 @@ void SampleMean::clear(std::span<const PixelArea> areas) {
     });
 }
 
-void SampleMean::add(const Image& image, std::span<const PixelArea> areas) {
-    assert(image.rgb.size() == sums_.size());
-    each_row(areas, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) sums_[i] += light_of_byte(image.rgb[i]);
+void SampleMean::add(std::span<const float> rgba, const PixelArea& area) {
+    assert(rgba.size() == 4 * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+    const float* light = rgba.data();
+    each_row(std::span(&area, 1), [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; i += 3, light += 4) {
+            sums_[i] += light[0];
+            sums_[i + 1] += light[1];
+            sums_[i + 2] += light[2];
+        }
     });
 }
 
 void SampleMean::put(int count, std::span<const PixelArea> areas, Image& mean) const {
     assert(count > 0 && mean.rgb.size() == sums_.size());
+    const float share = 1.0f / static_cast<float>(count);
     each_row(areas, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) mean.rgb[i] = byte_of_light(sums_[i] / static_cast<float>(count));
+        for (std::size_t i = first; i < end; i += 3) {
+            const glm::vec3 light = exposed(share * glm::vec3(sums_[i], sums_[i + 1], sums_[i + 2]));
+            for (int channel = 0; channel < 3; ++channel) {
+                mean.rgb[i + static_cast<std::size_t>(channel)] = byte_of_light(light[channel]);
+            }
+        }
     });
 }
 

@@ -77,7 +77,9 @@ class Marks {
         const glm::dvec2 to = on_image(seen->to);
         if (glm::distance(from, to) < least_length) return;
         const double width = std::max(1.5, unit_ / 220.0);
-        if (arrow.head && seen->to_is_its_end) {
+        if (!arrow.head && !arrow.outlined) {
+            draw_shape(image_, Capsule(from, to, width), {.colour = arrow.colour});
+        } else if (arrow.head && seen->to_is_its_end) {
             draw_shape(image_, ArrowShape(from, to, width, casing_width()), casing);
             draw_shape(image_, ArrowShape(from, to, width), {.colour = arrow.colour});
         } else {

@@ -97,6 +97,10 @@ void check_each(const std::vector<Thing>& things, const std::string& name) {
 void check(const Picture& picture) {
     check(picture.camera);
     require(finite(picture.towards_sun) && picture.towards_sun != glm::vec3(0.0f), "towards_sun has no direction");
+    const auto is_colour = [](float part) { return part >= 0.0f && part < 1.0f; };
+    const glm::vec3& behind = picture.background.colour;
+    require(is_colour(behind.r) && is_colour(behind.g) && is_colour(behind.b),
+            "background.colour is not from 0 to below 1");
     if (picture.ground) require(finite(picture.ground->height), "ground.height is not finite");
     require(finite(picture.mark_scale) && picture.mark_scale > 0.0f, "mark_scale is not above 0");
     check_each(picture.boxes, "boxes");

@@ -79,6 +79,7 @@ struct Arrow {
     glm::vec3 to{0.0f, 1.0f, 0.0f};  // the tip, world frame, m; an arrow that points at the eye is invisible
     glm::vec3 colour{0.0f};          // sRGB, each 0..1
     bool head = true;                // false: a plain line
+    bool outlined = true;            // a light outline, for dark backgrounds
 };
 
 struct Dot {
@@ -86,9 +87,18 @@ struct Dot {
     glm::vec3 colour{0.0f};    // sRGB, each 0..1
 };
 
+// What is behind everything.
+struct Background {
+    glm::vec3 colour{0.85f, 0.875f, 0.90f};  // sRGB, each 0 to below 1
+    bool haze = true;                        // what is far away fades to it
+
+    bool operator==(const Background&) const = default;
+};
+
 // Contents of one frame.
 struct Picture {
     Camera camera;
+    Background background{};
     glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any non-zero length; shadows fall the other way
     std::optional<Ground> ground{};
     std::vector<Box> boxes{};

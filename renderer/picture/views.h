@@ -33,6 +33,16 @@ struct SunView {
     bool operator==(const SunView&) const = default;
 };
 
+// Shadow views of one direction of the sky: from there, and from the opposite side, where the ground is.
+struct SkyView {
+    SunView above;
+    SunView below;
+    glm::vec3 towards_sky;  // unit length
+    float weight;           // SampleOffset::sky_weight
+
+    bool operator==(const SkyView&) const = default;
+};
+
 // A view of all bodies, or at least of those near the camera's target, with at most `max_side` texels per side. It
 // changes only occasionally while bodies move, and by whole texels, so that shadows of resting bodies do not
 // flicker.

@@ -195,4 +195,21 @@ std::vector<Setting> bullet_settings() {
     };
 }
 
+std::vector<Series> bullet_series() {
+    const auto over = [](const std::string& name, const std::string& knob, const std::vector<int>& values,
+                         const std::vector<std::string>& cases, auto options_at) {
+        return Series{"Bullet, " + name, knob, values, cases,
+                      [options_at](int value) { return setting("", {}, options_at(value)); }};
+    };
+    return {
+        over("sweeps", "sweeps", {1, 2, 5, 10, 25, 50, 100, 250, 1000}, {"stack", "brick_wall", "pile_of_cubes"},
+             [](int value) { return BulletOptions{.iterations = value}; }),
+        over("small steps", "substeps", {1, 2, 4, 8, 16, 32, 64},
+             {"stack", "brick_wall", "pile_of_cubes", "pendulum-wave", "chain"},
+             [](int value) { return BulletOptions{.substeps = value}; }),
+        over("Dantzig", "substeps", {1, 2, 4, 8}, {"stack"},
+             [](int value) { return BulletOptions{.direct = true, .substeps = value}; }),
+    };
+}
+
 }  // namespace pushfactor::tests::peers

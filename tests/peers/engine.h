@@ -36,6 +36,15 @@ struct Setting {
     std::string reference = {};  // its short name where the others are given as ratios to it
 };
 
+// An engine over a knob, for the plots of error against CPU time.
+struct Series {
+    std::string name;  // begins with the engine's
+    std::string knob;
+    std::vector<int> values;
+    std::vector<std::string> cases;  // of error_cases() in sweeps.cpp
+    std::function<Setting(int)> at;
+};
+
 // The result of a run: states at 0, 1, ... steps, and the CPU time of each step, us.
 struct Run {
     std::vector<std::vector<State>> states;
@@ -47,5 +56,9 @@ struct Run {
 std::vector<Setting> bullet_settings();
 std::vector<Setting> ode_settings();
 std::vector<Setting> mujoco_settings();
+
+std::vector<Series> bullet_series();
+std::vector<Series> ode_series();
+std::vector<Series> mujoco_series();
 
 }  // namespace pushfactor::tests::peers

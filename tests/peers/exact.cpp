@@ -1,6 +1,7 @@
 #include "tests/peers/exact.h"
 
-#include "demos/scenes/named/ball_on_bar.h"
+#include "demos/scenes/exact_motions/ball_on_bar.h"
+#include "demos/scenes/exact_motions/hanging_chain.h"
 
 #include <cmath>
 
@@ -54,6 +55,33 @@ std::vector<double> exact_angles(const Body& ball, const Link& link, double grav
         angles.push_back(centre_angle(pendulum, swing));
     }
     return angles;
+}
+
+std::vector<std::vector<Vector3>> exact_chain(const Scene& scene, Joint joint, std::size_t steps) {
+    constexpr int finer = 256;  // below the errors of the finest runs
+    const auto count = static_cast<Eigen::Index>(scene.movable.size());
+    demos::scenes::HangingChain chain{.lengths = Eigen::VectorXd(count),
+                                      .masses = Eigen::VectorXd(count),
+                                      .moments = Eigen::VectorXd::Zero(count),
+                                      .gravity = scene.gravity.norm()};
+    demos::scenes::ChainSwing swing{.angles = Eigen::VectorXd(count), .rates = Eigen::VectorXd::Zero(count)};
+    Vector3 above = Vector3::Zero();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Body& ball = scene.movable[static_cast<std::size_t>(i)];
+        const Vector3 bar = ball.start.position - above;
+        above = ball.start.position;
+        chain.lengths[i] = bar.norm();
+        chain.masses[i] = ball.mass;
+        if (joint == Joint::rigid_arm) chain.moments[i] = inertia(ball).z();
+        swing.angles[i] = std::atan2(bar.x(), -bar.y());
+    }
+    std::vector<std::vector<Vector3>> result;
+    for (std::size_t n = 0; n <= steps; ++n) {
+        if (n > 0) swing = advance(chain, std::move(swing), step_length, finer);
+        std::vector<Vector3>& now = result.emplace_back();
+        for (const Eigen::Vector2d& place : places(chain, swing)) now.emplace_back(place.x(), place.y(), 0.0);
+    }
+    return result;
 }
 
 // l' = l x w and q' = q w / 2 in the body's frame, by the classical Runge-Kutta method.

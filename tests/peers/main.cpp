@@ -2,13 +2,13 @@
 #include "tests/peers/cases.h"
 #include "tests/peers/program.h"
 #include "tests/peers/ratios.h"
+#include "tests/peers/run.h"
+#include "tests/peers/sweeps.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -18,42 +18,13 @@ namespace pushfactor::tests::peers {
 
 namespace {
 
-constexpr std::size_t repeats = 3;  // of each run, for the clock
-constexpr double enough_s = 20.0;   // a run that takes longer is not repeated
-
-double cpu_us() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-Run run_peer(const Setting& setting, const Scene& scene, std::size_t steps) {
-    const std::unique_ptr<World> world = setting.build(scene);
-    Run run;
-    run.joint = setting.joint;
-    run.velocity_lag.assign(steps + 1, setting.velocity_lag / setting.substeps);
-    run.states.push_back(world->states());
-    for (std::size_t n = 0; n < steps; ++n) {
-        const double begin = cpu_us();
-        world->step();
-        run.step_us.push_back(cpu_us() - begin);
-        run.states.push_back(world->states());
-    }
-    return run;
-}
-
 // The measures of the first run, which are the same in all, and the medians of the cost, which differs.
 template <typename Once>
 Values measured(const Case& of, const Scene& scene, const Once& once) {
-    Values result;
+    const std::vector<Run> runs = repeated(once);
+    Values result = of.measure(scene, runs.front());
     std::vector<Values> costs;
-    const auto begin = std::chrono::steady_clock::now();
-    do {
-        const Run run = once();
-        if (costs.empty()) result = of.measure(scene, run);
-        costs.push_back(of.cost(run));
-    } while (costs.size() < repeats &&
-             std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(enough_s));
+    for (const Run& run : runs) costs.push_back(of.cost(run));
     for (std::size_t i = 0; i < costs.front().size(); ++i) {
         const auto less = [i](const Values& a, const Values& b) { return a[i].number < b[i].number; };
         std::sort(costs.begin(), costs.end(), less);
@@ -113,9 +84,16 @@ std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& 
 int run(const std::vector<std::string>& arguments) {
     if (arguments.size() < 3) throw std::invalid_argument("usage: peers PROGRAM SCENES OUT [CASE...]");
     const std::string& out = arguments[2];
-    const std::vector<Case> wanted = chosen(cases(arguments[1]), {arguments.begin() + 3, arguments.end()});
     std::filesystem::create_directories(out);
     const Program program = find_program(arguments[0], out);
+    if (arguments.size() == 4 && arguments[3] == "error") {
+        std::ofstream csv(out + "/others.csv");
+        write_sweeps(program, csv);
+        csv.close();
+        if (!csv) throw std::runtime_error(out + "/others.csv: cannot be written");
+        return 0;
+    }
+    const std::vector<Case> wanted = chosen(cases(arguments[1]), {arguments.begin() + 3, arguments.end()});
 
     std::vector<Setting> settings = bullet_settings();
     for (auto more : {ode_settings(), mujoco_settings()}) settings.insert(settings.end(), more.begin(), more.end());

@@ -218,4 +218,27 @@ std::vector<Setting> mujoco_settings() {
     };
 }
 
+std::vector<Series> mujoco_series() {
+    const auto over = [](const std::string& name, const std::string& knob, const std::vector<int>& values,
+                         const std::vector<std::string>& cases, auto options_at) {
+        return Series{"MuJoCo, " + name, knob, values, cases,
+                      [options_at](int value) { return setting("", {}, options_at(value)); }};
+    };
+    const std::vector<std::string> contacts{"stack", "brick_wall", "pile_of_cubes"},
+        links{"pendulum-wave", "chain"};
+    return {
+        over("Newton", "substeps", {1, 2, 4, 8, 16}, contacts,
+             [](int value) { return MujocoOptions{.substeps = value}; }),
+        over("PGS, 8 small steps", "sweeps", {1, 5, 25, 100}, contacts,
+             [](int value) {
+                 return MujocoOptions{.substeps = 8,
+                                      .options = fmt::format(R"(solver="PGS" iterations="{}")", value)};
+             }),
+        over("as shipped", "substeps", {1, 2, 4, 8, 16, 32, 64}, links,
+             [](int value) { return MujocoOptions{.substeps = value}; }),
+        over("RK4", "substeps", {1, 2, 4, 8, 16, 32, 64}, links,
+             [](int value) { return MujocoOptions{.substeps = value, .options = R"(integrator="RK4")"}; }),
+    };
+}
+
 }  // namespace pushfactor::tests::peers

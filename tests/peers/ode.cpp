@@ -11,7 +11,8 @@ namespace pushfactor::tests::peers {
 namespace {
 
 struct OdeOptions {
-    bool quick = false;  // dWorldQuickStep, 20 iterations as shipped, instead of dWorldStep
+    bool quick = false;   // dWorldQuickStep instead of dWorldStep
+    int iterations = 20;  // of dWorldQuickStep; as shipped
     int substeps = 1;
     double cfm = 1e-10;                      // as shipped
     double surface_layer = 0.0;              // m
@@ -20,6 +21,13 @@ struct OdeOptions {
 
 void quiet(int, const char*, va_list) {}
 
+// As often as one likes.
+void start_quietly() {
+    dInitODE2(0);
+    dSetMessageHandler(quiet);
+    dSetErrorHandler(quiet);
+}
+
 class OdeWorld : public World {
   public:
     OdeWorld(const Scene& scene, const OdeOptions& options) : options_(options) {
@@ -27,6 +35,7 @@ class OdeWorld : public World {
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
         dWorldSetGravity(world_, scene.gravity.x(), scene.gravity.y(), scene.gravity.z());
+        dWorldSetQuickStepNumIterations(world_, options.iterations);
         dWorldSetCFM(world_, options.cfm);
         dWorldSetContactSurfaceLayer(world_, options.surface_layer);
         dWorldSetContactMaxCorrectingVel(world_, options.correcting_velocity);
@@ -165,10 +174,27 @@ Setting setting(const std::string& name, const std::vector<std::string>& cases, 
 
 }  // namespace
 
+std::vector<Series> ode_series() {
+    start_quietly();
+    const auto over = [](const std::string& name, const std::string& knob, const std::vector<int>& values,
+                         const std::vector<std::string>& cases, auto options_at) {
+        return Series{"ODE, " + name, knob, values, cases,
+                      [options_at](int value) { return setting("", {}, options_at(value)); }};
+    };
+    return {
+        over("quick step", "sweeps", {1, 2, 5, 10, 20, 50, 100, 250, 1000},
+             {"stack", "brick_wall", "pile_of_cubes"},
+             [](int value) { return OdeOptions{.quick = true, .iterations = value}; }),
+        over("step", "substeps", {1, 2, 4, 8, 16, 32, 64}, {"stack", "pendulum-wave", "chain"},
+             [](int value) { return OdeOptions{.substeps = value}; }),
+        // One dense matrix for all contacts: more steps take minutes.
+        over("step", "substeps", {1, 2}, {"brick_wall", "pile_of_cubes"},
+             [](int value) { return OdeOptions{.substeps = value}; }),
+    };
+}
+
 std::vector<Setting> ode_settings() {
-    dInitODE2(0);
-    dSetMessageHandler(quiet);
-    dSetErrorHandler(quiet);
+    start_quietly();
     return {
         setting("dWorldStep", {}, {}),
         setting("dWorldQuickStep, 20 iterations",

@@ -1,6 +1,7 @@
 #include "demos/pictures/film/film.h"
 
 #include "demos/pictures/caption.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/overlays/overlay.h"
 
@@ -42,34 +43,87 @@ Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<c
     for (std::size_t i = 0; i < panels.size(); ++i) {
         labels_.push_back(panels[i].label);
         const BuiltScene& scene = runs_[i]->scene();
-        const View view = choices_.camera.view.value_or(scene.view);
+        const View view = seen_from(scene);
         const Reach reach = reach_of(movable_balls(scene), view);
         across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
         up = std::max(up, half_tangent(view));
     }
-    layout_ = best_layout({choices_.width, choices_.height}, static_cast<int>(panels.size()), across, up);
+    const Size sheet{choices_.width, choices_.height};
+    layout_ = choices_.camera.fit ? closest_layout(sheet)
+                                  : best_layout(sheet, static_cast<int>(panels.size()), across, up);
     for (const Simulation* run : runs_) {
         views_.push_back(place_camera(run->scene(), panels.size() > 1 ? across : 0.0));
     }
     scales_ = scales_of(choices_.overlay, survey_, views_.front());
+    for (const Simulation* run : runs_) motions_.emplace_back(choices_, *run);
+}
+
+// That whose cells show the subject largest.
+Layout Film::closest_layout(const Size& sheet) const {
+    Layout best;
+    double largest = -1.0;
+    const int count = static_cast<int>(runs_.size());
+    for (int columns = 1; columns <= count; ++columns) {
+        const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
+        const View view =
+            composed(seen_from(runs_.front()->scene()), subject_in(layout.cell), layout.cell_aspect());
+        const double scale = layout.cell.height / (half_tangent(view) * distance_of(view));
+        if (scale <= largest) continue;
+        largest = scale;
+        best = layout;
+    }
+    return best;
+}
+
+// With room for what is written into a cell.
+Subject Film::subject_in(const Size& cell) const {
+    const double line = 1.9 * letter_size(choices_.height) / cell.height;
+    const double lines_below = (choices_.caption ? 1.0 : 0.0) + static_cast<double>(choices_.overlay.size());
+    return with_room(survey_.subject, labels_.front().empty() ? 0.0 : line, lines_below * line);
+}
+
+View Film::seen_from(const BuiltScene& scene) const {
+    return choices_.camera.view.value_or(scene.view);
 }
 
 View Film::place_camera(const BuiltScene& scene, double across) const {
-    const View view = choices_.camera.view.value_or(scene.view);
-    const double aspect = static_cast<double>(layout_.cell.width) / layout_.cell.height;
-    return choices_.camera.fit ? fitted(view, survey_.reached, aspect) : widened(view, across, aspect);
+    const View view = seen_from(scene);
+    const double aspect = layout_.cell_aspect();
+    return choices_.camera.fit ? composed(view, subject_in(layout_.cell), aspect) : widened(view, across, aspect);
+}
+
+void Film::note(std::size_t panel) {
+    if (motions_[panel].wants_steps()) motions_[panel].note(coloured(panel));
+}
+
+// Without marks.
+renderer::Picture Film::coloured(std::size_t panel) const {
+    const Simulation& run = *runs_[panel];
+    renderer::Picture picture = draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
+    for (const Scale& scale : scales_) {
+        if (colours_bodies(scale.kind)) add_overlay(run.scene(), scale.kind, scale.units_a_metre, picture);
+    }
+    return picture;
 }
 
 renderer::Picture Film::look(std::size_t panel) const {
-    const Simulation& run = *runs_[panel];
-    renderer::Picture picture = draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
-    for (const Scale& scale : scales_) add_overlay(run.scene(), scale.kind, scale.units_a_metre, picture);
+    renderer::Picture picture = coloured(panel);
+    for (const Scale& scale : scales_) {
+        if (colours_bodies(scale.kind)) continue;
+        add_overlay(runs_[panel]->scene(), scale.kind, scale.units_a_metre, picture);
+    }
+    motions_[panel].add_trails(picture);
+    motions_[panel].add_ghosts(picture);
     return picture;
 }
 
 Snapshot Film::look(const std::string& name) const {
-    Snapshot moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}};
-    for (std::size_t i = 0; i < runs_.size(); ++i) moment.pictures.push_back(look(i));
+    Snapshot moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}, .open = {}};
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        moment.pictures.push_back(look(i));
+        moment.open.push_back(motions_[i].while_open());
+        for (Moment& open : moment.open.back()) motions_[i].add_ghosts(open.picture);
+    }
     return moment;
 }
 
@@ -115,14 +169,27 @@ void Film::write(renderer::Image& sheet, double time) const {
     }
 }
 
+void Film::draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image& image) const {
+    const renderer::Picture& picture = moment.pictures[panel];
+    const std::vector<Moment>& open = moment.open[panel];
+    if (open.size() < 2) {
+        studio_.draw(std::span(&picture, 1), layout_.cell, choices_.samples, image, panel);
+        return;
+    }
+    const double end = open.back().time;
+    std::vector<renderer::Picture> spread_out = spread(open, end - motions_[panel].open(), end, choices_.samples);
+    spread_out.back().arrows = picture.arrows;
+    spread_out.back().dots = picture.dots;
+    spread_out.back().mark_scale = picture.mark_scale;
+    studio_.draw(spread_out, layout_.cell, choices_.samples, image, panel);
+}
+
 void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
     if (moment.pictures.size() == 1) {
-        studio_.draw(moment.pictures.front(), layout_.cell, choices_.samples, sheet);
+        draw_panel(moment, 0, sheet);
     } else {
         std::vector<renderer::Image> images(moment.pictures.size());
-        for (std::size_t i = 0; i < images.size(); ++i) {
-            studio_.draw(moment.pictures[i], layout_.cell, choices_.samples, images[i], i);
-        }
+        for (std::size_t i = 0; i < images.size(); ++i) draw_panel(moment, i, images[i]);
         sheet = assemble(layout_, images);
     }
     write(sheet, moment.time);

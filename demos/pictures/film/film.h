@@ -1,6 +1,7 @@
 // The pictures of a run, or of several runs side by side.
 #pragma once
 
+#include "demos/pictures/film/motion.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/scale.h"
 #include "demos/runs/simulation.h"
@@ -14,6 +15,7 @@ struct Snapshot {
     std::string name;   // of the frame's file
     double time = 0.0;  // s
     std::vector<renderer::Picture> pictures;
+    std::vector<std::vector<Moment>> open;  // per panel, while the shutter is
 };
 
 class Film {
@@ -22,6 +24,9 @@ class Film {
     // the frames of each; `go_to` as for survey(). Throws UsageError for an overlay of parts that the scene lacks.
     Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
          const std::vector<std::vector<Frame>>& frames, const GoTo& go_to = {});
+
+    // Called after each step of a run, and before the first.
+    void note(std::size_t panel);
 
     // The current state of the runs. Drawing uses only this snapshot, so that the runs may go on meanwhile.
     Snapshot look(const std::string& name) const;
@@ -34,8 +39,13 @@ class Film {
     void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:
+    View seen_from(const BuiltScene& scene) const;
+    Subject subject_in(const Size& cell) const;
+    Layout closest_layout(const Size& sheet) const;
     View place_camera(const BuiltScene& scene, double across) const;
+    renderer::Picture coloured(std::size_t panel) const;
     renderer::Picture look(std::size_t panel) const;
+    void draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image& image) const;
     std::vector<LegendLine> legend(const View& view) const;
     void write(renderer::Image& sheet, double time) const;
 
@@ -48,6 +58,7 @@ class Film {
     Layout layout_;
     std::vector<View> views_;  // of the panels, at the start
     std::vector<Scale> scales_;
+    std::vector<Motion> motions_;  // of the panels
 };
 
 }  // namespace pushfactor::demos::pictures

@@ -24,6 +24,7 @@ class Shooting {
     void operator()(Channel<Snapshot>& moments) {
         const ThreadWatch thread(times_);
         const std::vector<Frame>& frames = sequence_.frames.front();
+        for (std::size_t i = 0; takers_.film && i < runs_.size(); ++i) takers_.film->note(i);
         for (std::size_t frame = 0; frame < frames.size(); ++frame) {
             StageWatch watch(times_);
             for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -48,6 +49,7 @@ class Shooting {
         while (runs_[run].simulation().sample().step < step) {
             if (interrupted() || moments.is_closed()) return false;
             runs_[run].advance();
+            if (takers_.film) takers_.film->note(run);
         }
         return true;
     }

@@ -1,6 +1,7 @@
 #include "demos/pictures/gltf/glb_record.h"
 
 #include "demos/pictures/caption.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/gltf/marks.h"
@@ -31,7 +32,7 @@ long steps_a_key(const Choices& choices) {
 View view_at_start(const Choices& choices, const Survey& survey, const BuiltScene& scene) {
     const View view = choices.frames.camera.view.value_or(scene.view);
     const double aspect = static_cast<double>(choices.frames.width) / choices.frames.height;
-    return choices.frames.camera.fit ? fitted(view, survey.reached, aspect) : view;
+    return choices.frames.camera.fit ? composed(view, survey.subject, aspect) : view;
 }
 
 Json about(const Choices& choices) {

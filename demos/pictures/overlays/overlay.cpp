@@ -147,6 +147,8 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
         case OverlayKind::no_contacts:
             return {{"do not touch each other", colour("vermilion"), ""},
                     {"one group, whose bodies do not touch", colour("blue"), ""}};
+        case OverlayKind::trails:
+            return {};
         case OverlayKind::velocities:
             break;
     }
@@ -181,6 +183,7 @@ namespace {
 std::string lack_of(const BuiltScene& scene, OverlayKind kind) {
     const bool has_rows = scene.contacts || scene.distances || scene.joints;
     switch (kind) {
+        case OverlayKind::trails:
         case OverlayKind::velocities:
             return "";
         case OverlayKind::rest:

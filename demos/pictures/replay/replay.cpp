@@ -1,6 +1,7 @@
 #include "demos/pictures/replay/replay.h"
 
 #include "demos/pictures/caption.h"
+#include "demos/pictures/composition.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/overview.h"
 #include "demos/pictures/replay/bytes.h"
@@ -91,6 +92,8 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
                     .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
                     .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
+                    .near = surroundings(scene),
+                    .outline = {},
                     .bodies = recorded_bodies(scene),
                     .sizes = sizes,
                     .poses = {},
@@ -112,6 +115,12 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
 // at the end.
 std::vector<View> Replay::views() const {
     std::vector<Ball> reached;
+    Outline outline;
+    for (const Track& track : tracks_) {
+        outline.add(track.outline);
+        if (frames_.camera.fit) add_support(track.simulation->scene(), outline);
+    }
+    const Subject subject = subject_of(tracks_.back().simulation->scene(), outline);
     for (const Track& track : tracks_) add_corners(track.reached, track.simulation->scene(), reached);
     const double aspect = static_cast<double>(frames_.width) / frames_.height;
     std::vector<View> views;
@@ -119,7 +128,7 @@ std::vector<View> Replay::views() const {
         const View view = has_camera_ ? track.view
                                       : overview(track.view, tracks_.front().start, reached,
                                                  least_aspect(frames_, tracks_.size()));
-        views.push_back(frames_.camera.fit ? fitted(view, reached, aspect) : view);
+        views.push_back(frames_.camera.fit ? composed(view, subject, aspect) : view);
     }
     return views;
 }
@@ -177,6 +186,7 @@ void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (goes_about(scene.bodies[i])) track.reached[i].extend(scene.world.bodies[i].position);
     }
+    if (frames_.camera.fit) add_moving(scene, track.near, track.outline);
     const Sample& sample = track.simulation->sample();
     const std::array measured{sample.kinetic_energy, sample.potential_energy, sample.penetration.max,
                               sample.max_speed, sample.residual};

@@ -4,6 +4,7 @@
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
 #include "demos/pictures/framing.h"
+#include "demos/pictures/outline.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/page.h"
 #include "demos/platform/output_file.h"
@@ -55,6 +56,8 @@ class Replay {
         View view;                                                 // of the scene, or a direction alone
         std::vector<Ball> start;                                   // what moves, and what it hangs on
         std::vector<Eigen::AlignedBox3d> reached;                  // by each body of the scene so far
+        Eigen::AlignedBox3d near;                                  // where a body is worth showing
+        Outline outline;                                           // of all so far, if the camera fits it
         std::vector<std::size_t> bodies;                           // recorded ones
         std::vector<double> sizes;                                 // m, of all bodies
         std::vector<std::vector<std::int64_t>> poses, velocities;  // per quantity and frame

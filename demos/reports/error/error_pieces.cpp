@@ -95,7 +95,7 @@ ErrorPlan error_plan(const StudyRequest& request) {
     ErrorPlan plan;
     plan.quick = request.quick;
     plan.experiments = error_experiments(request.quick);
-    std::erase_if(plan.experiments, [&](const Experiment& sweep) { return !request.wants(sweep.scene); });
+    std::erase_if(plan.experiments, [&](const Experiment& sweep) { return !request.wants(sweep.name); });
     if (request.wants(frozen_part)) {
         if (request.problems.empty()) plan.moments = hard_moments(request.quick);
         for (const auto& file : request.problems) plan.problems.push_back(read_fclib(file));
@@ -142,7 +142,7 @@ std::string key_of(const Experiment& sweep, const Method& method, const std::str
     OptionTexts options{{method.knob, value}};
     options.insert(options.end(), method.differs.begin(), method.differs.end());
     options.insert(options.end(), sweep.common.begin(), sweep.common.end());
-    return fmt::format("error: {}, {}: {}; timed {} times{}", sweep.scene, method.name,
+    return fmt::format("error: {}, {}: {}; timed {} times{}", sweep.name, method.name,
                        run_key(sweep.scene, options), repeats,
                        sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : "");
 }

@@ -25,7 +25,8 @@ struct Method {
 };
 
 struct Experiment {
-    std::string scene;  // of the catalogue or of assets/scenes
+    std::string scene;   // of the catalogue or of assets/scenes
+    std::string name{};  // of the part and its files; the scene's, unless that has several experiments
     std::string title{};
     OptionTexts common;  // preset and what all methods share
     MakeTrueError error;

@@ -1,6 +1,6 @@
 // Free bodies: a parabola, and for boxes with three different edges the closed form of free rotation.
 #include "demos/reports/error/true_errors.h"
-#include "demos/scenes/named/free_rotation.h"
+#include "demos/scenes/exact_motions/free_rotation.h"
 
 #include <algorithm>
 #include <cmath>

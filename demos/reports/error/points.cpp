@@ -5,6 +5,7 @@
 #include "demos/runs/measurements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -60,6 +61,11 @@ CpuShare time_runs(const Choices& choices, int repeats, const std::function<void
 
 }  // namespace
 
+bool means_failure(const std::string& outcome) {
+    constexpr std::array<std::string_view, 5> failures{"non-finite", "fall", "tunnel", "torn", "fly"};
+    return std::find(failures.begin(), failures.end(), outcome) != failures.end();
+}
+
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
                      const std::function<void()>& check) {
     Choices choices = run_at(sweep, method, value);
@@ -72,8 +78,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
     run_for_errors(sweep, choices, check, point);
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
     point.cpu = time_runs(choices, repeats, check);
-    point.failed = point.outcome == "non-finite" || point.outcome == "fall" || point.outcome == "tunnel" ||
-                   point.outcome == "torn" || (point.outcome == "fly" && !method.flies);
+    point.failed = means_failure(point.outcome) && !(point.outcome == "fly" && method.flies);
     return point;
 }
 

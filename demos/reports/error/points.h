@@ -28,6 +28,9 @@ struct ErrorPoint {
     bool failed = false;    // it blew up or fell, which the exact solution does not
 };
 
+// Outcomes that the exact solution does not have; to fly up is none of them for some methods.
+bool means_failure(const std::string& outcome);
+
 // `check` is called often; its exceptions end the run.
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
                      const std::function<void()>& check);

@@ -193,6 +193,19 @@ class StandingError : public TrueError {
     Rms moved_;
 };
 
+class OverlapError : public TrueError {
+  public:
+    void observe(const Simulation& simulation) override { depths_.push_back(simulation.sample().penetration.max); }
+
+    std::vector<NamedError> result() const override {
+        return {{"deepest_overlap_median_m", median(depths_)},
+                {"deepest_overlap_m", *std::max_element(depths_.begin(), depths_.end())}};
+    }
+
+  private:
+    std::vector<double> depths_;
+};
+
 }  // namespace
 
 double PartingCube::height(long steps) const {
@@ -231,6 +244,10 @@ std::unique_ptr<TrueError> parting_error(const Simulation& start) {
 
 std::unique_ptr<TrueError> scene_error(const Simulation& start) {
     return std::make_unique<SceneError>(start);
+}
+
+std::unique_ptr<TrueError> overlap_error(const Simulation&) {
+    return std::make_unique<OverlapError>();
 }
 
 std::unique_ptr<TrueError> column_error(const Simulation&) {

@@ -75,6 +75,12 @@ std::unique_ptr<TrueError> scene_error(const Simulation& start);
 // A column of equal touching balls: e_f of the first step, whose exact forces are the weights above.
 std::unique_ptr<TrueError> column_error(const Simulation& start);
 
+// The chain: distance of the balls from the exact motion, over all steps.
+std::unique_ptr<TrueError> chain_error(const Simulation& start);
+
+// Piles: the deepest overlap, the median of the steps; its largest value.
+std::unique_ptr<TrueError> overlap_error(const Simulation& start);
+
 // Free bodies: distance of the corners of boxes from the exact motion, over all steps; its parts due to flight (of
 // all bodies) and to rotation, and the largest relative change of rotational energy. Throws engine::InvalidInput
 // for a box whose motion scenes::FreeRotation does not cover.

@@ -118,7 +118,8 @@ std::string label_of(const Trial& trial) {
 
 Gallery::Gallery(const std::filesystem::path& folder) {
     try {
-        output_ = std::make_unique<figures::FigureOutput>(folder, columns * thumbnail.width, samples);
+        output_ = std::make_unique<figures::FigureOutput>(
+            folder, FigureFormat{.width = columns * thumbnail.width, .samples = samples});
     } catch (const renderer::RendererError& error) {
         missing_ = error.what();
     }

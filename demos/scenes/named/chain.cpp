@@ -45,7 +45,7 @@ SceneDescription chain(const ParameterValues& parameters) {
         scene.bodies.push_back(ball);
     }
     const double reach = links * length;
-    scene.view = view_of({0, -0.42 * reach, 0}, 1.12 * reach);
+    scene.view = view_of({0, -0.42 * reach, 0}, 0.98 * reach);
     scene.view.floor = -1.15 * reach;
     return scene;
 }

@@ -73,7 +73,7 @@ std::vector<Vector3> funnel_places(int count, double reach, Random& random) {
 View view_into_funnel(int count) {
     // The bodies fill a pyramid: its volume 4/3 h^3 holds them at a packing of about 0.6.
     const double heap = std::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
-    View view = view_of({0, 0.65 * heap, 0}, 1.4 * heap);
+    View view = view_of({0, 0.65 * heap, 0}, 1.6 * heap);
     view.eye.y() += 0.6 * heap;
     return view;
 }

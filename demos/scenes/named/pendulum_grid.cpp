@@ -101,7 +101,7 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
         return std::make_unique<OnTop>(first, count);
     };
     // The sphere that may be poked is not hidden by others in this view.
-    scene.view = view_of({0, -0.6, 0}, 5.4);
+    scene.view = view_of({0, -0.6, 0}, 6.1);
     scene.view.eye =
         scene.view.target + (scene.view.eye - scene.view.target).norm() * Vector3(-1, 0.45, 0.4).normalized();
     return scene;

@@ -4,7 +4,7 @@
 // four groups after 60, 40 and 30 s. The balls never touch, and the scene has no collision detection.
 #include "demos/scenes/named/pendulum_wave.h"
 
-#include "demos/scenes/named/ball_on_bar.h"
+#include "demos/scenes/exact_motions/ball_on_bar.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/world.h"
 

@@ -127,8 +127,10 @@ TEST_CASE("a bad config file is refused by file, key and value") {
 TEST_CASE("frames show t = n / fps from zero, in one folder or in one a scene, and are the same bytes every time") {
     const Folder folder;
     REQUIRE(shell(folder, "pushfactor render stack --seconds 0.1 --fps 30 --out one" + tiny).status == 0);
-    REQUIRE(shell(folder, "pushfactor render stack intersecting-stack --seconds 0.1 --at 0,0.1 --out two" + tiny)
-                .status == 0);
+    REQUIRE(
+        shell(folder,
+              "pushfactor render stack intersecting-stack --seconds 0.1 --at 0,0.1 --camera scene --out two" + tiny)
+            .status == 0);
     const std::vector<std::string> expected{"one/config.json",
                                             "one/frame_000000.png",
                                             "one/frame_000001.png",

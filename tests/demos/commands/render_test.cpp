@@ -26,7 +26,7 @@ TEST_CASE("panels, overlays, cameras and captions each change the picture, and e
                                             "--compare push=none,persistent",
                                             "--overlay velocities",
                                             "--camera orbit:30",
-                                            "--camera fit",
+                                            "--camera scene",
                                             "--samples 3"};
     std::vector<std::string> pictures;
     for (const std::string& variant : variants) {
@@ -69,13 +69,14 @@ TEST_CASE("the summary of compared runs has one of each, and their states are th
 TEST_CASE("stills end the run at the last instant that is asked for, and are those of the whole run") {
     for (const auto& [at, steps] : {std::pair{"0", 0}, std::pair{"0.5,0.25", 30}}) {
         const Folder folder;
-        const Ended ended = render(folder, std::string("stack --seconds 1000000 --csv steps.csv --at ") + at);
+        const Ended ended =
+            render(folder, std::string("stack --camera scene --seconds 1000000 --csv steps.csv --at ") + at);
         INFO(at << ": " << ended.err);
         REQUIRE(ended.status == 0);
         CHECK(Json::parse(folder.read("frames/summary.json"))["steps"] == steps);
         CHECK(lines_of(folder.read("steps.csv")).size() == static_cast<std::size_t>(1 + steps));
         const Folder whole;
-        REQUIRE(render(whole, std::string("stack --seconds 1 --at 0.5,1,") + at).status == 0);
+        REQUIRE(render(whole, std::string("stack --camera scene --seconds 1 --at 0.5,1,") + at).status == 0);
         const std::string name = std::string(at) == "0" ? "frames/at_0s.png" : "frames/at_0.5s.png";
         CHECK(folder.read(name) == whole.read(name));
     }
@@ -98,7 +99,7 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     refused("pendulum-wave --overlay contacts --at 0", "has no contacts, so there is nothing to show");
     refused("stack --overlay contact", "--overlay contact: must be some of contacts");
     refused("stack --samples 1000", "--samples 1000: must be a whole number from 1 to 256");
-    refused("stack --camera sideways", "--camera sideways: must be a camera file");
+    refused("stack --camera sideways", "--camera sideways: must be scene, a camera file");
     folder.write("camera.json", R"({"eye_m": [1, 2, 3], "targt_m": [0, 0, 0]})");
     refused("stack --camera camera.json", "targt_m: unknown key; did you mean target_m?");
     CHECK(!std::filesystem::exists(folder / "frames/config.json"));
@@ -144,10 +145,13 @@ TEST_CASE("an ffmpeg that fails ends the run with its own words and leaves no vi
 TEST_CASE("every frame of a film is the still of its time, drawn by itself") {
     // Bodies that fall and come to rest, a camera that turns, walls, bars, several samples per picture, two panels.
     for (const std::string scene :
-         {"stack --count 2 --gap 0.05 --seconds 1 --fps 20", "stack --seconds 0.5 --fps 20 --camera orbit:40",
-          "funnel --solver pgs --count 5 --seconds 1.5 --fps 10", "pendulum-grid --seconds 0.3 --fps 30",
-          "pendulum-wave --seconds 0.2 --fps 30 --samples 2",
-          "intersecting-stack --seconds 0.6 --fps 10 --compare push=none,persistent"}) {
+         {"stack --count 2 --gap 0.05 --seconds 1 --fps 20 --camera scene",
+          "stack --seconds 0.5 --fps 20 --camera orbit:40",
+          "funnel --solver pgs --count 5 --seconds 1.5 --fps 10 --camera scene",
+          "pendulum-grid --seconds 0.3 --fps 30 --camera scene",
+          "pendulum-wave --seconds 0.2 --fps 30 --samples 2 --camera scene",
+          "intersecting-stack --seconds 0.6 --fps 10 --camera scene --compare push=none,persistent",
+          "stack --seconds 0.5 --fps 20 --camera scene --samples 16 --shutter 0.5 --ghosts 0 --overlay trails"}) {
         const Folder folder;
         INFO(scene);
         REQUIRE(render(folder, scene).status == 0);

@@ -60,8 +60,10 @@ TEST_CASE("overlays are named, may have a scale, and are not named twice") {
     CHECK(choices->overlay[0].units_a_metre == 50.0);
     CHECK(!choices->overlay[1].units_a_metre);
     CHECK(to_text(choices->overlay) == "forces:50,contacts");
-    for (const char* wrong :
-         {"force", "", "forces,", "contacts:3", "forces:0", "forces:x", "push,push", "islands:3"}) {
+    CHECK(to_text(set("overlay", "trails:0.5,push")->overlay) == "trails:0.5,push");
+    CHECK(set("overlay", "trails")->trail_seconds() == 1.0);
+    for (const char* wrong : {"force", "", "forces,", "contacts:3", "forces:0", "forces:x", "push,push",
+                              "islands:3", "trails:0", "trails:x"}) {
         INFO(wrong);
         CHECK(!set("overlay", wrong));
     }
@@ -74,6 +76,7 @@ TEST_CASE("a camera turns about the vertical through its target at the speed tha
     const View after = turned(choices->camera, view, 1.0);
     CHECK((after.eye - pushfactor::engine::Vector3(1, 5, -2)).norm() < 1e-12);
     CHECK(set("camera", "fit,orbit:-3")->camera.fit);
+    CHECK(!set("camera", "scene")->camera.fit);
     for (const char* wrong : {"orbit", "orbit:x", "", "fit,"}) CHECK(!set("camera", wrong));
     CHECK_THROWS_WITH(set("camera", "nowhere.json"), Catch::Contains("nowhere.json: cannot be read"));
 }

@@ -207,3 +207,24 @@ TEST_CASE("the 95th percentile of few values is the largest, of a hundred the 95
     for (int i = 100; i > 0; --i) values.push_back(i);
     CHECK(percentile_95(values) == 95.0);
 }
+
+TEST_CASE("the chain's error falls with the square of the step, and the pile's is the depth that summaries state") {
+    const auto error = [](const char* dt) {
+        return errors_of("chain", {{"end-mass", "1000"}, {"seconds", "1"}, {"dt", dt}, {"scheme", "rattle"}},
+                         chain_error)
+            .at("position_rms_m");
+    };
+    const double coarse = error("1/480"), fine = error("1/960");
+    CHECK(fine < 1e-4);
+    CHECK(std::log2(coarse / fine) == Approx(2.0).margin(0.1));
+
+    const auto overlaps = errors_of("pile_of_cubes", {{"seconds", "1"}, {"slop", "0"}}, overlap_error);
+    CHECK(overlaps.at("deepest_overlap_median_m") > 0.0);
+    CHECK(overlaps.at("deepest_overlap_median_m") < overlaps.at("deepest_overlap_m"));
+    // Two sweeps leave the cubes deeper in each other.
+    const auto coarse_overlaps =
+        errors_of("pile_of_cubes",
+                  {{"seconds", "1"}, {"slop", "0"}, {"solver", "pgs"}, {"iterations", "2"}, {"tolerance", "0"}},
+                  overlap_error);
+    CHECK(coarse_overlaps.at("deepest_overlap_median_m") > 2.0 * overlaps.at("deepest_overlap_median_m"));
+}

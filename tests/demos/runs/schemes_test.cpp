@@ -1,5 +1,5 @@
 // --scheme on the scenes: the wave against its reference, and what is refused.
-#include "demos/scenes/named/ball_on_bar.h"
+#include "demos/scenes/exact_motions/ball_on_bar.h"
 #include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

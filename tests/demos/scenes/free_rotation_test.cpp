@@ -1,5 +1,5 @@
 // The exact rotation of a free body against its equations of motion and against the engine.
-#include "demos/scenes/named/free_rotation.h"
+#include "demos/scenes/exact_motions/free_rotation.h"
 
 #include "engine/base/invalid_input.h"
 #include "engine/bodies/integrator.h"

@@ -1,6 +1,6 @@
 // The scenes of paper section 10.3: what they must do. Measured values are next to the bounds.
 #include "demos/runs/measurements.h"
-#include "demos/scenes/named/ball_on_bar.h"
+#include "demos/scenes/exact_motions/ball_on_bar.h"
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"

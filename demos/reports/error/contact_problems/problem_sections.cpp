@@ -2,7 +2,7 @@
 
 #include "demos/pages/plot.h"
 #include "demos/reports/error/contact_problems/profiles.h"
-#include "demos/text/errors.h"
+#include "demos/text/csv.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <functional>
 
 namespace pushfactor::demos::reports::error {
@@ -28,54 +27,21 @@ std::vector<std::string> names_in(const std::vector<ProblemPoint>& points, const
     return names;
 }
 
-// A line of a CSV file: cells may be in quotes.
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    return cells;
-}
-
 std::vector<ProblemPoint> read_points(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    const auto refuse = [&](const std::string& what) {
-        throw UsageError(fmt::format("--beside {}: {}", file.string(), what));
-    };
-    if (!stream) refuse("cannot be read");
-    std::string heading = csv_text(table_of(std::vector<ProblemPoint>{}));
-    heading.pop_back();  // the end of the line
     std::vector<ProblemPoint> points;
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::vector<std::string> cells = cells_of(line);
-        if (cells.front() == "problem" && line != heading)
-            refuse(fmt::format("line {}: must be {}", number, heading));
-        if (line.starts_with("#") || cells.front() == "problem") continue;
-        std::vector<double> numbers;
-        for (std::size_t i = 2; i < cells.size(); ++i) numbers.push_back(parse_number(cells[i]).value_or(0.0));
-        const std::size_t columns = cells_of(heading).size();
-        if (cells.size() != columns) {
-            refuse(fmt::format("line {}: must have {} columns, as problems.csv, not {}", number, columns,
-                               cells.size()));
-        }
+    for (const auto& cells : read_csv("--beside", file, table_of(std::vector<ProblemPoint>{}).columns)) {
+        const auto number = [&](std::size_t column) { return parse_number(cells[column]).value_or(0.0); };
         points.push_back({.problem = cells[0],
                           .method = cells[1],
-                          .iterations = static_cast<int>(numbers[0]),
-                          .errors = {.siconos = numbers[1],
-                                     .natural_map = numbers[2],
-                                     .penetration_rate = numbers[3],
-                                     .cone_violation = numbers[5],
-                                     .wrong_friction = numbers[4],
-                                     .dissipation = numbers[6]},
-                          .multiply_adds = numbers[7],
-                          .cpu = numbers[8]});
+                          .iterations = static_cast<int>(number(2)),
+                          .errors = {.siconos = number(3),
+                                     .natural_map = number(4),
+                                     .penetration_rate = number(5),
+                                     .cone_violation = number(7),
+                                     .wrong_friction = number(6),
+                                     .dissipation = number(8)},
+                          .multiply_adds = number(9),
+                          .cpu = number(10)});
     }
     return points;
 }

@@ -1,4 +1,4 @@
-#include "demos/scenes/named/free_rotation.h"
+#include "demos/scenes/exact_motions/free_rotation.h"
 
 #include "engine/base/invalid_input.h"
 

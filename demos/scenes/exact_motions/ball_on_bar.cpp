@@ -1,4 +1,4 @@
-#include "demos/scenes/named/ball_on_bar.h"
+#include "demos/scenes/exact_motions/ball_on_bar.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,0 +1,55 @@
+// What a picture is about: everything that moves in it, and what that stands and hangs on.
+#pragma once
+
+#include "demos/runs/scene.h"
+
+#include <limits>
+#include <vector>
+
+namespace pushfactor::demos::pictures {
+
+// The farthest of many points in each of some directions. Memory does not grow with the number of points; none of
+// them is farther outside of the hull of those that are kept than about 1 % of its size.
+class Outline {
+  public:
+    Outline();
+
+    void add(const engine::Vector3& point);                       // m, world frame
+    void add_ball(const engine::Vector3& centre, double radius);  // m
+    void add(const Outline& other);
+
+    bool empty() const { return farthest_.front().distance == -infinity; }
+    std::vector<engine::Vector3> points() const;
+    Eigen::AlignedBox3d box() const;
+
+  private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    struct Farthest {
+        double distance = -infinity;  // m, along the direction
+        engine::Vector3 point = engine::Vector3::Zero();
+    };
+    std::vector<Farthest> farthest_;
+};
+
+// The region around a scene at its start in which a body is worth being in the picture: from farther away than 300
+// radii or ten times the scene's size it is a dot, or all else is.
+Eigen::AlignedBox3d surroundings(const BuiltScene& start);
+
+// Adds the bodies that move or may move, as they are now, with the ends of their bars. Bodies that have left `near`
+// are added where they left it.
+void add_moving(const BuiltScene& scene, const Eigen::AlignedBox3d& near, Outline& outline);
+
+// Adds what stands still next to the outline: bodies, and the planes that are drawn as walls, as far as they are
+// near it.
+void add_support(const BuiltScene& scene, Outline& outline);
+
+// What a camera has to show, and where on the ground the sun throws its shadow; no shadow without a ground.
+struct Subject {
+    std::vector<engine::Vector3> points, shadow;  // m, world frame
+};
+Subject subject_of(const BuiltScene& scene, const Outline& outline);
+
+// The same with room for letters above and below it, as shares of its height.
+Subject with_room(Subject subject, double above, double below);
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,55 @@
+#include "demos/text/csv.h"
+
+#include "demos/text/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+
+namespace pushfactor::demos {
+
+std::vector<std::string> csv_cells(const std::string& line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ',' && !quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += c;
+        }
+    }
+    return cells;
+}
+
+std::vector<std::vector<std::string>> read_csv(const std::string& option, const std::filesystem::path& file,
+                                               const std::vector<std::string>& columns) {
+    const auto refuse = [&](const std::string& what) {
+        throw UsageError(fmt::format("{} {}: {}", option, file.string(), what));
+    };
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file)) refuse("cannot be read");
+    std::vector<std::vector<std::string>> rows;
+    bool headed = false;
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (line.starts_with("#")) continue;
+        std::vector<std::string> cells = csv_cells(line);
+        const bool heading = cells.front() == columns.front();
+        if (!headed || heading) {
+            if (cells != columns) refuse(fmt::format("line {}: must be {}", number, fmt::join(columns, ",")));
+            headed = true;
+            continue;
+        }
+        if (cells.size() != columns.size()) {
+            refuse(fmt::format("line {}: must have {} cells, not {}", number, columns.size(), cells.size()));
+        }
+        rows.push_back(std::move(cells));
+    }
+    if (!headed) refuse(fmt::format("must begin with {}", fmt::join(columns, ",")));
+    return rows;
+}
+
+}  // namespace pushfactor::demos
