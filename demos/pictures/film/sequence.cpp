@@ -77,6 +77,12 @@ void require_poses_only(const Sequence& sequence, const std::string& file) {
     if (sequence.panels.size() > 1) {
         throw UsageError(fmt::format("--from-trajectory {}: must be of one run, not with --compare", file));
     }
+    for (const auto& [option, given] :
+         {std::pair{"--ghosts", !frames.ghosts.empty()}, std::pair{"--shutter", frames.shutter > 0.0}}) {
+        if (!given) continue;
+        throw UsageError(
+            fmt::format("{}: must not be with --from-trajectory, which takes no steps between frames", option));
+    }
     for (const OverlayItem& item : frames.overlay) {
         if (item.kind == OverlayKind::no_contacts) continue;
         throw UsageError(fmt::format(

@@ -104,6 +104,9 @@ TEST_CASE("what poses do not tell, and a trajectory of another run, are refused 
         check_refusal(folder, render + "t.csv --overlay " + overlay,
                       std::string("--overlay ") + overlay + ": must not be with --from-trajectory");
     }
+    check_refusal(folder, render + "t.csv --ghosts 0.05", "--ghosts: must not be with --from-trajectory");
+    check_refusal(folder, render + "t.csv --samples 4 --shutter 0.5",
+                  "--shutter: must not be with --from-trajectory");
     check_refusal(folder, render + "t.csv --csv x.csv", "--csv x.csv: must not be with --from-trajectory");
     check_refusal(folder, render + "t.csv --compare beta=0.1,0.2", "must be of one run, not with --compare");
     check_refusal(folder, render + "t.csv --count 4",

@@ -70,12 +70,14 @@ TEST_CASE("an atlas in 2, 7 and 64 shards, in any order, one killed and started 
         INFO(count << " shards");
         const std::string out = "in-" + std::to_string(count);
         const auto shard = [&](int number) {
-            return " report atlas --quick --only " + maps + " --out " + out + " --shard " + to_text(Shard{number, count});
+            return " report atlas --quick --only " + maps + " --out " + out + " --shard " +
+                   to_text(Shard{number, count});
         };
         if (count == 2) {
-            const Ended killed = shell(
-                folder, "'" PUSHFACTOR_PROGRAM "'" + shard(2) + " --jobs 1 & until ls " + out +
-                            "/pieces/*/*/*.json >list 2>/dev/null; do sleep 0.01; done; kill -KILL $!; wait $!");
+            const Ended killed =
+                shell(folder, "'" PUSHFACTOR_PROGRAM "'" + shard(2) + " --jobs 1 & until ls " + out +
+                                  "/pieces/*/*/*.json >list 2>/dev/null || ! kill -0 $!; do sleep 0.01; done; kill "
+                                  "-KILL $!; wait $!");
             CHECK(killed.status == 128 + 9);
             CHECK(!pieces_of(folder, out).empty());
             CHECK(pieces_of(folder, out).size() < cells / 2);
