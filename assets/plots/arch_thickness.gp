@@ -3,7 +3,7 @@ load style
 if (narrow) { set multiplot layout 2,1 } else { set multiplot layout 1,2 }
 set xrange [0:34]
 set xlabel 'voussoirs'
-set key inside bottom right vertical
+set key inside bottom right vertical title ''
 set ylabel narrow ? 'thickness / radius' : 'least thickness / mean radius'
 set yrange [0.09:0.112]
 plot data using 1:3 skip 1 with lines linewidth 2 linecolor rgb blue title 'limit analysis', \

@@ -5,7 +5,7 @@ set lmargin 9
 set xrange [0:6]
 set ylabel narrow ? 'topmost centre [m]' : 'height of the topmost centre [m]'
 set format x ''
-set key inside top left vertical
+set key inside top left vertical title ''
 if (narrow) { set yrange [0:90] }
 plot data using 1:4 with lines linewidth 2 linecolor rgb vermilion title 'persistent', \
      data using 1:2 with lines linewidth 2 dashtype '-' linecolor rgb blue title 'none', \
