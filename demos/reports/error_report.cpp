@@ -120,7 +120,6 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
 class ErrorReport {
   public:
     explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {
-        if (run_.request().beside && plan_.problems.empty()) others_ = read_error_points(*run_.request().beside);
         if (run_.request().exported) exports_ = contact_moments(run_.quick());
     }
 
@@ -169,7 +168,7 @@ class ErrorReport {
 
     // The same plot with other engines, if there are any.
     void add_others(const Experiment& sweep, WorkPlot plot) {
-        const std::vector<ErrorPoint> others = about(others_, sweep.scene, points_.back().errors.front().name);
+        const std::vector<ErrorPoint> others = about(plan_.others, sweep.scene, points_.back().errors.front().name);
         if (others.empty()) return;
         Plate plate;
         plate.table = who_is_faster(plot.lines, others);
@@ -281,7 +280,7 @@ class ErrorReport {
     StudyRun& run_;
     ErrorPlan plan_;
     std::vector<ContactMoment> exports_;
-    std::vector<ErrorPoint> points_, others_;
+    std::vector<ErrorPoint> points_;
     std::vector<FrozenPoint> frozen_;
 };
 

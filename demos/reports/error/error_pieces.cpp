@@ -1,11 +1,14 @@
 #include "demos/reports/error/error_pieces.h"
 
 #include "demos/reports/error/contact_problems/fclib_file.h"
+#include "demos/reports/error/other_engines.h"
+#include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace pushfactor::demos::reports::error {
@@ -99,6 +102,17 @@ ErrorPlan error_plan(const StudyRequest& request) {
     if (request.wants(frozen_part)) {
         if (request.problems.empty()) plan.moments = hard_moments(request.quick);
         for (const auto& file : request.problems) plan.problems.push_back(read_fclib(file));
+    }
+    if (request.beside && plan.problems.empty()) {
+        plan.others = read_error_points(*request.beside);
+        const auto has_others = [&](const Experiment& sweep) {
+            return std::ranges::any_of(plan.others,
+                                       [&](const ErrorPoint& one) { return one.scene == sweep.scene; });
+        };
+        if (std::ranges::none_of(plan.experiments, has_others)) {
+            throw UsageError(
+                fmt::format("--beside {}: must have points on scenes of the report", request.beside->string()));
+        }
     }
     if (request.wants(consistency_part)) plan.consistency = consistency_plan(request.quick);
     return plan;

@@ -18,6 +18,7 @@ inline constexpr const char* consistency_part = "consistency";
 
 // What a request asks for, in the order of the page.
 struct ErrorPlan {
+    std::vector<ErrorPoint> others{};  // of other engines
     std::vector<Experiment> experiments;
     std::vector<FrozenMoment> moments;
     std::vector<ContactProblem> problems;

@@ -225,7 +225,7 @@ TEST_CASE("what is no contact problem is refused in one line") {
         CHECK(ended.err.find(words) != std::string::npos);
     };
     refused("--problems empty", "--problems empty: must have files that end in .hdf5");
-    refused("--beside others.csv", "--beside others.csv: must be with --problems");
+    refused("--beside others.csv", "--beside others.csv: line 1: must be scene,method,");
     if (skips_without_fclib()) {
         refused("--problems text.hdf5", "install libfclib-dev and libhdf5-dev");
         return;

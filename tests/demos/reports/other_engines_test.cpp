@@ -86,6 +86,13 @@ TEST_CASE("report error draws other engines beside ours, and refuses what is no 
     CHECK(std::filesystem::exists(folder / "beside_sphere_column.png"));
     CHECK(folder.read("index.html").find("Bullet, sweeps, sweeps 10") != std::string::npos);
 
+    others[0].scene = "stack";
+    folder.write("elsewhere.csv", csv_text(table_of(others)));
+    const Ended elsewhere = shell(folder, command + "elsewhere.csv");
+    CHECK(elsewhere.status == 2);
+    CHECK(elsewhere.err.find("--beside elsewhere.csv: must have points on scenes of the report") !=
+          std::string::npos);
+
     folder.write("wrong.csv", "a,b\n1,2\n");
     const Ended refused = shell(folder, command + "wrong.csv");
     CHECK(refused.status == 2);
