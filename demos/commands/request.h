@@ -45,7 +45,7 @@ struct Request {
     bool timing = false;
     bool names_only = false;  // list
 
-    std::vector<std::string> figures;  // names; all when empty
+    std::vector<std::string> figures;   // names; all when empty
     std::string figure_width = "1600";  // pixels, or a length on paper
     std::optional<int> figure_dpi;
     std::optional<std::string> figure_letters;  // length

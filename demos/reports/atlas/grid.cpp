@@ -125,7 +125,8 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
         axis.values = equal_steps(field, text, words);
     } else if (words.size() == 1) {
         for (const std::string_view part : parts_of(value)) axis.values.emplace_back(part);
-        axis.names = !std::ranges::all_of(axis.values, [](const std::string& one) { return parse_rational(one).has_value(); });
+        axis.names = !std::ranges::all_of(axis.values,
+                                          [](const std::string& one) { return parse_rational(one).has_value(); });
     } else {
         refuse(field, text, forms);
     }

@@ -24,8 +24,8 @@ SceneDescription intersecting_stack(const ParameterValues& parameters) {
 
     SceneDescription scene = cube_tower(tower);
     scene.name = "intersecting-stack";
-    // The same view for every push, so that pictures are comparable: a little more than the stack at rest. Cubes that
-    // are thrown up leave it, unless --camera fit follows them.
+    // The same view for every push, so that pictures are comparable: a little more than the stack at rest. Cubes
+    // that are thrown up leave it, unless --camera fit follows them.
     scene.view = view_of_height(1.25 * tower.count * tower.side);
     return scene;
 }
