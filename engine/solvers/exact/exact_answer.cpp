@@ -26,9 +26,10 @@ constexpr int first_careful_changes = 3;
 constexpr double careful_share = 1e-2;
 constexpr double interior_factorisations = 14.0;
 constexpr int careful_changes = 40;
-// Limit on changes of proximal points, which replace further careful steps and a second start of the interior point
-// method if the effort covers so many.
-constexpr int proximal_changes = 200;
+// Proximal points replace further careful steps and a second start of the interior point method if the effort
+// covers so many changes, with which most heaps are solved; limit on their changes.
+constexpr int usual_proximal_changes = 200;
+constexpr int most_proximal_changes = 1000;
 constexpr auto bold = ActiveSet::Pace::bold;
 // Limit on interior point steps.
 constexpr int most_steps = 60;
@@ -114,7 +115,7 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
     const bool is_near = reached <= careful_share * asked_speed(problem_);
     if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
     const double near = near_share * asked_speed(problem_);
-    const double by_points = proximal_changes * (order.general_work() + problem_.assembly_work());
+    const double by_points = usual_proximal_changes * (order.general_work() + problem_.assembly_work());
     bool slid = !problem_.has_discs;
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
@@ -123,8 +124,8 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
         if (!problem_.has_discs) continue;
         if (reached <= will_do) return reached <= enough();
         if (!effort.affords(by_points)) continue;
-        reached =
-            active_set_.solve_by_proximal_points(order, problem_, tolerance, proximal_changes, y_, effort, count);
+        reached = active_set_.solve_by_proximal_points(order, problem_, tolerance, most_proximal_changes, y_,
+                                                       effort, count);
         slid = true;
         break;
     }

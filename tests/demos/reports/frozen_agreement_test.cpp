@@ -1,6 +1,8 @@
 // Every solver on every frozen problem of the report, against the direct one.
+#include "demos/reports/error/contact_problems/contact_moments.h"
 #include "demos/reports/error/converged_forces.h"
 #include "demos/reports/error/frozen_moments.h"
+#include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 
@@ -8,6 +10,7 @@
 #include <set>
 
 using namespace pushfactor;
+using namespace pushfactor::demos;
 using namespace pushfactor::demos::reports::error;
 
 namespace {
@@ -82,6 +85,29 @@ TEST_CASE("with tolerance 0 direct and auto end at rounding, from the last force
             const bool swept = moment.name.starts_with("funnel") && solver == std::string("auto");  // a heap
             CHECK(own.residual < (swept ? 4e-4 : 1e-11));  // measured 1.8e-4
             CHECK(own.iterations > 0);
+        }
+    }
+}
+
+TEST_CASE("direct solves the systems of heaps with friction on the cone from zero") {
+    for (const char* const family : {"cubes", "mixed"}) {
+        for (const int seed : {1, 2, 3}) {
+            for (const double seconds : {0.5, 1.0}) {
+                INFO(family << " " << seed << " at " << seconds << " s");
+                Choices choices;
+                choices.settings = preset_settings("default");
+                choices.description =
+                    draw_member(*families::find_family(family), {.seed = seed, .given = {{"count", "40"}}})
+                        .prospect.scene;
+                choices.settings.scheme = Scheme::whole;
+                choices.settings.friction_model = FrictionModel::cone;
+                choices.settings.seconds = seconds;
+                const FrozenProblem problem = freeze_contacts({.name = family, .choices = choices}, [] {});
+                engine::Columns lambda = problem.zero();
+                engine::solvers::make_solver("direct")->solve(
+                    problem.system(), {.iterations = 1000, .tolerance_high = 1e-9, .tolerance_low = 1e-9}, lambda);
+                CHECK(natural_residual(problem.system(), lambda) <= 1e-8);
+            }
         }
     }
 }
