@@ -1,5 +1,6 @@
 #include "demos/runs/records.h"
 
+#include "demos/runs/pose_reader.h"
 #include "demos/runs/trajectory.h"
 
 #include <fmt/format.h>

@@ -1,17 +1,14 @@
 // Poses of a run as `--trajectory` wrote them, for pictures of a run without running it again.
 #pragma once
 
+#include "demos/runs/pose_reader.h"
 #include "demos/runs/simulation.h"
 
 #include <filesystem>
-#include <fstream>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace pushfactor::demos {
-
-// First columns of the file; the others are velocities.
-inline constexpr const char* pose_columns = "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz";
 
 // Whether the file has lines for this body of the world: it can move, or is moved.
 bool is_recorded(const BuiltScene& scene, std::size_t body);
@@ -19,7 +16,7 @@ bool is_recorded(const BuiltScene& scene, std::size_t body);
 class Trajectory {
   public:
     // Throws UsageError for a file that is no trajectory.
-    explicit Trajectory(std::filesystem::path file);
+    explicit Trajectory(const std::filesystem::path& file);
 
     // Places the bodies of a run, which must not be advanced any more, as they were after this step. Reads on from
     // the last place, or from the start for an earlier step. Numbers are exact, so that pictures are the same as of
@@ -28,23 +25,11 @@ class Trajectory {
     void place(Simulation& simulation, long step);
 
   private:
-    struct Line {
-        double time = 0.0;  // s
-        BodyPose pose;
-    };
-
-    void rewind();
-    bool read_line();
-    [[noreturn]] void refuse(const std::string& what) const;
     std::vector<BodyPose> poses_at(double time);
 
-    std::string name_;
-    std::ifstream stream_;
-    Line next_;
-    bool has_next_ = false;
-    long lines_ = 0;
+    PoseReader reader_;
+    std::optional<PoseLine> next_;
     long placed_ = -1;  // step
-    std::string text_;
 };
 
 }  // namespace pushfactor::demos

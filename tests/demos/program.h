@@ -63,13 +63,24 @@ inline Ended run_program(const std::string& arguments) {
     return shell(Folder(), "pushfactor " + arguments);
 }
 
-// Checks that the program refuses these arguments, in one line with these words.
-inline void check_refused(const std::string& arguments, const std::string& words) {
-    const Ended ended = run_program(arguments);
+inline void require_success(const Folder& folder, const std::string& command) {
+    const Ended ended = shell(folder, command);
+    INFO(command << ": " << ended.err);
+    REQUIRE(ended.status == 0);
+}
+
+// Checks that the program refuses this command, in one line with these words.
+inline void check_refused(const Folder& folder, const std::string& command, const std::string& words) {
+    const Ended ended = shell(folder, command);
     INFO(ended.err);
     CHECK(ended.status == 2);
     CHECK(ended.err.find(words) != std::string::npos);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
+// The same for arguments, in an empty folder.
+inline void check_refused(const std::string& arguments, const std::string& words) {
+    check_refused(Folder(), "pushfactor " + arguments, words);
 }
 
 // Checks that an interrupted report ends with status 1 and leaves only complete files.

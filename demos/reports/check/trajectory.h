@@ -2,10 +2,10 @@
 #pragma once
 
 #include "demos/reports/check/verdict.h"
-#include "demos/runs/records.h"
+#include "demos/runs/pose_reader.h"
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <string>
 
 namespace pushfactor::demos::reports::check {
@@ -23,22 +23,11 @@ class TrajectoryCheck {
     RunVerdict verdict() const;
 
   private:
-    struct Line {
-        double time = 0.0;  // s
-        std::size_t body = 0;
-        engine::Vector3 position = engine::Vector3::Zero();
-        engine::Quaternion orientation = engine::Quaternion::Identity();
-    };
-
-    bool read_line();
     void compare(const Simulation& simulation);
 
-    std::string name_;
     double tolerance_;
-    std::ifstream stream_;
-    Line next_;
-    bool has_next_ = false;
-    long lines_ = 1, compared_ = 0;
+    PoseReader reader_;
+    std::optional<PoseLine> next_;
     double largest_ = 0.0;  // m or rad
     std::string first_;     // the first difference beyond the tolerance
 };

@@ -22,20 +22,6 @@ std::map<std::string, std::string> film_in(const Folder& folder, const std::vect
     return files;
 }
 
-void require_success(const Folder& folder, const std::string& command) {
-    const Ended ended = shell(folder, command);
-    INFO(command << ": " << ended.err);
-    REQUIRE(ended.status == 0);
-}
-
-void check_refusal(const Folder& folder, const std::string& command, const std::string& words) {
-    const Ended ended = shell(folder, command);
-    INFO(ended.err);
-    CHECK(ended.status == 2);
-    CHECK(ended.err.find(words) != std::string::npos);
-    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-}
-
 const std::string small = " --seconds 0.25 --size 64x36 ";
 
 }  // namespace
@@ -87,11 +73,11 @@ TEST_CASE("a video joined from folders of frames is the one that is made while t
     CHECK(ended.err == "pushfactor: --join: 1 of 16 frames are missing: frame_000003.png\n");
     CHECK(!fs::exists(folder / "other.mp4"));
     require_success(folder, "pushfactor render funnel" + small + "--out c --shard 1/2");
-    check_refusal(folder, path + "pushfactor render --join a c --video other.mp4", "--join: must be of one film");
-    check_refusal(folder, path + "pushfactor render --join . --video other.mp4",
+    check_refused(folder, path + "pushfactor render --join a c --video other.mp4", "--join: must be of one film");
+    check_refused(folder, path + "pushfactor render --join . --video other.mp4",
                   "--join .: must have a config.json");
-    check_refusal(folder, path + "pushfactor render --join a", "--join: must be with --video");
-    check_refusal(folder, path + "pushfactor render stack --join a --video x.mp4", "must not be with --join");
+    check_refused(folder, path + "pushfactor render --join a", "--join: must be with --video");
+    check_refused(folder, path + "pushfactor render stack --join a --video x.mp4", "must not be with --join");
 }
 
 TEST_CASE("what poses do not tell, and a trajectory of another run, are refused in one line") {
@@ -101,21 +87,21 @@ TEST_CASE("what poses do not tell, and a trajectory of another run, are refused 
     folder.write("torn.csv", folder.read("t.csv").substr(0, 700));
     const std::string render = "pushfactor render stack --seconds 0.1 --size 64x36 --out out --from-trajectory ";
     for (const char* const overlay : {"forces", "contacts", "push", "islands", "velocities"}) {
-        check_refusal(folder, render + "t.csv --overlay " + overlay,
+        check_refused(folder, render + "t.csv --overlay " + overlay,
                       std::string("--overlay ") + overlay + ": must not be with --from-trajectory");
     }
-    check_refusal(folder, render + "t.csv --ghosts 0.05", "--ghosts: must not be with --from-trajectory");
-    check_refusal(folder, render + "t.csv --samples 4 --shutter 0.5",
+    check_refused(folder, render + "t.csv --ghosts 0.05", "--ghosts: must not be with --from-trajectory");
+    check_refused(folder, render + "t.csv --samples 4 --shutter 0.5",
                   "--shutter: must not be with --from-trajectory");
-    check_refusal(folder, render + "t.csv --csv x.csv", "--csv x.csv: must not be with --from-trajectory");
-    check_refusal(folder, render + "t.csv --compare beta=0.1,0.2", "must be of one run, not with --compare");
-    check_refusal(folder, render + "t.csv --count 4",
+    check_refused(folder, render + "t.csv --csv x.csv", "--csv x.csv: must not be with --from-trajectory");
+    check_refused(folder, render + "t.csv --compare beta=0.1,0.2", "must be of one run, not with --compare");
+    check_refused(folder, render + "t.csv --count 4",
                   "must have one line for each body that moves, 4 at 0 s, not 5");
-    check_refusal(folder, render + "t.csv --gap 0.05", "must be of the same scene and options: body ");
-    check_refusal(folder, render + "t.csv --dt 1/120 --fps 120", "must have the poses at ");
-    check_refusal(folder, render + "words.csv", "line 1: must begin with time_s,body,");
-    check_refusal(folder, render + "torn.csv", "torn.csv: ");
-    check_refusal(folder, render + "nowhere.csv", "nowhere.csv: cannot be read");
-    check_refusal(folder, "pushfactor render stack --shard 3/2 --out out", "--shard 3/2: must be K/N");
-    check_refusal(folder, "pushfactor render stack --shard 1/2 --video x.mp4", "must be with --join");
+    check_refused(folder, render + "t.csv --gap 0.05", "must be of the same scene and options: body ");
+    check_refused(folder, render + "t.csv --dt 1/120 --fps 120", "must have the poses at ");
+    check_refused(folder, render + "words.csv", "line 1: must begin with time_s,body,");
+    check_refused(folder, render + "torn.csv", "torn.csv: ");
+    check_refused(folder, render + "nowhere.csv", "nowhere.csv: cannot be read");
+    check_refused(folder, "pushfactor render stack --shard 3/2 --out out", "--shard 3/2: must be K/N");
+    check_refused(folder, "pushfactor render stack --shard 1/2 --video x.mp4", "must be with --join");
 }

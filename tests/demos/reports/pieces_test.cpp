@@ -39,20 +39,6 @@ std::vector<std::string> pieces_of(const Folder& folder, const std::string& repo
     return pieces;
 }
 
-void require_success(const Folder& folder, const std::string& command) {
-    const Ended ended = shell(folder, command);
-    INFO(command << ": " << ended.err);
-    REQUIRE(ended.status == 0);
-}
-
-void check_refusal(const Folder& folder, const std::string& command, const std::string& words) {
-    const Ended ended = shell(folder, command);
-    INFO(ended.err);
-    CHECK(ended.status == 2);
-    CHECK(ended.err.find(words) != std::string::npos);
-    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-}
-
 const std::string quick_map = "pushfactor report atlas --quick --only overlap_beta_persistent ";
 
 }  // namespace
@@ -152,13 +138,13 @@ TEST_CASE("pieces of several versions, of another one or of several reports are 
     const fs::path version = fs::directory_iterator(folder / "c/pieces")->path();
     CHECK(version.filename().string().starts_with("0.1.0-commit-"));
     fs::rename(version, folder / "c/pieces/0.0.1-commit-1");
-    check_refusal(folder, "pushfactor report merge a c", "pieces must be of one version, not of 0.0.1-commit-1 (");
-    check_refusal(folder, "pushfactor report merge c", "must be of the version of this program, ");
-    check_refusal(folder, "pushfactor report merge nowhere", "merge nowhere: must have pieces");
-    check_refusal(folder, "pushfactor report merge", "must have the folders of shards");
-    check_refusal(folder, "pushfactor report merge a --quick", "--quick: must not be with merge");
+    check_refused(folder, "pushfactor report merge a c", "pieces must be of one version, not of 0.0.1-commit-1 (");
+    check_refused(folder, "pushfactor report merge c", "must be of the version of this program, ");
+    check_refused(folder, "pushfactor report merge nowhere", "merge nowhere: must have pieces");
+    check_refused(folder, "pushfactor report merge", "must have the folders of shards");
+    check_refused(folder, "pushfactor report merge a --quick", "--quick: must not be with merge");
     require_success(folder, "pushfactor report atlas --quick --only height_iterations --out d --shard 1/2");
-    check_refusal(folder, "pushfactor report merge a d",
+    check_refused(folder, "pushfactor report merge a d",
                   "merge: must be of one report, not `pushfactor report atlas");
     // Pieces of another version are not used: all are made again.
     fs::remove_all(folder / "a/pieces");

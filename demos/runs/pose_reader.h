@@ -1,0 +1,42 @@
+// The lines of a trajectory as `--trajectory` writes them, one after the other.
+#pragma once
+
+#include "demos/runs/simulation.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+namespace pushfactor::demos {
+
+// First columns of the file; the others are velocities.
+inline constexpr const char* pose_columns = "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz";
+
+struct PoseLine {
+    double time = 0.0;  // s
+    BodyPose pose;
+};
+
+class PoseReader {
+  public:
+    // `option` begins all messages. Throws UsageError for a file that is no trajectory.
+    PoseReader(std::string option, const std::filesystem::path& file);
+
+    // Back to the first line.
+    void rewind();
+
+    // None at the end. Throws UsageError for a line that is none of a trajectory.
+    std::optional<PoseLine> next();
+
+    long line() const { return line_; }  // of the file, from 1: the last one read
+    [[noreturn]] void refuse(const std::string& what) const;
+
+  private:
+    std::string name_;
+    std::ifstream stream_;
+    long line_ = 0;
+    std::string text_;
+};
+
+}  // namespace pushfactor::demos
