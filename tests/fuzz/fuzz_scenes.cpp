@@ -7,6 +7,7 @@
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/family_campaign.h"
 #include "tests/fuzz/family_page.h"
+#include "tests/fuzz/meeting_campaign.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ struct OptionTexts {
     std::vector<std::filesystem::path> files;
     FamilyRequest families;
     bool page = false;
+    long meetings = 0;
 };
 
 void report(const Failure& failure, const std::filesystem::path& folder) {
@@ -95,6 +97,42 @@ int judge_families(const OptionTexts& options) {
     return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
 }
 
+void report(const JudgedMeeting& judged, const std::filesystem::path& folder) {
+    demos::make_folder(folder);
+    demos::SceneDescription scene = judged.meeting.scene;
+    scene.options["preset"] = judged.preset;
+    const std::filesystem::path file = folder / (scene.name + ".json");
+    demos::write_file(file, demos::scene_file_text(scene));
+    const Prediction& wanted = judged.meeting.prediction;
+    std::string touch;
+    if (!judged.passes()) {
+        touch = fmt::format("; touch after {:.3f} of step {}, gap before {:.2g} m", 60.0 * wanted.time, wanted.step,
+                            wanted.gap);
+    }
+    fmt::print("{}, {:.3g} m/s: {} in step {}{}\n  {}\n", scene.name, judged.meeting.speed, judged.verdict.failure,
+               judged.verdict.step, touch, file.string());
+}
+
+int fuzz_meetings(const OptionTexts& options) {
+    demos::note_interrupts();
+    demos::ProgressBar bar("pairs", 2 * options.meetings);
+    const std::vector<JudgedMeeting> judged = judge_meetings(
+        {.count = options.meetings, .first_seed = options.seed, .presets = {options.families.preset}},
+        [&](long done) {
+            bar.show(done);
+            return !is_interrupted();
+        });
+    bool all_hold = true;
+    for (const JudgedMeeting& one : judged) {
+        if (one.verdict.failure.empty()) continue;
+        all_hold = false;
+        report(one, options.out);
+    }
+    fmt::print("{}", meeting_table(judged));
+    if (!all_hold) return demos::check_failed;
+    return static_cast<long>(judged.size()) < 2 * options.meetings ? demos::run_failed : demos::done;
+}
+
 bool holds(const std::filesystem::path& file) {
     const Verdict verdict = judge(demos::read_scene_file(file));
     const std::string text =
@@ -108,6 +146,7 @@ bool holds(const std::filesystem::path& file) {
 int run(const OptionTexts& options) {
     try {
         if (options.families.members > 0) return judge_families(options);
+        if (options.meetings > 0) return fuzz_meetings(options);
         if (options.files.empty()) return fuzz(options);
         const auto failing = std::count_if(options.files.begin(), options.files.end(),
                                            [](const auto& file) { return !holds(file); });
@@ -137,7 +176,10 @@ int main(int argc, char** argv) {
     app.add_option("--families", families.members, "judge this number of members of the families instead")
         ->check(CLI::Range(1L, 1'000'000'000L));
     app.add_option("--family", families.only, "only members of this family [all in turn]");
-    app.add_option("--preset", families.preset, "preset of the members' runs")
+    app.add_option("--meetings", options.meetings,
+                   "judge this number of pairs that pass, and as many that touch, instead")
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--preset", families.preset, "preset of the runs of members and pairs")
         ->check(CLI::IsMember({"default", "exact", "paper"}))
         ->capture_default_str();
     app.add_option("--most-bodies", families.most_bodies, "most bodies of a member")->capture_default_str();

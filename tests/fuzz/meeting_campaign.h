@@ -1,0 +1,30 @@
+// A campaign over random pairs (meetings.h), judged on all cores.
+#pragma once
+
+#include "tests/fuzz/meetings.h"
+#include "tests/fuzz/workers.h"
+
+namespace pushfactor::tests {
+
+struct MeetingRequest {
+    long count = 0;  // that pass, and as many that touch; the kinds of pairs in turn
+    std::uint64_t first_seed = 1;
+    std::vector<std::string> presets{"default"};
+    std::optional<Prediction::Kind> only{};  // those that pass, or those that touch
+};
+
+struct JudgedMeeting {
+    Meeting meeting;
+    std::string preset;
+    MeetingVerdict verdict;
+
+    bool passes() const { return meeting.prediction.kind == Prediction::Kind::passes; }
+};
+
+std::vector<JudgedMeeting> judge_meetings(const MeetingRequest& request, const GoOn& go_on);
+
+// One line per kind of pair: of those that pass how many fail and the largest change of momentum, of those that
+// touch how many fail, how many of these before the touch, and for the normal, and how many normals are compared.
+std::string meeting_table(const std::vector<JudgedMeeting>& judged);
+
+}  // namespace pushfactor::tests
