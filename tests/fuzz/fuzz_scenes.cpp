@@ -103,14 +103,14 @@ void report(const JudgedMeeting& judged, const std::filesystem::path& folder) {
     scene.options["preset"] = judged.preset;
     const std::filesystem::path file = folder / (scene.name + ".json");
     demos::write_file(file, demos::scene_file_text(scene));
+    fmt::print("{}, {:.3g} m/s: {} in step {}", scene.name, judged.meeting.speed, judged.verdict.failure,
+               judged.verdict.step);
     const Prediction& wanted = judged.meeting.prediction;
-    std::string touch;
     if (!judged.passes()) {
-        touch = fmt::format("; touch after {:.3f} of step {}, gap before {:.2g} m", 60.0 * wanted.time, wanted.step,
-                            wanted.gap);
+        fmt::print("; touch at {:.3f} of step {}, from {:.2g} m, {:.2g} m deep in it, other gap {:.2g} m",
+                   60.0 * wanted.time, wanted.step, wanted.gap, overlap_of(judged.meeting), wanted.next_gap);
     }
-    fmt::print("{}, {:.3g} m/s: {} in step {}{}\n  {}\n", scene.name, judged.meeting.speed, judged.verdict.failure,
-               judged.verdict.step, touch, file.string());
+    fmt::print("\n  {}\n", file.string());
 }
 
 int fuzz_meetings(const OptionTexts& options) {
@@ -124,7 +124,7 @@ int fuzz_meetings(const OptionTexts& options) {
         });
     bool all_hold = true;
     for (const JudgedMeeting& one : judged) {
-        if (one.verdict.failure.empty()) continue;
+        if (one.verdict.fault == MeetingFault::none) continue;
         all_hold = false;
         report(one, options.out);
     }

@@ -3,38 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pushfactor::tests {
 
 namespace {
 
 struct KindLine {
-    long passes = 0, disturbed = 0, touches = 0, early = 0, missed = 0, normals = 0, wrong = 0, left_out = 0;
+    long passes = 0, touches = 0, normals = 0, left_out = 0;
+    std::array<long, 7> faults{};  // by MeetingFault
     double worst_change = 0.0;
 
     void add(const JudgedMeeting& one) {
-        const MeetingVerdict& verdict = one.verdict;
-        const bool failed = !verdict.failure.empty();
         left_out += one.meeting.left_out;
-        if (one.passes()) {
-            ++passes;
-            disturbed += failed;
-            worst_change = std::max(worst_change, verdict.worst);
-            return;
-        }
-        ++touches;
-        if (failed && verdict.failure.starts_with("normal")) {
-            ++wrong;
-        } else if (failed) {
-            ++(verdict.step < one.meeting.steps ? early : missed);
-        }
+        ++faults[static_cast<std::size_t>(one.verdict.fault)];
+        ++(one.passes() ? passes : touches);
+        if (one.passes()) worst_change = std::max(worst_change, one.verdict.worst);
         if (one.meeting.prediction.normal) ++normals;
     }
 
     std::string text(const std::string& name) const {
-        return fmt::format("{:<24}{:>8}{:>10}{:>11.2g}{:>10}{:>8}{:>8}{:>9}{:>8}{:>10}\n", name, passes, disturbed,
-                           worst_change, touches, early, missed, normals, wrong, left_out);
+        std::string text =
+            fmt::format("{:<22}{:>7}{:>10.2g}{:>10}", name, passes, worst_change, of(MeetingFault::disturbed));
+        text += fmt::format("{:>9}{:>8}{:>8}", touches, of(MeetingFault::early), of(MeetingFault::missed));
+        text += fmt::format("{:>9}{:>8}{:>8}", normals, of(MeetingFault::wrong_normal),
+                            of(MeetingFault::unused_normal));
+        return text + fmt::format("{:>9}{:>10}\n", of(MeetingFault::refused), left_out);
     }
+
+  private:
+    long of(MeetingFault fault) const { return faults[static_cast<std::size_t>(fault)]; }
 };
 
 }  // namespace
@@ -64,9 +62,10 @@ std::vector<JudgedMeeting> judge_meetings(const MeetingRequest& request, const G
 }
 
 std::string meeting_table(const std::vector<JudgedMeeting>& judged) {
-    std::string text =
-        fmt::format("{:<24}{:>8}{:>10}{:>11}{:>10}{:>8}{:>8}{:>9}{:>8}{:>10}\n", "pair", "passes", "disturbed",
-                    "worst", "touches", "early", "missed", "normals", "wrong", "left out");
+    std::string text = fmt::format("{:<22}{:>7}{:>10}{:>10}", "pair", "passes", "worst", "disturbed");
+    text +=
+        fmt::format("{:>9}{:>8}{:>8}{:>9}{:>8}{:>8}", "touches", "early", "missed", "normals", "wrong", "unused");
+    text += fmt::format("{:>9}{:>10}\n", "refused", "left out");
     const std::vector<std::string> names = meeting_kinds();
     KindLine all;
     for (std::size_t kind = 0; kind < names.size(); ++kind) {

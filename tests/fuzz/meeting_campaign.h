@@ -23,8 +23,9 @@ struct JudgedMeeting {
 
 std::vector<JudgedMeeting> judge_meetings(const MeetingRequest& request, const GoOn& go_on);
 
-// One line per kind of pair: of those that pass how many fail and the largest change of momentum, of those that
-// touch how many fail, how many of these before the touch, and for the normal, and how many normals are compared.
+// One line per kind of pair: how many pass, with the largest change of a momentum, and how many of them are
+// disturbed. How many touch, and how many of them have a force too early or none in time. How many normals are
+// compared, and how many of them are wrong or without force. Last, how many draws were left out.
 std::string meeting_table(const std::vector<JudgedMeeting>& judged);
 
 }  // namespace pushfactor::tests

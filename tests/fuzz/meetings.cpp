@@ -236,11 +236,12 @@ Change change_of(const std::vector<Body>& before, const std::vector<Body>& now, 
     return most;
 }
 
-// rad, of the row with a force that is closest to `normal`; infinity without one.
-double angle_to(const Vector3& normal, const demos::BuiltScene& scene) {
+// rad, from the row, or the row with a force, that is closest to `normal`; infinity without one.
+double angle_to(const Vector3& normal, const demos::BuiltScene& scene, bool with_force) {
     double least = engine::infinity;
     for (const engine::ContactSite& site : scene.contacts->sites()) {
-        if (scene.world.lambda().row(static_cast<Eigen::Index>(site.normal_row)).maxCoeff() <= 0.0) continue;
+        const double force = scene.world.lambda().row(static_cast<Eigen::Index>(site.normal_row)).maxCoeff();
+        if (with_force && force <= 0.0) continue;
         const Vector3 along = site.body_a == 0 ? site.normal : -site.normal;
         least = std::min(least, std::atan2(along.cross(normal).norm(), along.dot(normal)));
     }
@@ -249,14 +250,15 @@ double angle_to(const Vector3& normal, const demos::BuiltScene& scene) {
 
 MeetingVerdict judge_touch(const Meeting& meeting, const demos::BuiltScene& scene, const Change& change) {
     const Prediction& wanted = meeting.prediction;
-    if (change.largest() <= kept) return {.failure = "no force in the step of the touch", .step = wanted.step};
+    if (change.largest() <= kept) return {MeetingFault::missed, "no force in the step of the touch", wanted.step};
     if (!wanted.normal) return {};
-    const double angle = angle_to(*wanted.normal, scene);
-    MeetingVerdict verdict{.failure = {}, .step = wanted.step, .worst = angle};
-    if (angle > normal_angle + (wanted.in_margin ? wanted.turned : 0.0)) {
-        verdict.failure = fmt::format("normal off by {:.2g} rad", angle);
-    }
-    return verdict;
+    const double allowed = normal_angle + (wanted.in_margin ? wanted.turned : 0.0);
+    const double angle = angle_to(*wanted.normal, scene, true);
+    if (angle <= allowed) return {.step = wanted.step, .worst = angle};
+    const bool unused = angle_to(*wanted.normal, scene, false) <= allowed;
+    return {unused ? MeetingFault::unused_normal : MeetingFault::wrong_normal,
+            fmt::format("normal off by {:.2g} rad{}", angle, unused ? ", the right row has no force" : ""),
+            wanted.step, angle};
 }
 
 MeetingVerdict run(const Meeting& meeting, const demos::SceneDescription& described) {
@@ -269,9 +271,9 @@ MeetingVerdict run(const Meeting& meeting, const demos::SceneDescription& descri
         if (step == meeting.prediction.step) return judge_touch(meeting, scene, change);
         verdict.worst = std::max(verdict.worst, change.largest());
         if (verdict.worst <= kept) continue;
+        verdict.fault = meeting.prediction.step > 0 ? MeetingFault::early : MeetingFault::disturbed;
         verdict.step = step;
-        verdict.failure = fmt::format("{}: momentum changed by {:.2g} m v, angular momentum by {:.2g} m v r",
-                                      meeting.prediction.step > 0 ? "before the touch" : "no touch",
+        verdict.failure = fmt::format("momentum changed by {:.2g} m v, angular momentum by {:.2g} m v r",
                                       change.of_momentum, change.of_angular_momentum);
         return verdict;
     }
@@ -308,13 +310,25 @@ std::array<Body, 2> bodies_of(const Meeting& meeting) {
     return {built.world.bodies[0], built.world.bodies[1]};
 }
 
+double overlap_of(const Meeting& meeting) {
+    auto [a, b] = bodies_of(meeting);
+    for (long step = 1; step < meeting.prediction.step; ++step) {
+        for (Body* body : {&a, &b}) *body = moved(*body, dt, dt, Turning::torque_free);
+    }
+    const std::array<Solid, 2> solids{solid_of(meeting.scene.bodies[0]), solid_of(meeting.scene.bodies[1])};
+    const PairStep last({&solids[0], a}, {&solids[1], b}, dt, Turning::steady);
+    double reached = graze;
+    while (reached < 10.0 && last.first_at(-1.1 * reached)) reached *= 1.1;
+    return reached;
+}
+
 MeetingVerdict judge_meeting(const Meeting& meeting, const std::string& preset) {
     demos::SceneDescription scene = meeting.scene;
     scene.options["preset"] = preset;
     try {
         return run(meeting, scene);
     } catch (const std::exception& error) {
-        return {.failure = error.what()};
+        return {.fault = MeetingFault::refused, .failure = error.what()};
     }
 }
 

@@ -12,7 +12,8 @@ void check_hundred(Prediction::Kind kind) {
     for (const JudgedMeeting& one :
          judge_meetings({.count = 100, .presets = {"default", "exact"}, .only = kind}, [](long) { return true; })) {
         INFO(one.meeting.scene.name << " under " << one.preset << ", step " << one.verdict.step);
-        CHECK(one.verdict.failure == "");
+        INFO(one.verdict.failure);
+        CHECK(one.verdict.fault == MeetingFault::none);
     }
 }
 
@@ -30,21 +31,24 @@ TEST_CASE("a pair that touches is no pair that passes, nor one that touches earl
     const Meeting touch = draw_meeting(Prediction::Kind::touches, 0, 3);
     REQUIRE(touch.prediction.normal);
     REQUIRE(touch.prediction.step > 1);
-    CHECK(judge_meeting(touch, "exact").failure == "");
+    const auto fault_of = [](const Meeting& meeting) { return judge_meeting(meeting, "exact").fault; };
+    CHECK(fault_of(touch) == MeetingFault::none);
 
     Meeting other = touch;
     other.prediction.step = 0;
-    CHECK(judge_meeting(other, "exact").failure.starts_with("no touch: momentum changed"));
+    CHECK(fault_of(other) == MeetingFault::disturbed);
     other.prediction.step = touch.prediction.step - 1;
-    CHECK(judge_meeting(other, "exact").failure == "no force in the step of the touch");
+    CHECK(fault_of(other) == MeetingFault::missed);
     other.prediction.step = ++other.steps;
-    CHECK(judge_meeting(other, "exact").failure.starts_with("before the touch: momentum changed"));
+    CHECK(fault_of(other) == MeetingFault::early);
     other = touch;
     other.prediction.in_margin = false;
     *other.prediction.normal = (*touch.prediction.normal + engine::Vector3(0.02, 0.02, 0)).normalized();
-    CHECK(judge_meeting(other, "exact").failure.starts_with("normal off by"));
+    CHECK(fault_of(other) == MeetingFault::wrong_normal);
     *other.prediction.normal = -*touch.prediction.normal;
-    CHECK(judge_meeting(other, "exact").failure.starts_with("normal off by"));
+    CHECK(fault_of(other) == MeetingFault::wrong_normal);
+    other.scene.options["margin"] = "-1";
+    CHECK(fault_of(other) == MeetingFault::refused);
 }
 
 TEST_CASE("a pair is drawn again from its seed") {
