@@ -1,7 +1,9 @@
 // Motion of a body within one step: constant velocities, as in 3.2.3.
 #pragma once
 
-#include "engine/bodies/body.h"
+#include "engine/bodies/integrator.h"
+
+#include <span>
 
 namespace pushfactor::engine {
 
@@ -20,6 +22,21 @@ inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_f
     return {body.inverse_mass * (body.linear_momentum + dt * force),
             world_inverse_inertia(body) * (body.angular_momentum + dt * torque)};
 }
+
+// The motion of the body in a step of `dt` [s] that ends where the integrator of 3.2 with `rotate` lets it end: a
+// body that tumbles turns about the axis between its orientations before and after.
+Motion motion_in_step(const Body& body, double dt, OrientationStep rotate,
+                      const Vector6& constraint_force = Vector6::Zero());
+
+// Motions of all bodies in a step, by body.
+struct StepMotions {
+    double dt = 0.0;                 // s
+    std::span<const Motion> before;  // with the momenta before the step
+    std::span<const Motion> after;   // motion_of() with the forces that act: the velocities that rows know
+    std::span<const Motion> paths;   // motion_in_step() with them: where the bodies go
+
+    const Motion& path_of(int body) const { return paths[static_cast<std::size_t>(body)]; }
+};
 
 // How a solve has changed the constraint force of a body: not at all, by a solution for the whole step, or by
 // small steps. The latter move the bodies of a heap about by more than a re-solve for a small fraction of a

@@ -44,6 +44,16 @@ bool holds(const BoundingBox& wide, const BoundingBox& box, double slack) {
 
 }  // namespace
 
+BoundingBox swept_box(const Shape& shape, const Pose& pose, const Motion& motion, double dt, double room) {
+    const double radius = std::sqrt(squared_turning_radius(shape));
+    const Vector3 path = dt * motion.velocity;
+    Vector3 reach = half_extents(shape, pose.rotation);
+    // Turning moves no point by more than its arc, nor out of the ball that the shape turns in.
+    const double turned = dt * motion.angular_velocity.norm() * radius;
+    if (turned > 0.0) reach = (reach.array() + turned).cwiseMin(std::max(radius, reach.maxCoeff()));
+    return {pose.position + 0.5 * path, reach + 0.5 * path.cwiseAbs() + Vector3::Constant(room)};
+}
+
 PairFilter::PairFilter(std::vector<int> groups, std::vector<Pair> pairs)
     : groups_(std::move(groups)), pairs_(std::move(pairs)) {
     for (Pair& pair : pairs_) pair = {std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
@@ -60,7 +70,7 @@ bool PairFilter::leaves_out(const Pair& pair) const {
 
 // Collects the planes and the places in bounds_ of the finite shapes among `moved`.
 void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses,
-                             const Foresight* foresight, std::span<const int> moved) {
+                             const StepMotions* step, std::span<const int> moved) {
     const bool all = moved.size() == colliders.size();
     if (all) place_.assign(colliders.size(), -1);
     planes_.clear();  // always listed again: planes are static, and static ones are always in `moved`
@@ -71,7 +81,11 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
         if (!is_finite(collider.shape)) {
             const Pose& pose = poses[static_cast<std::size_t>(collider.body)];
             const Vector3 up = pose.rotation.col(1);
-            const double path = foresight ? foresight->path(i) : 0.0;  // of a moved one
+            double path = 0.0;  // of a moved one; one that turns may meet all
+            if (step) {
+                const Motion& motion = step->path_of(collider.body);
+                path = motion.angular_velocity.isZero(0.0) ? std::max(0.0, step->dt * up.dot(motion.velocity)) : infinity;
+            }
             planes_.push_back({.point = pose.position + path * up, .up = up, .collider = i});
             continue;
         }
@@ -82,19 +96,19 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
 }
 
 void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body> bodies,
-                       std::span<const Pose> poses, double margin, const Foresight* foresight, const Awake& awake,
+                       std::span<const Pose> poses, double margin, const StepMotions* step, const Awake& awake,
                        std::span<const int> moved, Threads* threads) {
-    list_shapes(colliders, poses, foresight, moved);
+    list_shapes(colliders, poses, step, moved);
     share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int i : moved.subspan(begin, end - begin)) {
             const Collider& collider = at(colliders, i);
             if (!is_finite(collider.shape)) continue;
             const auto body = static_cast<std::size_t>(collider.body);
             const Pose& pose = poses[body];
-            const double size = size_of(collider.shape), path = foresight ? foresight->path(i) : 0.0;
+            const double size = size_of(collider.shape);
             Bounds& box = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
-            box.centre = pose.position;
-            box.reach = half_extents(collider.shape, pose.rotation) + Vector3::Constant(margin * size + path);
+            static_cast<BoundingBox&>(box) = swept_box(collider.shape, pose, step ? step->path_of(collider.body) : Motion{},
+                                                       step ? step->dt : 0.0, margin * size);
             box.slack = slack_share * size;
             box.collider = i;
             box.body = collider.body;
@@ -245,15 +259,15 @@ void BroadPhase::add_if_near(int index, int other, std::vector<Candidate>& found
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                              std::span<const Pose> poses, double margin,
-                                             const Foresight* foresight) {
+                                             const StepMotions* step) {
     const Awake all(colliders.size());
-    return find_pairs(colliders, bodies, poses, margin, foresight, all, all.members());
+    return find_pairs(colliders, bodies, poses, margin, step, all, all.members());
 }
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                             std::span<const Pose> poses, double margin, const Foresight* foresight,
+                                             std::span<const Pose> poses, double margin, const StepMotions* step,
                                              const Awake& awake, std::span<const int> moved, Threads* threads) {
-    bound(colliders, bodies, poses, margin, foresight, awake, moved, threads);
+    bound(colliders, bodies, poses, margin, step, awake, moved, threads);
     update_candidates(threads);
     pairs_.clear();
     const auto find = [this](std::size_t begin, std::size_t end, std::vector<Pair>& found) {

@@ -5,9 +5,9 @@
 
 #include "engine/base/threads.h"
 #include "engine/bodies/awake.h"
+#include "engine/bodies/motion.h"
 #include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
-#include "engine/collision/foresight.h"
 
 #include <span>
 #include <vector>
@@ -33,24 +33,27 @@ class PairFilter {
     std::vector<Pair> pairs_;  // ascending
 };
 
+// Bounding box of a finite shape along its motion from `pose` in `dt` [s], wider by `room` [m] on every side.
+BoundingBox swept_box(const Shape& shape, const Pose& pose, const Motion& motion, double dt, double room);
+
 class BroadPhase {
   public:
     // Pairs that are never found, from the next search on; null: none. Must outlive its use.
     void leave_out(const PairFilter* filter) { filter_ = filter; }
 
     // All pairs, in ascending order, whose bounding boxes come closer than `margin` (a fraction of each shape's
-    // size) and, with `foresight`, the paths of the colliders allow. Never two colliders of one body, never two
-    // that are static or not `awake`: their rows could move nothing. `poses` are those of the bodies. Only the
-    // colliders `moved` (ascending) are updated; the others are where they were in the last call. `threads`
-    // share the work; null: one thread.
+    // size) now or, with `step`, along their free motions. Never two colliders of one body, never two that are
+    // static or not `awake`: their rows could move nothing. `poses` are those of the bodies. Only the colliders
+    // `moved` (ascending) are updated; the others are where they were in the last call. `threads` share the work;
+    // null: one thread.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     std::span<const Pose> poses, double margin, const Foresight* foresight,
+                                     std::span<const Pose> poses, double margin, const StepMotions* step,
                                      const Awake& awake, std::span<const int> moved, Threads* threads = nullptr);
 
     // The same with nothing at rest.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin,
-                                     const Foresight* foresight = nullptr);
+                                     const StepMotions* step = nullptr);
 
     // Replaces the bounding box of a finite shape until the next find_pairs().
     void put(int collider, const BoundingBox& box);
@@ -79,9 +82,9 @@ class BroadPhase {
     };
 
     void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
-               double margin, const Foresight* foresight, const Awake& awake, std::span<const int> moved,
+               double margin, const StepMotions* step, const Awake& awake, std::span<const int> moved,
                Threads* threads);
-    void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const Foresight* foresight,
+    void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const StepMotions* step,
                      std::span<const int> moved);
     bool has_same_shapes() const;
     bool uses_grid() const;

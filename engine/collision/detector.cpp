@@ -1,5 +1,6 @@
 #include "engine/collision/detector.h"
 
+#include "engine/collision/meeting.h"
 #include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
@@ -18,38 +19,59 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 // Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
 
-// Removes the points beyond the margin that the step does not close.
-void keep_closing_points(const Touch& touch, double margin, const Foresight& foresight, Manifold& manifold) {
-    int kept = 0;
-    for (int i = 0; i < manifold.count; ++i) {
-        const ContactPoint& point = manifold.storage[static_cast<std::size_t>(i)];
-        const bool closes =
-            point.gap < margin ||
-            point.gap < margin + foresight.closing(touch.body_a, touch.body_b, manifold.normal, point.position);
-        if (closes) manifold.storage[static_cast<std::size_t>(kept++)] = point;
-    }
-    manifold.count = kept;
+// Sets colliders, bodies and size of the touch.
+void name_pair(const Pair& pair, const StepScene& scene, Touch& touch) {
+    const Collider& a = scene.colliders[static_cast<std::size_t>(pair.a)];
+    const Collider& b = scene.colliders[static_cast<std::size_t>(pair.b)];
+    touch.pair = pair;
+    touch.body_a = a.body;
+    touch.body_b = b.body;
+    touch.size = size_of_pair(a, scene.bodies[static_cast<std::size_t>(a.body)], b,
+                              scene.bodies[static_cast<std::size_t>(b.body)]);
 }
 
-// Whether the step may close the gap between two boxes beside each other.
-bool may_meet(const Pair& pair, std::span<const Collider> colliders, double margin, const Foresight& foresight,
-              const Manifold& manifold) {
-    if (std::isinf(manifold.separation)) return false;
-    const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
-    const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
-    return manifold.separation < margin + foresight.most_closing(a, b, manifold.normal);
+// Sets friction and restitution of the touch.
+void combine_surfaces(const StepScene& scene, Touch& touch) {
+    const Collider& a = scene.colliders[static_cast<std::size_t>(touch.pair.a)];
+    const Collider& b = scene.colliders[static_cast<std::size_t>(touch.pair.b)];
+    touch.friction = std::sqrt(a.friction * b.friction);
+    touch.restitution = std::max(a.restitution, b.restitution);
+    if (scene.detection.materials) scene.detection.materials->put(a.material, b.material, touch);
 }
 
 }  // namespace
 
-void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch) {
-    const Collider& a = colliders[static_cast<std::size_t>(pair.a)];
-    const Collider& b = colliders[static_cast<std::size_t>(pair.b)];
-    touch.pair = pair;
-    touch.body_a = a.body;
-    touch.body_b = b.body;
-    touch.size =
-        size_of_pair(a, bodies[static_cast<std::size_t>(a.body)], b, bodies[static_cast<std::size_t>(b.body)]);
+bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) {
+    name_pair(pair, scene, touch);
+    combine_surfaces(scene, touch);
+    const auto body_a = static_cast<std::size_t>(touch.body_a), body_b = static_cast<std::size_t>(touch.body_b);
+    const Shape& shape_a = scene.colliders[static_cast<std::size_t>(pair.a)].shape;
+    const Shape& shape_b = scene.colliders[static_cast<std::size_t>(pair.b)].shape;
+    const double margin = scene.detection.margin * touch.size;
+    if (scene.motions) {
+        // Without a margin there are contacts of now alone, as in the paper.
+        const Encounter encounter{.dt = margin > 0.0 ? scene.motions->dt : 0.0,
+                                  .size = touch.size,
+                                  .margin = margin,
+                                  .bounces = touch.restitution > 0.0,
+                                  .least_directions = scene.detection.reduce_to_four_points ? 4 : 8,
+                                  .before_a = scene.motions->before[body_a],
+                                  .before_b = scene.motions->before[body_b],
+                                  .after_a = scene.motions->after[body_a],
+                                  .after_b = scene.motions->after[body_b]};
+        const bool meets = meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
+                                {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold,
+                                touch.time);
+        if (!meets) return false;
+    } else {
+        collide(shape_a, scene.poses[body_a], shape_b, scene.poses[body_b], margin, manifold);
+        if (manifold.count == 0) return false;
+    }
+    touch.normal = manifold.normal;
+    touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
+    // Only the count is valid; the detector sets the span, once its points no longer grow.
+    touch.points = manifold.points();
+    return true;
 }
 
 void MaterialPairs::put(int a, int b, Touch& touch) const {
@@ -76,23 +98,15 @@ bool MaterialPairs::any_bounces() const {
                        [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
 }
 
-void combine_surfaces(std::span<const Collider> colliders, const MaterialPairs* materials, Touch& touch) {
-    const Collider& a = colliders[static_cast<std::size_t>(touch.pair.a)];
-    const Collider& b = colliders[static_cast<std::size_t>(touch.pair.b)];
-    touch.friction = std::sqrt(a.friction * b.friction);
-    touch.restitution = std::max(a.restitution, b.restitution);
-    if (materials) materials->put(a.material, b.material, touch);
-}
-
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     const Detection& detection, const Foresight* foresight) {
+                                     const Detection& detection, const StepMotions* motions) {
     const Awake all_colliders(colliders.size()), all_bodies(bodies.size());
-    return detect(colliders, bodies, detection, foresight,
+    return detect(colliders, bodies, detection, motions,
                   {all_colliders, all_colliders.members(), all_bodies.members()});
 }
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     const Detection& detection, const Foresight* foresight,
+                                     const Detection& detection, const StepMotions* motions,
                                      const AwakeColliders& awake, Threads* threads) {
     poses_.resize(bodies.size());
     share(threads, awake.moved_bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
@@ -100,9 +114,9 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
             poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
         }
     });
-    const Scene scene{colliders, bodies, detection, foresight};
+    const StepScene scene{colliders, bodies, poses_, detection, motions};
     const std::span<const Pair> pairs = broad_phase_.find_pairs(
-        colliders, bodies, poses_, detection.margin, foresight, awake.colliders, awake.moved_colliders, threads);
+        colliders, bodies, poses_, detection.margin, motions, awake.colliders, awake.moved_colliders, threads);
     found_.resize(std::max(found_.size(), parts_of(threads, pairs.size(), pairs_of_a_part)));
     const std::size_t parts =
         share_parts(threads, pairs.size(), pairs_of_a_part, [&](std::size_t k, std::size_t begin, std::size_t end) {
@@ -112,49 +126,27 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
     return touches_;
 }
 
-void Detector::find(const Scene& scene, std::span<const Pair> pairs, Found& found) const {
-    const std::span<const Collider> colliders = scene.colliders;
-    const Foresight* const foresight = scene.foresight;
-    Manifold& manifold = found.manifold;
+void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const {
     found.touches.clear();
     found.points.clear();
-    found.beside.clear();
     for (const Pair& pair : pairs) {
         Touch& touch = found.touches.emplace_back();
-        name_pair(pair, colliders, scene.bodies, touch);
-        const Pose& pose_a = poses_[static_cast<std::size_t>(touch.body_a)];
-        const Pose& pose_b = poses_[static_cast<std::size_t>(touch.body_b)];
-        combine_surfaces(colliders, scene.detection.materials, touch);
-        const double margin = scene.detection.margin * touch.size;
-        const bool foreseen = foresight && touch.restitution <= 0.0;
-        collide(colliders[static_cast<std::size_t>(pair.a)].shape, pose_a,
-                colliders[static_cast<std::size_t>(pair.b)].shape, pose_b,
-                foreseen ? margin + foresight->path(pair.a) + foresight->path(pair.b) : margin, manifold);
-        if (foreseen) keep_closing_points(touch, margin, *foresight, manifold);
-        if (manifold.count == 0) {
-            if (foreseen && may_meet(pair, colliders, margin, *foresight, manifold)) found.beside.push_back(pair);
+        if (find_touch(pair, scene, found.manifold, touch)) {
+            found.points.insert(found.points.end(), touch.points.begin(), touch.points.end());
+        } else {
             found.touches.pop_back();
-            continue;
         }
-        if (scene.detection.reduce_to_four_points) reduce_to_four(manifold, pose_a.rotation);
-        touch.normal = manifold.normal;
-        touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
-        // Only the count is valid here; put_together() sets the spans, once points_ no longer grows.
-        touch.points = manifold.points();
-        found.points.insert(found.points.end(), touch.points.begin(), touch.points.end());
     }
 }
 
 // Merges the first `parts` results in order.
 void Detector::put_together(Threads* threads, std::size_t parts) {
     std::size_t touches = 0, points = 0;
-    beside_.clear();
     for (Found& found : std::span(found_).first(parts)) {
         found.first_touch = touches;
         found.first_point = points;
         touches += found.touches.size();
         points += found.points.size();
-        beside_.insert(beside_.end(), found.beside.begin(), found.beside.end());
     }
     if (parts == 1) {
         touches_.swap(found_.front().touches);

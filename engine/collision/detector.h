@@ -10,14 +10,7 @@
 
 namespace pushfactor::engine::collision {
 
-// The bodies of a swept pair with their centres at the time of impact (continuous_collision.h), everything else
-// as at the start of the step. The lever arms of the rows belong to that time.
-struct MeetingBodies {
-    Body a, b;
-    double time = 0.0;  // s, from the start of the step
-};
-
-// Two colliders that touch or nearly touch.
+// Two colliders that touch, nearly touch, or meet within the step (meeting.h).
 struct Touch {
     // Not defaulted: a vector would zero-fill the object before its members are set.
     Touch() {}  // NOLINT(modernize-use-equals-default)
@@ -31,8 +24,9 @@ struct Touch {
     Vector3 normal;            // unit length, world frame, from a to b
     // At least one. Owned by the object that found the touch, valid until its next search.
     std::span<const ContactPoint> points;
-    const MeetingBodies* meeting = nullptr;  // only for a pair that meets during the step
-    bool doubtful = false;  // also overlaps by no more than `permitted` along another axis (passing.h)
+    // s, until the bodies meet; the lever arms of the rows belong to that time. 0: they touch, or are near.
+    double time = 0.0;
+    bool doubtful = false;  // also overlaps by no more than `permitted` along another axis (seams.h)
 };
 
 // Sets colliders, bodies and size of the touch.
@@ -75,8 +69,17 @@ void combine_surfaces(std::span<const Collider> colliders, const MaterialPairs* 
 struct Detection {
     double margin = 0.0;     // fraction of the size; points with a smaller gap count
     double permitted = 0.0;  // the same; bodies that overlap by less along an axis count as separated along it
-    bool reduce_to_four_points = true;         // of up to eight of a face manifold
+    bool reduce_to_four_points = true;         // of bodies that hardly move on each other; otherwise to eight
     const MaterialPairs* materials = nullptr;  // null: none
+};
+
+// What a step detects in.
+struct StepScene {
+    std::span<const Collider> colliders;
+    std::span<const Body> bodies;
+    std::span<const Pose> poses;  // by body
+    const Detection& detection;
+    const StepMotions* motions = nullptr;  // null: contacts of now, all points of their manifolds
 };
 
 // Colliders and bodies that take part in a step if some rest.
@@ -87,51 +90,40 @@ struct AwakeColliders {
     std::span<const int> moved_colliders, moved_bodies;
 };
 
+// Finds the contact of `pair` into `manifold` and sets the touch but for its points. Returns false if there is none.
+bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch);
+
 class Detector {
   public:
-    // All touches in ascending order of the pair; with `foresight` also points that the step may close. Valid
+    // All touches in ascending order of the pair; with `motions` also those of pairs that meet within the step. Valid
     // until the next call, and may be changed.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                               const Detection& detection, const Foresight* foresight = nullptr);
+                               const Detection& detection, const StepMotions* motions = nullptr);
 
     // The same without touches between colliders that are static or not `awake`. `threads` share the work;
     // null: one thread.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
-                               const Detection& detection, const Foresight* foresight, const AwakeColliders& awake,
+                               const Detection& detection, const StepMotions* motions, const AwakeColliders& awake,
                                Threads* threads = nullptr);
 
     std::span<const Pose> poses() const { return poses_; }  // of the bodies, at the last detect()
     BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()
-
-    // Pairs without a touch that the motion may bring together although they are beside each other now, so that
-    // no points face each other. Ascending, from the last detect(); empty without foresight.
-    std::span<const Pair> beside() const { return beside_; }
 
   private:
     // Results of one part of the pairs.
     struct Found {
         std::vector<Touch> touches;  // with the right number of points, but not yet these points
         std::vector<ContactPoint> points;
-        std::vector<Pair> beside;
         Manifold manifold;                             // scratch
         std::size_t first_touch = 0, first_point = 0;  // offsets in the merged lists
     };
-    // Arguments of detect().
-    struct Scene {
-        std::span<const Collider> colliders;
-        std::span<const Body> bodies;
-        const Detection& detection;
-        const Foresight* foresight;
-    };
-
-    void find(const Scene& scene, std::span<const Pair> pairs, Found& found) const;
+    void find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const;
     void put_together(Threads* threads, std::size_t parts);
 
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
     std::vector<ContactPoint> points_;  // of all touches, in order
-    std::vector<Pair> beside_;
     std::vector<Found> found_;  // by part of the pairs
 };
 

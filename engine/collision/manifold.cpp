@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pushfactor::engine::collision {
 
@@ -48,7 +49,7 @@ Spread spread_of(std::span<const ContactPoint> points, const Vector3& u, const V
     return {std::sqrt(mean + half), std::sqrt(std::max(0.0, mean - half)), 0.5 * std::atan2(2.0 * uv, uu - vv)};
 }
 
-Outwards outwards(std::span<const ContactPoint> points, const Vector3& normal, const Matrix3& reference) {
+Outwards outwards_of(std::span<const ContactPoint> points, const Vector3& normal, const Matrix3& reference) {
     const Vector3 u = tangent_fixed_in(reference, normal);
     const Vector3 v = normal.cross(u);
     const Spread spread = spread_of(points, u, v);
@@ -60,96 +61,55 @@ Outwards outwards(std::span<const ContactPoint> points, const Vector3& normal, c
     return off_diagonals(p * (spread.width / spread.length), normal.cross(p));
 }
 
-// Marks in `kept` the first and the last of `points` along `axis`, preferring deep ones.
-void keep_ends(std::span<const ContactPoint> points, const Vector3& axis, std::span<bool> kept) {
-    std::size_t first = 0, last = 0;
-    double lowest = infinity, highest = -lowest;
+// The point that is deepest after a turn that lifts each by its way along `slope`.
+std::size_t deepest(std::span<const ContactPoint> points, std::span<const double> ends, const Vector3& slope) {
+    std::size_t deepest = 0;
+    double lowest = infinity;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const ContactPoint& point = points[i];
-        const double along = axis.dot(point.position - points[0].position);
-        if (along - point.gap > highest) highest = along - point.gap, last = i;
-        if (along + point.gap < lowest) lowest = along + point.gap, first = i;
+        const double height = ends[i] + slope.dot(points[i].position - points[0].position);
+        if (height < lowest) lowest = height, deepest = i;
     }
-    kept[first] = kept[last] = true;
+    return deepest;
 }
 
-// Most points that are chosen from: the corners of two faces.
-constexpr std::size_t most_points = 1024;
+// Slope of the turn, at most 1.
+double slope_of(const Turning& turning, std::span<const ContactPoint> points) {
+    double square = 0.0;
+    for (const ContactPoint& point : points) {
+        square = std::max(square, (point.position - points[0].position).squaredNorm());
+    }
+    const double rise = turning.path + turning.room, half = 0.5 * std::sqrt(square);
+    return rise < half ? rise / half : 1.0;
+}
 
-// The order in which points of a rounded surface are chosen: the deepest layer, from which only the outermost are
-// taken if it is enough, then the others by their height. Writes at most `most` of `points` to `chosen`, in their
-// order, and returns how many.
-std::size_t choose_by_layers(std::span<const ContactPoint> points, std::size_t most, const Outwards& directions,
-                             double layer, std::span<ContactPoint> chosen) {
-    std::array<bool, most_points> kept{};
-    std::array<ContactPoint, most_points> lowest_layer;
-    std::array<std::size_t, most_points> numbers{};
-    double deepest = infinity;
-    for (const ContactPoint& point : points) deepest = std::min(deepest, point.gap);
-    std::size_t low = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].gap > deepest + layer) continue;
-        lowest_layer[low] = points[i];
-        numbers[low++] = i;
-    }
-    if (low > most) {
-        std::array<bool, most_points> ends{};
-        const std::span<const ContactPoint> of_layer(lowest_layer.data(), low);
-        keep_ends(of_layer, directions.along, ends);
-        keep_ends(of_layer, directions.across, ends);
-        if (most > 4) {
-            keep_ends(of_layer, directions.along + directions.across, ends);
-            keep_ends(of_layer, directions.along - directions.across, ends);
-        }
-        for (std::size_t k = 0; k < low; ++k) kept[numbers[k]] = ends[k];
-    } else {
-        for (std::size_t k = 0; k < low; ++k) kept[numbers[k]] = true;
-        for (std::size_t filled = low; filled < std::min(most, points.size()); ++filled) {
-            std::size_t next = points.size();
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                if (!kept[i] && (next == points.size() || points[i].gap < points[next].gap)) next = i;
-            }
-            kept[next] = true;
-        }
-    }
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (kept[i]) chosen[count++] = points[i];
-    }
-    return count;
+// Directions around the normal so that a corner midway between two of them sinks by no more than `allowed` where
+// the shapes turn by `path`.
+int directions_for(const Turning& turning, int least, int most) {
+    int directions = least;
+    const auto sinks = [&](int n) { return turning.path * (1.0 - std::cos(std::numbers::pi / n)); };
+    while (directions < most && sinks(directions) > turning.allowed) directions *= 2;
+    return directions;
 }
 
 }  // namespace
 
-void add_outermost(std::span<const ContactPoint> points, const Matrix3& reference, Manifold& manifold) {
-    if (points.size() <= Manifold::max_points) {
-        for (const ContactPoint& point : points) manifold.add(point);
-        return;
+void keep_carrying(const Turning& turning, const Matrix3& reference, int least, int most, Manifold& manifold) {
+    const int directions = directions_for(turning, least, most);
+    if (manifold.count <= directions) return;
+    const std::span<ContactPoint> points = manifold.points();
+    const Outwards outwards = outwards_of(points, manifold.normal, reference);
+    const double slope = slope_of(turning, points);
+
+    std::array<bool, Manifold::most_points> kept;
+    std::fill_n(kept.begin(), points.size(), false);
+    for (int k = 0; k < directions; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / directions;
+        const Vector3 uphill = std::cos(angle) * outwards.along + std::sin(angle) * outwards.across;
+        kept[deepest(points, turning.ends, slope * uphill)] = true;
     }
-    const Outwards directions = outwards(points, manifold.normal, reference);
-    manifold.count = static_cast<int>(
-        choose_by_layers(points, Manifold::max_points, directions, manifold.layer, manifold.storage));
-}
-
-void reduce_to_four(Manifold& manifold, const Matrix3& reference) {
-    if (manifold.count <= 4) return;
-    const Outwards directions = outwards(manifold.points(), manifold.normal, reference);
-    if (std::isfinite(manifold.layer)) {
-        const auto all = manifold.storage;
-        const std::span points(all.data(), static_cast<std::size_t>(manifold.count));
-        manifold.count =
-            static_cast<int>(choose_by_layers(points, 4, directions, manifold.layer, manifold.storage));
-        return;
-    }
-
-    std::array<bool, Manifold::max_points> kept{};
-    keep_ends(manifold.points(), directions.along, kept);
-    keep_ends(manifold.points(), directions.across, kept);
-
     int count = 0;
-    for (int i = 0; i < manifold.count; ++i) {
-        const auto from = static_cast<std::size_t>(i);
-        if (kept[from]) manifold.storage[static_cast<std::size_t>(count++)] = manifold.storage[from];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (kept[i]) points[static_cast<std::size_t>(count++)] = points[i];
     }
     manifold.count = count;
 }

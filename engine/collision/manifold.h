@@ -16,37 +16,40 @@ struct ContactPoint {
 };
 
 struct Manifold {
-    static constexpr int max_points = 8;  // as many as two quadrilaterals intersect in
+    static constexpr int most_points = 520;  // the corners of two faces of 256
 
-    Vector3 normal = Vector3::UnitY();             // unit length, world frame, from shape a to shape b
-    std::array<ContactPoint, max_points> storage;  // the first `count` are valid
+    Vector3 normal = Vector3::UnitY();               // unit length, world frame, from shape a to shape b
+    std::array<ContactPoint, most_points> storage;   // the first `count` are valid
     int count = 0;
+    // m, a gap along the normal that certainly separates the shapes, also if there are no points; negative where
+    // they overlap.
+    double separation = infinity;
     // m, largest separation along an axis in another direction than the normal; -infinity if there is none or
     // if the overlap along all of them is deep.
     double other_gap = -infinity;
 
-    // m, separation of two boxes along the normal; smaller than the gap of their points if these do not face
-    // each other. Infinity for other shapes and for boxes farther apart than the margin.
-    double separation = infinity;
-
-    // m; points higher than this above the deepest one are the last to be chosen. Finite where a rounded surface
-    // lies on a plane: what is near and farther out does not support it.
-    double layer = infinity;
-
+    Manifold() {}  // NOLINT(modernize-use-equals-default): the points stay uninitialised
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
+    std::span<ContactPoint> points() & { return {storage.data(), static_cast<std::size_t>(count)}; }
     std::span<const ContactPoint> points() const& { return {storage.data(), static_cast<std::size_t>(count)}; }
     std::span<const ContactPoint> points() const&& = delete;  // would dangle
 };
 
-// Adds `points` to an empty manifold, whose normal and layer are set: of more than eight those that are outermost
-// in eight directions. `reference` as below.
-void add_outermost(std::span<const ContactPoint> points, const Matrix3& reference, Manifold& manifold);
+// How far the shapes of a manifold may turn on each other in the rest of the step, for the choice of its points.
+struct Turning {
+    std::span<const double> ends;  // m, gaps at the end of the step if the shapes moved freely; one per point
+    double path = 0.0;             // m, of one surface towards the other
+    double room = infinity;        // m, turned besides, because motion is not only what was before
+    double allowed = infinity;     // m, by which a corner that is left out may sink
+};
 
-// Keeps at most four points: the outermost in four directions of the contact plane, preferring deep ones. The
-// directions are fixed in `reference` (a rotation that moves with one of the shapes) and lie off the diagonals
-// of a face, so that rounding does not choose between two points at one corner; for an elongated manifold they
-// follow its long direction. Does nothing for four or fewer points.
-void reduce_to_four(Manifold& manifold, const Matrix3& reference);
+// Keeps the points that may carry the shapes: the deepest ones at the end of the step after a turn about any axis
+// across the normal, of which the ends of the manifold move by `path` and `room`. A corner between two that are kept
+// sinks when the shapes roll from one to the other; so few directions of turning, from `least` to `most`, are tried
+// as keep that `allowed`. They are fixed in `reference` (a rotation that moves with one of the shapes) and lie
+// off the diagonals of a face, so that rounding does not choose between two points at one corner; for an elongated
+// manifold they follow its long direction.
+void keep_carrying(const Turning& turning, const Matrix3& reference, int least, int most, Manifold& manifold);
 
 // A unit vector perpendicular to `normal`, fixed in the frame `reference`.
 Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal);

@@ -1,7 +1,6 @@
 #include "engine/collision/time_of_impact.h"
 
 #include "engine/base/overloaded.h"
-#include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/hull_axes.h"
 #include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/pairs/separations.h"
@@ -15,6 +14,9 @@ namespace {
 
 constexpr int most_waits = 400;  // a box that spins by hundreds of radians per step needs many
 
+// A direction serves for so many waits, or until it is closed; then the one with the longest wait is searched again.
+constexpr int most_served = 8;
+
 // A pair at one time of its motion.
 struct Placed {
     const Moving& a;
@@ -22,77 +24,165 @@ struct Placed {
     Pose pose_a, pose_b;
 };
 
-// Upper bound on the motion of a shape's extent along a direction: first- and second-order terms in time.
-struct Reach {
-    double speed = 0.0;         // m/s, of the fastest point
-    double acceleration = 0.0;  // m/s^2, the most that turning can add to it
+// A direction from a to b, which may turn with one of them: that of a face does, and stays the best one longer.
+struct Direction {
+    Vector3 normal = Vector3::Zero();  // unit length
+    Vector3 turning = Vector3::Zero(); // rad/s
 };
 
-Reach operator+(const Reach& p, const Reach& q) {
-    return {p.speed + q.speed, p.acceleration + q.acceleration};
+// How far the shapes are at least apart along a direction, t seconds later (0 <= t <= rest). Seen from a frame that
+// turns with the direction,
+//
+//   gap(t) = n . (x + t (v - w x x)) - s_a(n + t n x w_a) - s_b(-n - t n x w_b) - t^2 / 2 A
+//
+// Symbols: n the direction, unit length; w its angular velocity; x and v position and velocity of b relative to a;
+// w_a, w_b the angular velocities of the shapes relative to the direction; s(d) the support of a shape, the largest
+// of d . r over its points r; A a bound on all accelerations along n. Of a point r only w_a x r is linear in time, so
+// s(n + t n x w_a) is its largest n . r then. The gap is concave in t: its chords lie below it, and a root of one
+// never comes after its own.
+class LeastGap {
+  public:
+    LeastGap(const Placed& pair, const Direction& direction, double rest)
+        : a_(pair.a.shape),
+          b_(pair.b.shape),
+          turn_a_(pair.pose_a.rotation),
+          turn_b_(pair.pose_b.rotation),
+          normal_(direction.normal) {
+        const Vector3& w = direction.turning;
+        const Vector3 x = pair.pose_b.position - pair.pose_a.position;
+        const Vector3 v = pair.b.motion.velocity - pair.a.motion.velocity;
+        offset_ = normal_.dot(x);
+        speed_ = normal_.dot(v - w.cross(x));
+        if (!w.isZero(0.0)) {
+            const double tilt = normal_.cross(w).norm(), fast = v.norm();
+            acceleration_ = tilt * (w.norm() * (x.norm() + rest * fast) + 2.0 * fast);
+        }
+        across_a_ = across(pair.a, normal_, w);
+        across_b_ = across(pair.b, -normal_, w);
+    }
+
+    double at(double time) const {
+        return offset_ + time * (speed_ - 0.5 * time * acceleration_) -
+               support(a_, turn_a_, normal_ + time * across_a_) - support(b_, turn_b_, time * across_b_ - normal_);
+    }
+
+    // The time until the gap may be closed, not after it is; `rest` [s] if it stays open so long. `now`, `later`:
+    // the gap at present, > 0, and after `rest`.
+    double time_to_close(double now, double later, double rest) const {
+        if (later >= 0.0) return rest;
+        const double enough = 0.01 * now;  // what is left is the next wait's
+        double open = 0.0, closed = rest;  // s
+        for (int i = 0; i < 20 && now > enough; ++i) {
+            const double chord = open + (closed - open) * now / (now - later);
+            const double gap = std::max(0.0, at(chord));
+            // The line through the last two points lies above the gap beyond them.
+            const double beyond = now > gap ? chord + (chord - open) * gap / (now - gap) : closed;
+            open = chord, now = gap;
+            if (beyond >= closed) continue;
+            const double next = at(beyond);
+            if (next < 0.0) closed = beyond, later = next;
+        }
+        return open;
+    }
+
+  private:
+    static double support(const Shape& shape, const Matrix3& rotation, const Vector3& direction) {
+        return is_finite(shape) ? reach_along(shape, rotation, direction) : 0.0;  // of a plane along its own normal
+    }
+
+    Vector3 across(const Moving& moving, const Vector3& out, const Vector3& turning) {
+        const double radius = std::sqrt(squared_turning_radius(moving.shape));
+        if (radius == 0.0) return Vector3::Zero();
+        const Vector3& own = moving.motion.angular_velocity;
+        const Vector3 relative = own - turning, across = out.cross(relative);
+        acceleration_ += turning.isZero(0.0) ? across.norm() * own.norm() * radius
+                                             : relative.norm() * (own.norm() + turning.norm()) * radius;
+        return across;
+    }
+
+    const Shape &a_, &b_;
+    const Matrix3 &turn_a_, &turn_b_;
+    Vector3 normal_;
+    double offset_ = 0.0, speed_ = 0.0, acceleration_ = 0.0;  // m, m/s, m/s^2
+    Vector3 across_a_, across_b_;                              // n x w_a, 1/s
+};
+
+// A direction in which the shapes are separated, and the time before which they cannot meet along it.
+struct Wait {
+    Direction direction;
+    double gap = -never;  // m
+    double time = 0.0;    // s
+};
+
+Wait wait_along(const Placed& pair, const Direction& direction, double rest) {
+    const LeastGap gap(pair, direction, rest);
+    const double now = gap.at(0.0);
+    return {direction, now, now > 0.0 ? gap.time_to_close(now, gap.at(rest), rest) : 0.0};
 }
 
-Reach reach_along(const Moving& moving, const Pose& pose, const Vector3& direction) {
-    Reach reach{.speed = moving.motion.velocity.dot(direction)};
-    const double radius = std::sqrt(squared_turning_radius(moving.shape));
-    if (radius == 0.0) return reach;
-    // direction . (w x r) = r . across, and its rate of change is (w x r) . -across.
-    const Vector3 across = direction.cross(moving.motion.angular_velocity);
-    reach.speed += reach_along(moving.shape, pose.rotation, across);
-    reach.acceleration = across.norm() * moving.motion.angular_velocity.norm() * radius;
-    return reach;
+// Angular velocity of the unit vector that stays across two edges that turn, `normal` at present; zero if they are
+// so nearly parallel that it turns faster than both.
+Vector3 turning_between(const Vector3& normal, const Vector3& along_a, const Vector3& turn_a, const Vector3& along_b,
+                        const Vector3& turn_b) {
+    const Vector3 across = along_a.cross(along_b);
+    const Vector3 rate = turn_a.cross(along_a).cross(along_b) + along_a.cross(turn_b.cross(along_b));
+    const Vector3 turning = normal.cross(rate) * (across.dot(normal) / across.squaredNorm());
+    return turning.norm() <= turn_a.norm() + turn_b.norm() ? turning : Vector3::Zero();
 }
 
-Reach closing(const Placed& pair, const Vector3& normal) {
-    return reach_along(pair.a, pair.pose_a, normal) + reach_along(pair.b, pair.pose_b, -normal);
-}
-
-// The root of gap = speed t + acceleration t^2 / 2.
-double time_to_close(double gap, const Reach& reach) {
-    if (gap <= 0.0) return 0.0;
-    if (reach.acceleration <= 0.0) return reach.speed > 0.0 ? gap / reach.speed : never;
-    const double root = std::sqrt(reach.speed * reach.speed + 2.0 * reach.acceleration * gap);
-    return reach.speed > 0.0 ? 2.0 * gap / (reach.speed + root) : (root - reach.speed) / reach.acceleration;
-}
-
-// The direction in which the shapes are closest.
-Separation closest(const Placed& pair) {
-    Manifold nearest;
-    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, never, nearest);
-    double gap = never;
-    for (const ContactPoint& point : nearest.points()) gap = std::min(gap, point.gap);
-    return {nearest.normal, gap};
-}
-
-// Calls `visit` with the separations that matter: the largest, and those of a gap above `least` [m]; of polyhedra
-// those of faces alone if they are `enough()`.
-template <typename Visit, typename Enough>
-void visit_separations(const Placed& pair, double least, const Visit& visit, const Enough& enough) {
-    const auto visit_hulls = [&](const auto& a, const auto& b) {
-        visit_separations(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b), least, visit, enough);
+// The direction with the longest wait as its chord has it, and the largest gap of all.
+Wait longest_wait(const Placed& pair, double rest, double& largest_gap) {
+    Direction best;
+    double longest = -1.0;
+    largest_gap = -never;
+    const Vector3 &turn_a = pair.a.motion.angular_velocity, &turn_b = pair.b.motion.angular_velocity;
+    const auto consider = [&](const Vector3& normal, const Vector3& turning, double gap) {
+        largest_gap = std::max(largest_gap, gap);
+        if (gap <= 0.0) return;
+        const double later = LeastGap(pair, {normal, turning}, rest).at(rest);
+        const double chord = later >= 0.0 ? rest : rest * gap / (gap - later);
+        if (chord > longest) longest = chord, best = {normal, turning};
+    };
+    const auto consider_axis = [&](const Separation& axis, const auto& edge_of_a, const auto& edge_of_b) {
+        if (axis.gap > 0.0 && axis.of_a >= 0 && axis.of_b >= 0) {
+            const Vector3 along_a = pair.pose_a.rotation * edge_of_a(axis.of_a);
+            const Vector3 along_b = pair.pose_b.rotation * edge_of_b(axis.of_b);
+            consider(axis.normal, turning_between(axis.normal, along_a, turn_a, along_b, turn_b), axis.gap);
+        } else {
+            consider(axis.normal, axis.of_b < 0 ? turn_a : turn_b, axis.gap);
+        }
+    };
+    const auto consider_hulls = [&](const auto& a, const auto& b) {
+        const PlacedHull hull_a(a, pair.pose_a), hull_b(b, pair.pose_b);
+        visit_separations(hull_a, hull_b, 0.0, [&](const Separation& axis) {
+            consider_axis(
+                axis, [&](int edge) { return hull_a.hull().edge(edge).direction; },
+                [&](int edge) { return hull_b.hull().edge(edge).direction; });
+        });
+    };
+    // With a ball or a plane there is one direction; it turns with the other one.
+    const auto consider_closest = [&](const Vector3& turning) {
+        Manifold nearest;
+        collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, 0.0, nearest);
+        consider(nearest.normal, turning, nearest.separation);
     };
     std::visit(Overloaded{[&](const Box& a, const Box& b) {
                               const Separations separations(a, pair.pose_a, b, pair.pose_b);
-                              for (const Separation& axis : separations.all()) visit(axis);
+                              const auto unit = [](int axis) { return Vector3(Vector3::Unit(axis)); };
+                              for (const Separation& axis : separations.all()) consider_axis(axis, unit, unit);
                           },
-                          [&](const Polyhedron& a, const Polyhedron& b) { visit_hulls(a, b); },
-                          [&](const Polyhedron& a, const Box& b) { visit_hulls(a, b); },
-                          [&](const Box& a, const Polyhedron& b) { visit_hulls(a, b); },
-                          [&](const Sphere&, const auto&) { visit(closest(pair)); },
-                          [&](const auto&, const Sphere&) { visit(closest(pair)); },
-                          [&](const Sphere&, const Sphere&) { visit(closest(pair)); },
-                          [&](const Plane&, const auto&) { visit(closest(pair)); },
-                          [&](const auto&, const Plane&) { visit(closest(pair)); },
-                          [&](const Plane&, const Plane&) { visit(closest(pair)); },
-                          [&](const Plane&, const Sphere&) { visit(closest(pair)); },
-                          [&](const Sphere&, const Plane&) { visit(closest(pair)); }},
+                          [&](const Polyhedron& a, const Polyhedron& b) { consider_hulls(a, b); },
+                          [&](const Polyhedron& a, const Box& b) { consider_hulls(a, b); },
+                          [&](const Box& a, const Polyhedron& b) { consider_hulls(a, b); },
+                          [&](const Plane&, const auto&) { consider_closest(turn_a); },
+                          [&](const auto&, const Plane&) { consider_closest(turn_b); },
+                          [&](const Sphere&, const auto&) { consider_closest(turn_b); },
+                          [&](const auto&, const Sphere&) { consider_closest(turn_a); },
+                          [&](const Sphere&, const Sphere&) {}, [&](const Plane&, const Sphere&) { consider_closest(turn_a); },
+                          [&](const Sphere&, const Plane&) { consider_closest(turn_b); },
+                          [&](const Plane&, const Plane&) {}},
                pair.a.shape, pair.b.shape);
-}
-
-// Whether visit_separations() looks along all axes of the pair and not only along those that matter.
-bool has_all_directions(const Placed& pair) {
-    const auto is_polyhedron = [](const Shape& shape) { return std::holds_alternative<Polyhedron>(shape); };
-    return !is_polyhedron(pair.a.shape) && !is_polyhedron(pair.b.shape);
+    return longest < 0.0 ? Wait{} : wait_along(pair, best, rest);
 }
 
 // Upper bound on the speed of points of the shapes towards each other, m/s.
@@ -103,42 +193,21 @@ double fastest(const Placed& pair) {
     return (pair.a.motion.velocity - pair.b.motion.velocity).norm() + turning(pair.a) + turning(pair.b);
 }
 
-// Time before which the shapes cannot meet, and their distance now.
-struct Wait {
-    double time = 0.0;     // s
-    double gap = -never;   // m, largest
-    double fastest = 0.0;  // m/s, over these directions
-};
-
-// `permitted`: overlap [m] up to which they still count as separated. `enough`: a wait [s] and a gap [m] beyond
-// which longer ones do not matter.
-Wait wait_of(const Placed& pair, double permitted, const Wait& enough) {
-    Wait wait;
-    visit_separations(
-        pair, -permitted,
-        [&](const Separation& separation) {
-            const Reach reach = closing(pair, separation.normal);
-            const double gap = separation.gap + permitted;
-            wait.time = std::max(wait.time, time_to_close(gap, reach));
-            wait.gap = std::max(wait.gap, gap);
-            wait.fastest = std::max(wait.fastest, reach.speed);
-        },
-        [&] { return wait.time > enough.time && wait.gap > enough.gap; });
-    return wait;
-}
-
-double path(const Reach& reach, double time) {
-    return std::max(0.0, (reach.speed + 0.5 * reach.acceleration * time) * time);
-}
-
-// Points of a pair that has just met, including those that may close in the `rest` [s] of the step.
-Manifold manifold_of(const Placed& pair, double rest, double margin) {
+bool has_points(const Placed& pair, double margin) {
     Manifold manifold;
     collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, margin, manifold);
-    if (manifold.count == 0) return manifold;
-    const double reach = margin + path(closing(pair, manifold.normal), rest);
-    collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, reach, manifold);
-    return manifold;
+    return manifold.count > 0;
+}
+
+// Two balls: the first root of |offset + t velocity| = distance.
+Course course_of_balls(const Vector3& offset, const Vector3& velocity, double distance, double dt) {
+    const double excess = offset.squaredNorm() - distance * distance;
+    if (excess <= 0.0) return {.time = 0.0};
+    const double closing = -offset.dot(velocity), square = velocity.squaredNorm();
+    const double root = closing * closing - square * excess;
+    if (closing <= 0.0 || root < 0.0) return {};
+    const double time = excess / (closing + std::sqrt(root));
+    return {.time = time < dt ? time : never};
 }
 
 }  // namespace
@@ -153,39 +222,47 @@ Pose pose_at(const Moving& moving, double time) {
     return pose;
 }
 
-double approach(const Moving& a, const Moving& b, const Vector3& normal, double time) {
-    return path(closing({a, b, a.start, b.start}, normal), time);
+double gap_along(const Moving& a, const Moving& b, const Vector3& normal) {
+    const Placed pair{a, b, a.start, b.start};
+    return LeastGap(pair, {normal}, 0.0).at(0.0);
 }
 
-Course course_of(const Moving& a, const Moving& b, double dt, const Nearness& nearness) {
-    const double tolerance = nearness.tolerance;
-    double time = 0.0;
-    double overlap = 0.0;
-    std::optional<Meeting> graze;
-    int i = 0;
-    for (; i < most_waits && time < dt; ++i) {
-        const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
-        Wait wait = wait_of(pair, overlap, {.time = dt - time, .gap = tolerance});
-        if (wait.gap <= tolerance) {
-            const Manifold manifold = manifold_of(pair, dt - time, std::max(nearness.margin, 2.0 * tolerance));
-            const bool grazes = manifold.count > 0 && overlap < nearness.permitted &&
-                                manifold.other_gap + nearness.permitted > tolerance;
-            const Meeting here{time, pair.pose_a, pair.pose_b, manifold};
-            if (grazes) {
-                graze = here;
-                overlap = nearness.permitted;
-                continue;
-            }
-            // They meet where they grazed first, unless they went on to another face.
-            const bool same = graze && graze->manifold.normal.dot(manifold.normal) > same_direction;
-            if (manifold.count > 0) return {same ? *graze : here};
-            // All axes within tolerance but the manifold is empty (corner beside corner): advance and retry.
-            const double speed = has_all_directions(pair) ? wait.fastest : fastest(pair);
-            wait.time = std::max(wait.time, 0.1 * tolerance / speed);
-        }
-        time += wait.time;
+double approach(const Moving& a, const Moving& b, const Vector3& normal, double time) {
+    const Placed pair{a, b, a.start, b.start};
+    const LeastGap gap(pair, {normal}, time);
+    return std::max(0.0, gap.at(0.0) - gap.at(time));
+}
+
+Course course_of(const Moving& a, const Moving& b, double dt, double tolerance) {
+    const auto* ball_a = std::get_if<Sphere>(&a.shape);
+    const auto* ball_b = std::get_if<Sphere>(&b.shape);
+    if (ball_a && ball_b) {
+        return course_of_balls(b.start.position - a.start.position, b.motion.velocity - a.motion.velocity,
+                               ball_a->radius + ball_b->radius + tolerance, dt);
     }
-    return {.meeting = std::nullopt, .decided = i < most_waits};
+    double time = 0.0;
+    Wait wait;
+    int waits = 0, serves = 0;
+    for (; waits < most_waits && time < dt; ++waits, time += wait.time) {
+        const Placed pair{a, b, pose_at(a, time), pose_at(b, time)};
+        if (serves-- > 0) {
+            Direction& direction = wait.direction;
+            if (!direction.turning.isZero(0.0)) {
+                direction.normal = (exponential(wait.time * direction.turning) * direction.normal).normalized();
+            }
+            wait = wait_along(pair, direction, dt - time);
+            if (wait.gap > tolerance) continue;
+        }
+        double largest_gap = 0.0;
+        wait = longest_wait(pair, dt - time, largest_gap);
+        serves = most_served;
+        if (largest_gap > tolerance) continue;
+        if (has_points(pair, 2.0 * tolerance)) return {.time = time};
+        // A corner beside a corner: close along all axes, but without points.
+        wait.time = std::max(wait.time, tolerance / fastest(pair));
+        serves = 0;
+    }
+    return {.decided = time >= dt};
 }
 
 }  // namespace pushfactor::engine::collision

@@ -24,6 +24,7 @@ struct StepStart {
     std::span<const Body> bodies;  // with the external forces
     double dt = 0.0;               // s
     double time = 0.0;             // s since the start of the world
+    OrientationStep rotate = rotate_splitting;  // how bodies turn in the step
     Threads* threads = nullptr;    // that may share the work; null: one thread. The rows do not depend on them
 };
 

@@ -22,10 +22,11 @@ double permitted_overlap(double slop, double margin) {
     return std::min(0.02, std::max(1.1 * slop, 0.2 * margin));
 }
 
-BodyPair bodies_of(const collision::Touch& touch, std::span<const Body> bodies) {
-    if (touch.meeting) return {touch.body_a, touch.body_b, touch.meeting->a, touch.meeting->b};
-    return {touch.body_a, touch.body_b, bodies[static_cast<std::size_t>(touch.body_a)],
-            bodies[static_cast<std::size_t>(touch.body_b)]};
+// The body with its momenta unchanged and its centre where `motion` takes it in `time` [s].
+Body moved(const Body& body, const Motion& motion, double time) {
+    Body moved = body;
+    moved.position += time * motion.velocity;
+    return moved;
 }
 
 // Whether an impulse along `axis` (the body's half of j_c) turns a body with unequal moments of inertia.
@@ -58,8 +59,6 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
 ContactConstraints::ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices)
     : colliders_(std::move(colliders)), choices_(choices) {
     choices_.detection.permitted = permitted_overlap(choices.slop, choices.detection.margin);
-    any_bounces_ = std::any_of(colliders_.begin(), colliders_.end(),
-                               [](const collision::Collider& collider) { return collider.restitution > 0.0; });
 }
 
 void ContactConstraints::set_filter(std::unique_ptr<const collision::PairFilter> filter) {
@@ -70,7 +69,6 @@ void ContactConstraints::set_filter(std::unique_ptr<const collision::PairFilter>
 void ContactConstraints::set_materials(std::unique_ptr<const collision::MaterialPairs> materials) {
     materials_ = std::move(materials);
     choices_.detection.materials = materials_.get();
-    any_bounces_ = any_bounces_ || (materials_ && materials_->any_bounces());
 }
 
 // Default until leave_out_others() is called.
@@ -125,19 +123,29 @@ SomeBodies ContactConstraints::changed_anew(double from, double until) const {
     return changed;
 }
 
-// Those within the margin of its way. A plane that turns may meet all.
+// Those within the margin of its way. A plane that turns may meet all; one that moves is where it ends.
 SomeBodies ContactConstraints::met_by_moved(const StepStart& step) const {
     SomeBodies met;
     const bool is_known = awake_bodies_.of() == step.bodies.size();  // not before the first step
     for (const collision::Collider& own : colliders_) {
         const Body& moved = step.bodies[static_cast<std::size_t>(own.body)];
         if (!moved.is_moved()) continue;
-        const collision::Way way(own, moved, step.dt);
+        const collision::Pose pose = collision::pose_of(moved);
+        const Motion& motion = moved.prescribed;
+        const bool is_plane = !is_finite(own.shape);
+        const auto meets = [&](const collision::BoundingBox& box) {
+            if (!is_plane) return overlap(box, swept_box(own.shape, pose, motion, step.dt, 0.0));
+            const Vector3 up = pose.rotation.col(1), end = pose.position + step.dt * motion.velocity;
+            if (!motion.angular_velocity.isZero(0.0)) return true;
+            return std::min(up.dot(box.centre - pose.position), up.dot(box.centre - end)) <
+                   up.cwiseAbs().dot(box.reach);
+        };
         for (const collision::Collider& other : colliders_) {
             if ((is_known && awake_bodies_.has(other.body)) || !is_finite(other.shape)) continue;
             const Body& resting = step.bodies[static_cast<std::size_t>(other.body)];
             const double margin = choices_.detection.margin * size_of(other.shape);
-            if (way.meets(other.shape, resting, margin)) met.some.push_back(other.body);
+            const auto box = swept_box(other.shape, collision::pose_of(resting), {}, 0.0, margin);
+            if (meets(box)) met.some.push_back(other.body);
         }
     }
     return met;
@@ -183,7 +191,7 @@ ContactConstraints::TouchFriction ContactConstraints::friction_of(const collisio
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,
-            .motion = RelativeMotion(pair, motions_[a], motions_[b], belt),
+            .motion = RelativeMotion(pair, before_[a], before_[b], belt),
             .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
 }
 
@@ -267,43 +275,50 @@ void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t fi
     own_rows_ += static_cast<int>(contacts.size()) * (friction_ ? 3 : 1);
 }
 
-// Like motion_of(), but with the rotations that the detector has computed.
 void ContactConstraints::find_motions(const StepStart& step) {
-    motions_.resize(step.bodies.size());
+    before_.resize(step.bodies.size());
+    after_.resize(step.bodies.size());
+    paths_.resize(step.bodies.size());
     accelerations_.resize(step.bodies.size(), 0.0);
     const std::span<const int> awake = awake_bodies_.members();
     share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int index : awake.subspan(begin, end - begin)) {
             const auto i = static_cast<std::size_t>(index);
             const Body& body = step.bodies[i];
-            if (body.is_static()) {
-                motions_[i] = body.prescribed;
-                continue;
-            }
-            const Matrix3& rotation = detector_.poses()[i].rotation;
-            const Vector3 in_body = rotation.transpose() * body.angular_momentum;
+            before_[i] = motion_of(body);
+            after_[i] = motion_of(body, step.dt);
+            paths_[i] = motion_in_step(body, step.dt, step.rotate);
             accelerations_[i] = body.inverse_mass * body.force.norm();
-            motions_[i] = {velocity(body), rotation * body.inverse_inertia.cwiseProduct(in_body)};
         }
     });
 }
 
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                                        const StepStart& step, RowList& rows) {
+                                        const StepStart& step, std::span<const Motion> paths,
+                                        RowList& rows) {
     const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
     number_rows(contacts, rows.size());
     const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
     share(step.threads, contacts.size(), contacts_of_a_part,
-          [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, all); });
+          [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, paths, all); });
 }
 
-// Writes the rows of contacts `begin` .. `end` - 1.
+// Writes the rows of contacts `begin` .. `end` - 1. Of bodies that meet within the step the lever arms are those of
+// that time, where `paths` have taken them.
 void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end,
-                                    const StepStart& step, std::span<ConstraintRow> rows) const {
+                                    const StepStart& step, std::span<const Motion> paths,
+                                    std::span<ConstraintRow> rows) const {
     for (std::size_t i = begin; i < end;) {
         const collision::Touch& touch = *contacts[i].touch;
-        const BodyPair pair = bodies_of(touch, step.bodies);
+        const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
+        std::optional<Body> a_then, b_then;
+        if (touch.time > 0.0) {
+            a_then = moved(step.bodies[a], paths[a], touch.time);
+            b_then = moved(step.bodies[b], paths[b], touch.time);
+        }
+        const BodyPair pair{touch.body_a, touch.body_b, a_then ? *a_then : step.bodies[a],
+                            b_then ? *b_then : step.bodies[b]};
         std::optional<TouchFriction> shared;
         if (friction_) shared = friction_of(touch, pair, step);
         for (; i < end && contacts[i].touch == &touch; ++i) {
@@ -315,8 +330,8 @@ void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t beg
     }
 }
 
-collision::ContinuousCollision::Step ContactConstraints::collision_step(const StepStart& step) const {
-    return {colliders_, step.bodies, step.dt, choices_.detection, awake_colliders_.members(), any_bounces_};
+collision::StepScene ContactConstraints::scene_of(const StepStart& step, const StepMotions& motions) const {
+    return {colliders_, step.bodies, detector_.poses(), choices_.detection, &motions};
 }
 
 void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
@@ -333,28 +348,39 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
         (awake_anew_ ? all_bodies_ : awake_bodies_).members(),
     };
     awake_anew_ = false;
-    if (continuous_collision_)
-        foresight_.look_ahead(colliders_, bodies, step.dt, awake.moved_colliders, step.threads);
-    std::vector<collision::Touch>& touches = detector_.detect(
-        colliders_, bodies, choices_.detection, continuous_collision_ ? &foresight_ : nullptr, awake, step.threads);
-    if (choices_.detection.permitted > 0.0) passing_.put_right(touches, collision_step(step));
+    find_motions(step);
+    const StepMotions motions{step.dt, before_, after_, paths_};
+    std::vector<collision::Touch>& touches =
+        detector_.detect(colliders_, bodies, choices_.detection, &motions, awake, step.threads);
+    if (choices_.detection.permitted > 0.0) seams_.put_right(scene_of(step, motions), touches);
     touches_ = touches;
-    if (continuous_collision_) touches_ = continuous_collision_->refine(touches_, collision_step(step), detector_);
-    if (friction_) find_motions(step);
+    if (continuous_collision_) {
+        continuous_collision_->begin(touches_);
+        after_solved_ = after_;
+        paths_solved_ = paths_;
+    }
     forces_.clear();
     own_rows_ = 0;
     if (cache_) cache_->recall(touches_, forces_, step.threads);
-    append_touches(touches_, order_, step, rows);
+    append_touches(touches_, order_, step, paths_, rows);
 }
 
 void ContactConstraints::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
                                            std::span<const NewForce> changed, RowList& rows) {
     if (!continuous_collision_) return;
-    const auto found = continuous_collision_->look(forces, changed, collision_step(step), detector_);
+    for (const int index : awake_bodies_.members()) {
+        const auto i = static_cast<std::size_t>(index);
+        if (changed[i] == NewForce::none) continue;
+        after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
+        paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
+    }
+    const StepMotions motions{step.dt, before_, after_solved_, paths_solved_};
+    const auto found = continuous_collision_->look(scene_of(step, motions), forces, changed,
+                                                   awake_colliders_.members(), detector_.broad_phase());
     if (found.empty()) return;
     // No warm start: the solution that takes the bodies there was found without these rows.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();
-    append_touches(found, unforeseen_order_, step, rows);
+    append_touches(found, unforeseen_order_, step, paths_solved_, rows);
     // The touches of look() are valid only until its next call, so copy them.
     unforeseen_.insert(unforeseen_.end(), found.begin(), found.end());
     for (Contact& contact : std::span(contacts_).subspan(before)) {
@@ -371,7 +397,7 @@ std::vector<ContactSite> ContactConstraints::sites() const {
                          .position = touch.points[static_cast<std::size_t>(contact.point)].position,
                          .normal = touch.normal,
                          .normal_row = static_cast<std::size_t>(contact.normal_row),
-                         .swept = touch.meeting != nullptr};
+                         .swept = touch.time > 0.0};
         if (contact.friction_row >= 0) {
             site.friction_row = static_cast<std::size_t>(contact.friction_row);
             site.tangents = contact.tangents;

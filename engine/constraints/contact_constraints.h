@@ -4,7 +4,7 @@
 
 #include "engine/collision/continuous_collision.h"
 #include "engine/collision/detector.h"
-#include "engine/collision/passing.h"
+#include "engine/collision/seams.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/constraints/contact_cache.h"
 #include "engine/constraints/contact_order.h"
@@ -46,7 +46,7 @@ class ContactConstraints : public ConstraintSource {
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
     void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
-    // Without it a fast body is noticed only once it is in the margin, or past it.
+    // Without it bodies that are thrown in a step are noticed only in the next one.
     void set_continuous_collision(std::unique_ptr<collision::ContinuousCollision> part) {
         continuous_collision_ = std::move(part);
     }
@@ -96,19 +96,19 @@ class ContactConstraints : public ConstraintSource {
     struct TouchFriction;
 
     void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
-                        RowList& rows);
+                        std::span<const Motion> paths, RowList& rows);
     std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
                                     Threads* threads);
     void number_rows(std::span<Contact> contacts, std::size_t first_row);
     void find_motions(const StepStart& step);
     void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
-                    std::span<ConstraintRow> rows) const;
+                    std::span<const Motion> paths, std::span<ConstraintRow> rows) const;
     void write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                       ConstraintRow& row) const;
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                         std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
-    collision::ContinuousCollision::Step collision_step(const StepStart& step) const;
+    collision::StepScene scene_of(const StepStart& step, const StepMotions& motions) const;
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
     void store_forces();
@@ -122,21 +122,19 @@ class ContactConstraints : public ConstraintSource {
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::ContinuousCollision> continuous_collision_;
     ContactCache at_rest_;  // forces between resting bodies
-    bool any_bounces_ = false;
 
     // Bodies and colliders whose rows are appended, and whether these have changed since the last step.
     Awake awake_bodies_, awake_colliders_, all_bodies_, all_colliders_;
     bool awake_anew_ = true;
 
     // State of the current step.
-    collision::Foresight foresight_;
     collision::Detector detector_;
-    collision::Passing passing_;
+    collision::Seams seams_;
     std::span<const collision::Touch> touches_;
     Threads* threads_ = nullptr;
     std::deque<collision::Touch> unforeseen_;
-    // By body, at the start of the step, for friction:
-    std::vector<Motion> motions_;
+    // By body, see StepMotions: without constraints, and as the last solution has them.
+    std::vector<Motion> before_, after_, paths_, after_solved_, paths_solved_;
     std::vector<double> accelerations_;  // m/s^2, from external forces; 0 for static bodies
     ContactOrder order_, unforeseen_order_;
     std::vector<Contact> contacts_;         // in the order of their rows

@@ -69,10 +69,19 @@ struct ContactScene {
         return add(engine::static_body(position), engine::collision::Box{0.5 * size}, surface);
     }
 
-    // The colliders, valid until the next call.
-    engine::collision::ContinuousCollision::Step step_of(const engine::collision::Detection& detection) {
-        all_ = engine::Awake(colliders.size());
-        return {colliders, world.bodies, dt, detection, all_.members()};
+    // The touches of a step of the scene as it is, before it is solved. Valid until the next call.
+    const std::vector<engine::collision::Touch>& touches(const engine::collision::Detection& detection = {
+                                                             .margin = 0.01, .permitted = 0.0022}) {
+        before_.clear();
+        after_.clear();
+        paths_.clear();
+        for (const engine::Body& body : world.bodies) {
+            before_.push_back(motion_of(body));
+            after_.push_back(motion_of(body, dt));
+            paths_.push_back(motion_in_step(body, dt, world.rotate));
+        }
+        const engine::StepMotions motions{dt, before_, after_, paths_};
+        return detector_.detect(colliders, world.bodies, detection, &motions);
     }
 
     // Six plates, 6 m apart.
@@ -122,7 +131,8 @@ struct ContactScene {
     }
 
   private:
-    engine::Awake all_;  // the colliders
+    engine::collision::Detector detector_;
+    std::vector<engine::Motion> before_, after_, paths_;
 };
 
 }  // namespace pushfactor::tests

@@ -35,6 +35,9 @@ struct BestAxes {
 // Cosine above which two directions belong to one face or edge.
 inline constexpr double same_direction = 0.9;
 
+// Cosine above which two directions are equal up to rounding and the tilt that an overlap makes.
+inline constexpr double same_axis = 0.999;
+
 // The largest gap along a face axis other than `normal`, of those that overlap by no more than `much` [m].
 class GapOfOthers {
   public:

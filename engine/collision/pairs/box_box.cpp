@@ -8,6 +8,7 @@
 
 #include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/clipping.h"
+#include "engine/collision/pairs/separations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,13 +155,19 @@ double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
 }
 
+// The axis as a unit vector from a to b.
+Vector3 axis_between(const BoxAxis& axis, const Pose& pose_a, const Pose& pose_b) {
+    Vector3 normal = axis.of_a >= 0 ? pose_a.rotation.col(axis.of_a) : pose_b.rotation.col(axis.of_b);
+    if (axis.of_a >= 0 && axis.of_b >= 0) normal = normal.cross(pose_b.rotation.col(axis.of_b)).normalized();
+    return normal.dot(pose_b.position - pose_a.position) < 0.0 ? Vector3(-normal) : normal;
+}
+
 // Adds the point midway between the closest points of the two edges that face each other along the axis.
 void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, const BoxAxis& axis,
                  Manifold& manifold) {
     const Vector3 edge_a = pose_a.rotation.col(axis.of_a);
     const Vector3 edge_b = pose_b.rotation.col(axis.of_b);
-    Vector3 normal = edge_a.cross(edge_b).normalized();
-    if (normal.dot(pose_b.position - pose_a.position) < 0.0) normal = -normal;
+    const Vector3 normal = axis_between(axis, pose_a, pose_b);
 
     // Midpoints of the edges: farthest along the normal on a, against it on b.
     Vector3 corner_a = pose_a.position;
@@ -188,9 +195,10 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
                   axis.gap, (1u << 16) + edges * 64u + which});
 }
 
-// Collides the boxes along one axis. `tolerance`: m, by which the reference face is widened.
+// Collides the boxes along one axis.
 void collide_along(const BoxAxis& axis, const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b,
-                   double tolerance, double margin, Manifold& manifold) {
+                   double margin, Manifold& manifold) {
+    const double tolerance = clip_tolerance * size_of(a, b);  // m, by which the reference face is widened
     const Vector3 offset = pose_b.position - pose_a.position;
     if (axis.of_b < 0) {
         const Face face{axis.of_a, sign_of(pose_a.rotation.col(axis.of_a).dot(offset))};
@@ -208,11 +216,19 @@ void collide_along(const BoxAxis& axis, const Box& a, const Pose& pose_a, const 
 void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                      Manifold& manifold) {
     const BoxAxes axes = separate(a, pose_a, b, pose_b, margin);
-    if (axes.largest() >= margin) return;
+    manifold.separation = axes.largest();
+    if (manifold.separation >= margin) {
+        manifold.normal = axis_between(axes.preferred(0.0), pose_a, pose_b);
+        return;
+    }
 
     const double size = size_of(a, b);
     const BoxAxis& best = axes.preferred(axis_preference * size);
-    collide_along(best, a, pose_a, b, pose_b, clip_tolerance * size, margin, manifold);
+    collide_along(best, a, pose_a, b, pose_b, margin, manifold);
+    // What is below a preferred face may be beside it.
+    if (manifold.count == 0 && best.gap < axes.largest()) {
+        collide_along(axes.preferred(0.0), a, pose_a, b, pose_b, margin, manifold);
+    }
 
     const double much = 0.1 * std::max(a.half_size.minCoeff(), b.half_size.minCoeff());  // m of overlap
     GapOfOthers others(manifold.normal, much);
@@ -221,15 +237,6 @@ void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
         others.consider(axes.faces_b[static_cast<std::size_t>(i)], pose_b.rotation.col(i));
     }
     manifold.other_gap = others.largest();
-    manifold.separation = axes.largest();
-}
-
-void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,
-                           const Pose& pose_b, double room, double margin, Manifold& manifold) {
-    manifold.count = 0;
-    if (axis.gap >= margin) return;
-    collide_along({axis.gap, axis.of_a, axis.of_b}, a, pose_a, b, pose_b,
-                  std::max(room, clip_tolerance * size_of(a, b)), margin, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

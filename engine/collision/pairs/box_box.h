@@ -3,7 +3,6 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
-#include "engine/collision/pairs/separations.h"
 
 namespace pushfactor::engine::collision {
 
@@ -11,10 +10,5 @@ namespace pushfactor::engine::collision {
 // it, or the two crossing edges.
 void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, double margin,
                      Manifold& manifold);
-
-// The same along `axis`, one of the Separations of the boxes, even if it is not the best. Points may lie up to
-// `room` [m] beside their face.
-void collide_box_box_along(const Separation& axis, const Box& a, const Pose& pose_a, const Box& b,
-                           const Pose& pose_b, double room, double margin, Manifold& manifold);
 
 }  // namespace pushfactor::engine::collision

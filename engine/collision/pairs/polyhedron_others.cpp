@@ -1,18 +1,14 @@
 // Polyhedron against plane and against sphere.
+#include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/polyhedron_pairs.h"
 #include "engine/collision/pairs/sphere_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pushfactor::engine::collision {
 
 namespace {
-
-// Height above the lowest vertex up to which vertices count as those of the face that the polyhedron lies on, as a
-// fraction of the size: what a resting body sinks in.
-constexpr double layer = 2e-3;
 
 // The largest distance of `point` from the side planes of a face, along the plane of the face [m]; negative within.
 double beside(const Hull& hull, const HullFace& face, const Vector3& point) {
@@ -54,15 +50,12 @@ void collide_polyhedron_plane(const Polyhedron& polyhedron, const Pose& pose, co
     const Vector3 up = plane_pose.rotation.col(1);
     const Hull& hull = polyhedron.mesh->hull();
     manifold.normal = -up;
-    manifold.layer = layer * hull.size;
-    std::array<ContactPoint, most_vertices> points;
-    std::size_t count = 0;
     for (std::size_t k = 0; k < hull.vertices.size(); ++k) {
         const Vector3 point = pose.position + pose.rotation * hull.vertices[k];
         const double gap = up.dot(point - plane_pose.position);
-        if (gap < margin) points[count++] = {point - (0.5 * gap) * up, gap, static_cast<std::uint32_t>(k)};
+        manifold.separation = std::min(manifold.separation, gap);
+        if (gap < margin) manifold.add({point - (0.5 * gap) * up, gap, static_cast<std::uint32_t>(k)});
     }
-    add_outermost({points.data(), count}, pose.rotation, manifold);
 }
 
 void collide_polyhedron_sphere(const Polyhedron& polyhedron, const Pose& pose, const Sphere& sphere,
@@ -76,7 +69,11 @@ void collide_polyhedron_sphere(const Polyhedron& polyhedron, const Pose& pose, c
         if (height(face) > height(*highest) + beside_rounding * sphere.radius) highest = &face;
     }
     const double above = height(*highest);
-    if (above >= margin + sphere.radius) return;
+    if (above >= margin + sphere.radius) {
+        manifold.normal = pose.rotation * highest->normal;
+        manifold.separation = above - sphere.radius;
+        return;
+    }
     // Inside, or above the face: if the closest point is on a face, it is on the highest one.
     const bool inside = above <= beside_rounding * sphere.radius;
     if (inside || beside(hull, *highest, centre) <= beside_rounding * sphere.radius) {
@@ -90,16 +87,19 @@ void collide_polyhedron_sphere(const Polyhedron& polyhedron, const Pose& pose, c
     manifold.other_gap = above - sphere.radius;
 }
 
-void collide_polyhedron_sphere_along(const Separation& axis, const Polyhedron& polyhedron, const Pose& pose,
-                                     const Sphere& sphere, const Pose& sphere_pose, double room, double margin,
-                                     Manifold& manifold) {
-    const Hull& hull = polyhedron.mesh->hull();
+void collide_hull_sphere_along(const Vector3& normal, const PlacedHull& placed, const Sphere& sphere,
+                               const Pose& sphere_pose, double margin, Manifold& manifold) {
+    const Hull& hull = placed.hull();
+    const Pose& pose = placed.pose();
+    const Vector3 direction = pose.rotation.transpose() * normal;
     const Vector3 centre = pose.rotation.transpose() * (sphere_pose.position - pose.position);
-    manifold.count = 0;
-    manifold.normal = axis.normal;
-    if (beside(hull, hull.face(axis.of_a), centre) > room) return;
-    const Vector3 surface = sphere_pose.position - (axis.gap + sphere.radius) * axis.normal;
-    add_sphere_point(surface, axis.normal, axis.gap, margin, manifold);
+    for (const HullFace& face : hull.faces) {
+        if (face.normal.dot(direction) < same_axis || beside(hull, face, centre) > 0.0) continue;
+        const double above = face.normal.dot(centre) - face.offset;
+        const Vector3 up = pose.rotation * face.normal;
+        add_sphere_point(sphere_pose.position - above * up, up, above - sphere.radius, margin, manifold);
+        return;
+    }
 }
 
 }  // namespace pushfactor::engine::collision

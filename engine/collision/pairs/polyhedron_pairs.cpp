@@ -58,8 +58,7 @@ Corner between(const Corner& from, const Corner& to, double share) {
     return {from.position + share * (to.position - from.position), from.edge};
 }
 
-constexpr std::size_t most_corners = 2 * most_vertices + 8;
-using ClippedFace = Polygon<Corner, most_corners>;
+using ClippedFace = Polygon<Corner, Manifold::most_points>;
 
 // The face that is most against `normal` (frame of the hull) among those at the extreme vertices: another one may
 // be more so and not reach as far.
@@ -128,8 +127,6 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
         if (polygon->count == 0) return;
     }
 
-    std::array<ContactPoint, most_corners> points;
-    std::size_t count = 0;
     const std::uint32_t of_face = (flipped ? 1u << 31 : 0u) | static_cast<std::uint32_t>(number) << 22;
     for (int i = 0; i < polygon->count; ++i) {
         const Corner& corner = polygon->at(i);
@@ -137,9 +134,8 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
         if (height >= margin) continue;
         const std::uint32_t before = polygon->at(i + polygon->count - 1).edge;
         const Vector3 middle = corner.position - (0.5 * height) * face.normal;
-        points[count++] = {pose.position + pose.rotation * middle, height, of_face | before << 11 | corner.edge};
+        manifold.add({pose.position + pose.rotation * middle, height, of_face | before << 11 | corner.edge});
     }
-    add_outermost({points.data(), count}, pose.rotation, manifold);
 }
 
 // Adds the point midway between the closest points of the two edges.
@@ -158,8 +154,9 @@ void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axi
                   of_edges | static_cast<std::uint32_t>(axis.of_a) << 11 | static_cast<std::uint32_t>(axis.of_b)});
 }
 
-void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double tolerance,
-                   double margin, Manifold& manifold) {
+void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double margin,
+                   Manifold& manifold) {
+    const double tolerance = clip_tolerance * size_of(a, b);
     if (axis.of_b < 0) {
         clip_faces(a, axis.of_a, b, false, tolerance, margin, manifold);
     } else if (axis.of_a < 0) {
@@ -177,25 +174,38 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
     FaceGaps faces;
     const HullAxes all(a, b);
     const Axes axes = separate(all, axis_rounding * size, much, margin, faces);
-    if (axes.largest() >= margin) return;
+    manifold.separation = axes.largest();
+    if (manifold.separation >= margin) {
+        manifold.normal = axes.preferred(0.0).normal;
+        return;
+    }
 
     const Separation& best = axes.preferred(axis_preference * size);
-    collide_along(best, a, b, clip_tolerance * size, margin, manifold);
+    collide_along(best, a, b, margin, manifold);
     // What is below a preferred face may be beside it.
-    if (manifold.count == 0 && best.gap < axes.largest()) {
-        collide_along(axes.preferred(0.0), a, b, clip_tolerance * size, margin, manifold);
-    }
+    if (manifold.count == 0 && best.gap < axes.largest()) collide_along(axes.preferred(0.0), a, b, margin, manifold);
     GapOfOthers others(manifold.normal, much);
     for (const Separation& face : faces.all()) others.consider(face.gap, face.normal);
     manifold.other_gap = others.largest();
-    manifold.separation = axes.largest();
 }
 
-void collide_hulls_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double room,
-                         double margin, Manifold& manifold) {
-    manifold.count = 0;
-    if (axis.gap >= margin) return;
-    collide_along(axis, a, b, std::max(room, clip_tolerance * size_of(a, b)), margin, manifold);
+void collide_hulls_along(const Vector3& normal, const PlacedHull& a, const PlacedHull& b, double margin,
+                         Manifold& manifold) {
+    Separation along;
+    double best = same_axis;
+    const auto consider = [&](const PlacedHull& hull, double way, int& of_hull) {
+        const Vector3 direction = way * (hull.pose().rotation.transpose() * normal);
+        for (int f = 0; f < static_cast<int>(hull.hull().faces.size()); ++f) {
+            const double cosine = hull.hull().face(f).normal.dot(direction);
+            if (cosine <= best) continue;
+            best = cosine;
+            along = {};
+            of_hull = f;
+        }
+    };
+    consider(a, 1.0, along.of_a);
+    consider(b, -1.0, along.of_b);
+    if (best > same_axis) collide_along(along, a, b, margin, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

@@ -25,13 +25,4 @@ Separations::Separations(const Box& a, const Pose& pose_a, const Box& b, const P
     }
 }
 
-Separations::Separations(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose) {
-    const Vector3 centre = box_pose.rotation.transpose() * (sphere_pose.position - box_pose.position);
-    for (int k = 0; k < 3; ++k) {
-        const Vector3 axis = box_pose.rotation.col(k);
-        const double gap = std::abs(centre[k]) - box.half_size[k] - sphere.radius;
-        add({centre[k] < 0.0 ? Vector3(-axis) : axis, gap, k, -1});
-    }
-}
-
 }  // namespace pushfactor::engine::collision

@@ -20,8 +20,6 @@ class Separations {
   public:
     // The six face axes of two boxes and the nine cross products of their edges, except those of parallel edges.
     Separations(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
-    // The face axes of a box; the normals point from the box to the sphere.
-    Separations(const Box& box, const Pose& box_pose, const Sphere& sphere, const Pose& sphere_pose);
 
     std::span<const Separation> all() const& { return {storage_.data(), static_cast<std::size_t>(count_)}; }
     std::span<const Separation> all() const&& = delete;  // would dangle

@@ -7,6 +7,7 @@ namespace pushfactor::engine::collision {
 void add_sphere_point(const Vector3& surface, const Vector3& normal, double gap, double margin,
                       Manifold& manifold) {
     manifold.normal = normal;
+    manifold.separation = gap;
     if (gap < margin) manifold.add({surface + (0.5 * gap) * normal, gap, 0});
 }
 
@@ -55,18 +56,6 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
     const Vector3 surface = centre + out * depth[axis];
     add_sphere_point(box_pose.position + box_pose.rotation * surface, box_pose.rotation * out,
                      -depth[axis] - sphere.radius, margin, manifold);
-}
-
-void collide_box_sphere_along(const Separation& axis, const Box& box, const Pose& box_pose, const Sphere& sphere,
-                              const Pose& sphere_pose, double room, double margin, Manifold& manifold) {
-    const Vector3 centre = box_pose.rotation.transpose() * (sphere_pose.position - box_pose.position);
-    Vector3 beside = centre.cwiseAbs() - box.half_size;
-    beside[axis.of_a] = 0.0;
-    manifold.count = 0;
-    manifold.normal = axis.normal;
-    if (beside.maxCoeff() > room) return;
-    const Vector3 surface = sphere_pose.position - (axis.gap + sphere.radius) * axis.normal;
-    add_sphere_point(surface, axis.normal, axis.gap, margin, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

@@ -3,7 +3,6 @@
 
 #include "engine/collision/collider.h"
 #include "engine/collision/manifold.h"
-#include "engine/collision/pairs/separations.h"
 
 namespace pushfactor::engine::collision {
 
@@ -23,10 +22,5 @@ void collide_box_sphere(const Box& box, const Pose& box_pose, const Sphere& sphe
                         double margin, Manifold& manifold);
 void collide_sphere_plane(const Sphere& sphere, const Pose& sphere_pose, const Plane& plane, const Pose& plane_pose,
                           double margin, Manifold& manifold);
-
-// The same along `axis`, one of their Separations: the sphere's extreme point along it, unless that lies beside
-// the face by more than `room` [m].
-void collide_box_sphere_along(const Separation& axis, const Box& box, const Pose& box_pose, const Sphere& sphere,
-                              const Pose& sphere_pose, double room, double margin, Manifold& manifold);
 
 }  // namespace pushfactor::engine::collision

@@ -3,6 +3,7 @@
 #include "engine/collision/pairs/pair_table.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/hulls.h"
+#include "tests/engine/collision/kept.h"
 #include "tests/engine/collision/pose.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ using pushfactor::tests::ball_points;
 using pushfactor::tests::box_points;
 using pushfactor::tests::Points;
 using pushfactor::tests::polyhedron_of;
+using pushfactor::tests::keep_four;
 using pushfactor::tests::Random;
 using pushfactor::tests::random_points;
 
@@ -263,7 +265,7 @@ TEST_CASE("noise of rounding size changes no feature of polyhedra that lie on ea
         const auto touched = [&](const Quaternion& tilt, const Vector3& by) {
             Manifold manifold = collided(shape, at({0, 0, 0}), shape, at(Vector3(0, 0.99, 0) + by, tilt * above));
             CHECK(manifold.count == 8);
-            reduce_to_four(manifold, Matrix3::Identity());
+            keep_four(manifold);
             return features(manifold);
         };
         const auto expected = touched(Quaternion::Identity(), Vector3::Zero());
@@ -286,7 +288,7 @@ TEST_CASE("what a rounded polyhedron lies on comes before what is farther out an
     const Quaternion turn = Quaternion::FromTwoVectors(lowest->normal, -Vector3::UnitY());
     Manifold manifold = collided(ball, at({0, lowest->offset - 1e-4, 0}, turn), Plane{}, at({0, 0, 0}), 0.05);
     CHECK(manifold.count > 4);
-    reduce_to_four(manifold, Matrix3::Identity());
+    keep_four(manifold);
     REQUIRE(manifold.count == 4);
     const auto on_plane = std::count_if(manifold.points().begin(), manifold.points().end(),
                                         [](const ContactPoint& point) { return point.gap < 0.0; });

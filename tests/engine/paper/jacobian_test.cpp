@@ -283,16 +283,18 @@ TEST_CASE("every row's j_c is the derivative of its c where fast bodies meet wit
 
             // Their rows belong to the time of impact, including the rotation.
             const double size = std::min(size_of(shapes.a), size_of(shapes.b));
-            const std::optional<Meeting> meeting =
-                find_meeting({shapes.a, pose_of(bodies[0]), motion_of(bodies[0])},
-                             {shapes.b, pose_of(bodies[1]), motion_of(bodies[1])}, dt, 1e-4 * size, 0.01 * size);
-            REQUIRE(meeting);
+            const auto moving = [&](const Shape& shape, const Body& body) {
+                return Moving{shape, pose_of(body), motion_in_step(body, dt, rotate_splitting)};
+            };
+            const Moving first = moving(shapes.a, bodies[0]), second = moving(shapes.b, bodies[1]);
+            const double time = course_of(first, second, dt, 1e-7 * size).time;
+            REQUIRE(time < dt);
             const auto met = [](Body body, const Pose& pose) {
                 body.position = pose.position;
                 body.orientation = Quaternion(pose.rotation);
                 return body;
             };
-            const Body a = met(bodies[0], meeting->pose_a), b = met(bodies[1], meeting->pose_b);
+            const Body a = met(bodies[0], pose_at(first, time)), b = met(bodies[1], pose_at(second, time));
             compare_rows(shapes, a, b, rows, stage.sites(), compared);
         }
         CHECK(compared.gaps > 20);

@@ -237,20 +237,6 @@ TEST_CASE("what an impact turns does not end the step deep in what turned it") {
     CHECK(deepest < 0.03);  // 0.054 m without pairs beside each other
 }
 
-TEST_CASE("where no body is fast the touches are handed on untouched") {
-    ContactScene scene;
-    scene.add_ground();
-    for (int i = 0; i < 3; ++i) scene.add_box(Vector3::Ones(), {0, 0.5 + i, 0}, {0.3, 0, 0});
-    scene.add_ball(0.5, {0, 3.5, 0}, {0.3, 0, 0});
-    collision::Detector detector;
-    collision::ContinuousCollision sweep;
-    const collision::Detection detection{.margin = 0.01};
-    const auto touches = detector.detect(scene.colliders, scene.world.bodies, detection);
-    const auto refined = sweep.refine(touches, scene.step_of(detection), detector);
-    CHECK(refined.data() == touches.data());
-    CHECK(refined.size() == touches.size());
-}
-
 TEST_CASE("a ball in the margin of a corner that it only passes is let pass") {
     // Half a millimetre past the corner, and still approaching along the shortest distance.
     ContactScene scene;

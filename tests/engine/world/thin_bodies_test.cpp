@@ -1,6 +1,7 @@
 // Cards, planks and rods, ten to a hundred times as long as thick: their contacts are as good as those of cubes.
 #include "engine/collision/pairs/box_box.h"
 #include "tests/catch.h"
+#include "tests/engine/collision/kept.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"
@@ -12,6 +13,7 @@ using namespace pushfactor::engine;
 using namespace pushfactor::engine::collision;
 using pushfactor::tests::at;
 using pushfactor::tests::ContactScene;
+using pushfactor::tests::keep_four;
 using pushfactor::tests::Random;
 
 namespace {
@@ -155,7 +157,7 @@ TEST_CASE("four points of a long overlap span most of it, whatever the direction
         if (full.count <= 4) continue;
         ++reduced_ones;
         Manifold reduced = full;
-        reduce_to_four(reduced, Matrix3::Identity());
+        keep_four(reduced);
         const double share = area(reduced) / area(full);
         least = std::min(least, share);
         INFO("case " << i << " size " << size_b.transpose() << " yaw " << yaw);

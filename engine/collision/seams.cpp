@@ -1,0 +1,171 @@
+#include "engine/collision/seams.h"
+
+#include "engine/base/overloaded.h"
+#include "engine/collision/meeting.h"
+#include "engine/collision/pairs/axis_choice.h"
+#include "engine/collision/pairs/polyhedron_pairs.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace pushfactor::engine::collision {
+
+namespace {
+
+constexpr double noise = 1e-6;  // of the permitted overlap: motion per step of a body at rest
+
+Moving moving(int collider, const StepScene& step) {
+    const Collider& own = step.colliders[static_cast<std::size_t>(collider)];
+    return {own.shape, step.poses[static_cast<std::size_t>(own.body)], step.motions->path_of(own.body)};
+}
+
+// Speed at which the bodies of a touch approach each other along `normal` (from a to b) at `point`, m/s.
+double closing(const Touch& touch, std::span<const Motion> motions, const Vector3& point, const Vector3& normal,
+               const StepScene& step) {
+    const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
+    return closing_speed(motions[a], step.poses[a].position, motions[b], step.poses[b].position, point, normal);
+}
+
+double gap_along(const Touch& touch, const Vector3& normal, const StepScene& step) {
+    return gap_along(moving(touch.pair.a, step), moving(touch.pair.b, step), normal);
+}
+
+// The direction `out` of `body` as one from a to b of a touch of that body.
+Vector3 seen_from(const Touch& touch, int body, const Vector3& out) {
+    return touch.body_a == body ? out : Vector3(-out);
+}
+
+// Whether anything that the bodies do closes the touch in this step: at rest no contact changes.
+bool closes(const Touch& touch, const StepScene& step) {
+    const double least = noise * step.detection.permitted * touch.size;
+    return std::any_of(touch.points.begin(), touch.points.end(), [&](const ContactPoint& point) {
+        const double speed = std::max(closing(touch, step.motions->before, point.position, touch.normal, step),
+                                      closing(touch, step.motions->after, point.position, touch.normal, step));
+        return step.motions->dt * speed > std::max(point.gap, least);
+    });
+}
+
+const ContactPoint& nearest_to(const Vector3& where, std::span<const ContactPoint> points) {
+    return *std::min_element(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
+        return (p.position - where).squaredNorm() < (q.position - where).squaredNorm();
+    });
+}
+
+// Whether `holder` keeps `body` from coming closer along `out`, its normal away from the body, to the other body of
+// `touch` than is permitted.
+bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch, const StepScene& step) {
+    const Vector3 along = seen_from(touch, body, out);
+    if (along.dot(touch.normal) > same_direction) return false;
+    const double permitted = step.detection.permitted * touch.size, dt = step.motions->dt;
+    const double gap = gap_along(touch, along, step);
+    if (gap < -permitted) return false;
+    // Two that touch now may hold each other apart: then neither does.
+    if (touch.time == 0.0 &&
+        gap_along(holder, seen_from(holder, body, seen_from(touch, body, touch.normal)), step) >= -permitted) {
+        return false;
+    }
+    const Vector3& where = touch.points.front().position;
+    const ContactPoint& point = nearest_to(where, holder.points);
+    const double free = std::max(point.gap, 0.0);
+    const int other = holder.body_a == body ? holder.body_b : holder.body_a;
+    const bool gives_way = !step.bodies[static_cast<std::size_t>(other)].is_static();
+    if (gives_way &&
+        dt * closing(holder, step.motions->before, point.position, holder.normal, step) > free + permitted) {
+        return false;
+    }
+    const double stopped =
+        std::max(0.0, dt * closing(holder, step.motions->after, point.position, holder.normal, step) - free);
+    return dt * closing(touch, step.motions->after, where, along, step) - stopped <= gap + permitted;
+}
+
+// The contact along `normal`, from a to b, if there is a face.
+void collide_along(const Touch& touch, const Vector3& normal, const StepScene& step, Manifold& manifold) {
+    const Moving a = moving(touch.pair.a, step), b = moving(touch.pair.b, step);
+    const double margin = step.detection.margin * touch.size;
+    const auto hulls = [&](const auto& p, const auto& q) {
+        collide_hulls_along(normal, PlacedHull(p, a.start), PlacedHull(q, b.start), margin, manifold);
+    };
+    const auto on_hull = [&](const auto& hull, const Sphere& ball) {
+        collide_hull_sphere_along(normal, PlacedHull(hull, a.start), ball, b.start, margin, manifold);
+    };
+    const auto under_hull = [&](const Sphere& ball, const auto& hull) {
+        collide_hull_sphere_along(-normal, PlacedHull(hull, b.start), ball, a.start, margin, manifold);
+    };
+    manifold.count = 0;
+    std::visit(Overloaded{[&](const Box& p, const Box& q) { hulls(p, q); },
+                          [&](const Box& p, const Polyhedron& q) { hulls(p, q); },
+                          [&](const Polyhedron& p, const Box& q) { hulls(p, q); },
+                          [&](const Polyhedron& p, const Polyhedron& q) { hulls(p, q); },
+                          [&](const Box& p, const Sphere& q) { on_hull(p, q); },
+                          [&](const Polyhedron& p, const Sphere& q) { on_hull(p, q); },
+                          [&](const Sphere& p, const Box& q) { under_hull(p, q); },
+                          [&](const Sphere& p, const Polyhedron& q) { under_hull(p, q); },
+                          [](const auto&, const auto&) {}},
+               a.shape, b.shape);
+    manifold.normal = normal;
+}
+
+bool has_plane(const Touch& touch, const StepScene& step) {
+    const auto is_plane = [&](int collider) {
+        return !is_finite(step.colliders[static_cast<std::size_t>(collider)].shape);
+    };
+    return is_plane(touch.pair.a) || is_plane(touch.pair.b);
+}
+
+}  // namespace
+
+void Seams::list(std::span<const Touch> touches, std::size_t bodies) {
+    first_.assign(bodies, -1);
+    next_.resize(2 * touches.size());
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        for (const std::size_t place : {2 * i, 2 * i + 1}) {
+            const auto body = static_cast<std::size_t>(place == 2 * i ? touches[i].body_a : touches[i].body_b);
+            next_[place] = first_[body];
+            first_[body] = static_cast<int>(place);
+        }
+    }
+}
+
+// The normal of what holds the pair, from a to b, if anything does.
+std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Touch> touches,
+                                         const StepScene& step) const {
+    for (const int body : {touch.body_a, touch.body_b}) {
+        if (step.bodies[static_cast<std::size_t>(body)].is_static()) continue;
+        for (int place = first_[static_cast<std::size_t>(body)]; place >= 0;
+             place = next_[static_cast<std::size_t>(place)]) {
+            const Touch& holder = touches[static_cast<std::size_t>(place / 2)];
+            if (&holder == &touch || (holder.time > 0.0 && holder.time >= touch.time)) continue;
+            const Vector3 out = seen_from(holder, body, holder.normal);
+            if (holds(holder, body, out, touch, step)) return seen_from(touch, body, out);
+        }
+    }
+    return std::nullopt;
+}
+
+void Seams::put_right(const StepScene& step, std::vector<Touch>& touches) {
+    found_.clear();
+    points_.clear();
+    bool is_listed = false;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        const Touch& touch = touches[i];
+        if ((!touch.doubtful && touch.time == 0.0) || has_plane(touch, step) || !closes(touch, step)) continue;
+        if (!is_listed) list(touches, step.bodies.size());
+        is_listed = true;
+        const std::optional<Vector3> normal = held_along(touch, touches, step);
+        if (!normal) continue;
+        collide_along(touch, *normal, step, manifold_);
+        found_.push_back({i, manifold_.points().size(), *normal});
+        points_.insert(points_.end(), manifold_.points().begin(), manifold_.points().end());
+    }
+    std::span<const ContactPoint> left = points_;
+    for (const Found& found : found_) {
+        Touch& touch = touches[found.touch];
+        touch.normal = found.normal;
+        touch.points = left.first(found.points);
+        touch.time = 0.0;
+        left = left.subspan(found.points);
+    }
+    if (!found_.empty()) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });
+}
+
+}  // namespace pushfactor::engine::collision
