@@ -44,7 +44,7 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
     const double acceleration_a = j.a.dot(acceleration_of(pair.body_a));
     const double acceleration_b = j.b.dot(acceleration_of(pair.body_b));
     return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)) -
-                     carried_speed(j, pair.body_a, pair.body_b, dt),
+                     carried_speed(row, pair.body_a, pair.body_b, dt),
             .acceleration = acceleration_a + acceleration_b,
             .weight = std::max(std::abs(acceleration_a), std::abs(acceleration_b)),
             .gap = row.label.gap,
