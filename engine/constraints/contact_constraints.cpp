@@ -295,7 +295,7 @@ void ContactConstraints::find_motions(const StepStart& step) {
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
                                         const StepStart& step, RowList& rows) {
     const std::span<const ContactIndex> in_order =
-        order.put(choices_.order, touches, step.bodies, step.threads);
+        order.put(choices_.order, touches, step.bodies, step.up, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
     number_rows(contacts, rows.size());
     const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
