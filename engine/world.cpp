@@ -132,6 +132,13 @@ void World::add_forces(const Awake& to) {
     for (const auto& source : forces) source->add_forces(forced, time_);
 }
 
+// Against the gravity of all sources, unit length; zero without any.
+Vector3 World::up() const {
+    Vector3 gravity = Vector3::Zero();
+    for (const auto& source : forces) gravity += source->gravity();
+    return gravity.isZero(0.0) ? Vector3(Vector3::Zero()) : Vector3(-gravity / gravity.norm());
+}
+
 void World::append_rows(double dt) {
     rows_.append(constraints, start_of(dt));
     system_.carried.clear();

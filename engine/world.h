@@ -100,7 +100,8 @@ class World {
     void follow_paths();
     void add_forces(const Awake& to);
     StepCount take_step(double dt, PhaseObserver* observer);
-    StepStart start_of(double dt) const { return {bodies, dt, time_, rotate, sharing_}; }
+    StepStart start_of(double dt) const { return {bodies, dt, time_, rotate, sharing_, up()}; }
+    Vector3 up() const;
     void append_rows(double dt);
     // Appends rows where the solution moves bodies as no source foresaw. Returns whether there were any.
     bool append_unforeseen(double dt);

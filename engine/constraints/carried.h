@@ -8,13 +8,20 @@
 // along with s, and - J_s v_s = J_m t, where t are the velocities of m going along.
 //
 // Symbols: m movable body, s moved body, x_i position of body i [m], V and w prescribed velocities of s [m/s,
-// rad/s], Q = exp(w dt), r = x_m - x_s, u the velocity that takes m along:
+// rad/s], Q = exp(w dt), r = x_m - x_s, p contact point [m], n its normal, v = v_m - V, u the velocity of m at its
+// centre that takes m along; together with w it is V + w x (p - x_s) at p, the velocity of the surface there:
 //
-//   u = V + (Q - 1) r / dt + w x v' dt / 2,     v' = v_m - V - (1 - Q^T) r / dt
+//   u = V + w x r + alpha e + (1 - alpha) w x v dt / 2
+//   e = (Q - 1) r / dt - w x r + w x v' dt / 2,     v' = v - (1 - Q^T) r / dt
 //
-// A body that stands on a turntable has to be where the turntable is at the end of the step: with w x r, the
-// velocity at its beginning, it would spiral outwards by w^2 r dt / 2. v' is the velocity of m relative to s in the
-// step before: a body that does not go along is over another place of s half a step later.
+// The last two terms are second order: the surface turns during the step. alpha is the share with which m goes
+// along, see below. What does (alpha = 1, v' = 0) has to be where s is at the end of the step, on the chord: with
+// w x r, the velocity at its beginning, it would spiral outwards by w^2 r dt / 2 on a turntable. What does not, as
+// a ball that rolls on it, is over another place of s half a step later. That holds across the normal only: the
+// normal itself may turn with s (a box), with m or with neither of them (two balls), which a row does not know. So
+// a contact row has no such term, and nothing is lifted by the spin of a roller, whose surface stays where it is.
+//
+//   alpha = max(0, 1 - max(|v'| / |w x r|, |w_m - w| / |w|))
 #pragma once
 
 #include "engine/bodies/awake.h"
@@ -26,11 +33,8 @@
 
 namespace pushfactor::engine {
 
-// t: velocities of `other` going along with `moved` in a step of `dt` [s].
-Motion carry(const Body& moved, const Body& other, double dt);
-
-// - J_s v_s [m/s] of a row between two bodies, one of which may be moved.
-double carried_speed(const Jacobian& jacobian, const Body& body_a, const Body& body_b, double dt);
+// - J_s v_s [m/s] of a row between two bodies, one of which may be moved, in a step of `dt` [s].
+double carried_speed(const ConstraintRow& row, const Body& body_a, const Body& body_b, double dt);
 
 // Appends it for the rows that `speeds` does not have yet.
 void carried_speeds(std::span<const Body> bodies, double dt, std::span<const ConstraintRow> rows,

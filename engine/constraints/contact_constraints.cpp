@@ -36,7 +36,8 @@ bool turns(const Body& body, const Vector6& axis, double size) {
 }
 
 // State of a contact row before the step, for 8.2.
-Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision::Touch& touch, double dt) {
+Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision::Touch& touch, double slop,
+                 double dt) {
     const auto velocity_of = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
     const auto acceleration_of = [](const Body& body) {
         return stacked(body.inverse_mass * body.force, world_inverse_inertia(body) * body.torque);
@@ -45,10 +46,11 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision
     const double acceleration_a = j.a.dot(acceleration_of(pair.body_a));
     const double acceleration_b = j.b.dot(acceleration_of(pair.body_b));
     return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)) -
-                     carried_speed(j, pair.body_a, pair.body_b, dt),
+                     carried_speed(row, pair.body_a, pair.body_b, dt),
             .acceleration = acceleration_a + acceleration_b,
             .weight = std::max(std::abs(acceleration_a), std::abs(acceleration_b)),
             .gap = row.label.gap,
+            .touching = touching_gap(slop),
             .restitution = touch.restitution,
             .dt = dt,
             .turns = turns(pair.body_a, j.a, touch.size) || turns(pair.body_b, j.b, touch.size)};
@@ -200,10 +202,12 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
     const collision::Touch& touch = *contact.touch;
     const collision::ContactPoint& point = touch.points[static_cast<std::size_t>(contact.point)];
     std::construct_at(&row);
-    write_contact_row(at, touch.normal, point.gap, choices_.correction, choices_.slop * touch.size, dt, row);
+    const double slop = choices_.slop * touch.size;
+    write_contact_row(at, touch.normal, point.gap, choices_.correction, slop, dt, row);
     if (restitution_ && touch.restitution > 0.0) {
-        const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, dt));
+        const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, slop, dt));
         row.push = rebound.push;
+        if (row.push.lasting < 0.0) row.error = point.gap;  // it does not aim at rest
         row.bounds.in_momenta = rebound.in_momenta;
     }
     row.label.point = contact.point;
@@ -296,7 +300,8 @@ void ContactConstraints::find_motions(const StepStart& step) {
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
                                         const StepStart& step, std::span<const Motion> paths,
                                         RowList& rows) {
-    const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.threads);
+    const std::span<const ContactIndex> in_order =
+        order.put(choices_.order, touches, step.bodies, step.up, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
     number_rows(contacts, rows.size());
     const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));

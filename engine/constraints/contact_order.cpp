@@ -30,11 +30,11 @@ double rounded(double height, double size) {
     return quantum * std::floor(height / quantum + (1.0 - rounds_up_at));
 }
 
-double height_of(const collision::Touch& touch, std::span<const Body> bodies) {
+double height_of(const collision::Touch& touch, std::span<const Body> bodies, const Vector3& up) {
     double lowest = infinity;
     for (const int index : {touch.body_a, touch.body_b}) {
         const Body& body = bodies[static_cast<std::size_t>(index)];
-        if (!body.is_static()) lowest = std::min(lowest, body.position.y());
+        if (!body.is_static()) lowest = std::min(lowest, up.dot(body.position));
     }
     return rounded(lowest, touch.size);
 }
@@ -53,7 +53,7 @@ bool ContactOrder::before(const Key& a, const Key& b) {
 }
 
 std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
-                                                std::span<const Body> bodies, Threads* threads) {
+                                                std::span<const Body> bodies, const Vector3& up, Threads* threads) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
     // Start from the order of the last call, which changes little while bodies rest.
     if (keys_.size() != touches.size()) {
@@ -63,7 +63,7 @@ std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const 
     share(threads, keys_.size(), keys_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (Key& key : std::span(keys_).subspan(begin, end - begin)) {
             const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
-            key.height = by_height ? height_of(touch, bodies) : 0.0;
+            key.height = by_height ? height_of(touch, bodies, up) : 0.0;
             key.on_movable = by_height && !rests_on_static(touch, bodies);
         }
     });

@@ -11,7 +11,8 @@
 namespace pushfactor::engine {
 
 enum class RowOrder {
-    bottom_up,      // pairs by the height of their lower movable body; per point normal, tangent, tangent
+    bottom_up,      // pairs by the height of their lower movable body, those with a static body first; per point
+                    // normal, tangent, tangent
     reverse,        // pairs in descending order of creation, points descending; normal, tangent, tangent
     creation,       // pairs in order of creation; per point normal, tangent, tangent
     normals_first,  // bottom-up, all normals before all tangents
@@ -26,10 +27,10 @@ struct ContactIndex {
 class ContactOrder {
   public:
     // All points of `touches` (in order of creation, as from the detector) in the given order; valid until the
-    // next call. Height is along world y, rounded to a fraction of the size of the pair. `threads` share the
-    // work; null: one thread.
+    // next call. Height is along `up` (unit length, world frame), rounded to a fraction of the size of the pair; if
+    // `up` is zero, because there is no gravity, all heights are equal. `threads` share the work; null: one thread.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
-                                      std::span<const Body> bodies, Threads* threads = nullptr);
+                                      std::span<const Body> bodies, const Vector3& up, Threads* threads = nullptr);
 
   private:
     struct Key {

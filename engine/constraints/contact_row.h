@@ -17,6 +17,12 @@
 
 namespace pushfactor::engine {
 
+// Gap [m] up to which a point counts as touching and its row aims at rest. Closing gaps of rounding size would
+// shake bodies that are placed in contact.
+inline double touching_gap(double slop) {
+    return 1e-3 * slop;
+}
+
 // Writes the row into a default-constructed `row`. `gap` and `slop` in metres.
 void write_contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
                        double slop, double dt, ConstraintRow& row);

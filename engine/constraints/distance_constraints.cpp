@@ -72,7 +72,10 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
     const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a;
     const double length = p_ab.norm();
-    const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3::UnitY();
+    // Points at one place may part in any direction: one that turns with the scene.
+    const Vector3 n =
+        length > 0.0 ? Vector3(p_ab / length)
+                     : Vector3(bodies[static_cast<std::size_t>(distance.body_a)].orientation * Vector3::UnitY());
     const double error = length - distance.length;
 
     ConstraintRow& row = rows.emplace_back();

@@ -14,19 +14,25 @@ Rebound larger(const PushFactor& push, double first, double last) {
     return {.push = {.correcting = first - last, .lasting = last}};
 }
 
+// The gap may be closed within the step.
+PushFactor closing(const Impact& impact) {
+    return {.correcting = 0.0, .lasting = -impact.gap / impact.dt};
+}
+
 }  // namespace
 
 Rebound restitution_sum(const PushFactor& push, const Impact& impact) {
     const double rebound = std::max(0.0, -impact.restitution * impact.speed);
     if (impact.gap <= 0.0) return {.push = {.correcting = push.correcting, .lasting = push.lasting + rebound}};
+    if (rebound == 0.0) return {.push = push};
     const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
-    return {.push = meets && rebound > 0.0 ? PushFactor{.correcting = 0.0, .lasting = rebound} : push};
+    return {.push = meets ? PushFactor{.correcting = 0.0, .lasting = rebound} : closing(impact)};
 }
 
 Rebound restitution_larger(const PushFactor& push, const Impact& impact) {
     const double a = impact.acceleration;
     const double dt = impact.dt;
-    const double least = impact.weight * dt;
+    const double least = std::max(impact.weight * dt, std::sqrt(2.0 * impact.weight * impact.touching));
     if (impact.speed > least) return {.push = push, .in_momenta = false};
     const double gap = std::max(0.0, impact.gap);
     const double before = impact.speed + 0.5 * a * dt;  // at the start of the step (v1 is half a step earlier)
@@ -35,7 +41,8 @@ Rebound restitution_larger(const PushFactor& push, const Impact& impact) {
     if (squared < 0.0 || at_contact - before <= 0.0) return {.push = push};
     const double tau = 2.0 * gap / (at_contact - before);
     const double rebound = impact.restitution * at_contact;
-    if (tau >= dt || rebound <= least) return {.push = push};
+    if (rebound <= least) return {.push = push};
+    if (tau >= dt) return {.push = gap > 0.0 ? closing(impact) : push};
 
     // squared, at the height of the start of the step on the way up
     const double up_here = rebound * rebound + 2.0 * a * gap;

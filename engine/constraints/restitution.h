@@ -21,6 +21,7 @@ struct Impact {
     double acceleration = 0.0;  // j_c M^-1 f_ext, m/s^2
     double weight = 0.0;        // m/s^2, >= 0: larger of the accelerations of both bodies by f_ext
     double gap = 0.0;           // m
+    double touching = 0.0;      // m, >= 0: gap up to which the point counts as touching, see contact_row.h
     double restitution = 0.0;   // epsilon of the pair
     double dt = 0.0;            // s
     // The impulse turns a body with unequal moments of inertia, whose energy then depends on its orientation.
@@ -34,12 +35,17 @@ struct Rebound {
 };
 using RestitutionRule = Rebound (*)(const PushFactor& push, const Impact& impact);
 
+// In both rules a separated point that approaches and bounces later, not in this step, may close its gap: it must
+// not be stopped because the gap counts as touching.
+
 // As in 8.2: v_r is added to both columns of a touching point. A separated point that would meet within the
 // step has nothing to correct and aims at v_r alone.
 Rebound restitution_sum(const PushFactor& push, const Impact& impact);
 
-// Each column aims at the larger of its push and the rebound, if the point meets within the step. A rebound
-// slower than the velocity gained by the weight in one step is ignored, so that resting bodies rest.
+// Each column aims at the larger of its push and the rebound, if the point meets within the step. A rebound is
+// ignored, so that resting bodies rest, if it is slower than the velocity gained by the weight in one step, or does
+// not rise above the gap that counts as touching: at 1e-3 of the slop that is sqrt(2 weight touching), 0.2 % of
+// sqrt(weight size) by default. Without weight everything bounces.
 //
 // Flight within a step is the parabola through the positions of 3.2.3, with speed j v1 + a dt/2 at its
 // beginning (the momenta are half a step earlier): the point meets after tau, where gap + v tau + a tau^2/2 =

@@ -53,6 +53,10 @@ class ForceSource {
     // All of them by default.
     virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
 
+    // The acceleration [m/s^2, world frame] that the source gives to all bodies alike; zero if it does not. Rows
+    // are ordered along it, from the bottom up.
+    virtual Vector3 gravity() const { return Vector3::Zero(); }
+
     // Whether the forces of the source do not change when `body` turns about its centre (ConstraintSource has the
     // same for rows).
     virtual bool turns_unseen(int /*body*/) const { return false; }

@@ -11,6 +11,7 @@ class Gravity : public ForceSource {
     void add_forces(const ForcedBodies& bodies, double time) override;
     SomeBodies pushed_anew(double, double) const override { return {}; }
     bool turns_unseen(int) const override { return true; }
+    Vector3 gravity() const override { return acceleration_; }
 
   private:
     Vector3 acceleration_;

@@ -17,10 +17,43 @@ constexpr int most_halvings = 3;
 constexpr double most_crossing = 0.2;
 // Least share of the bodies on either side of a plane.
 constexpr double least_share = 0.25;
+// Distance from a plane up to which bodies are on one vertical line in it, as a share of the extent of the island:
+// less than a body's size and far above rounding.
+constexpr double one_line = 1e-3;
+// The sum of the external forces has a direction if it is larger than this share of the sum of their norms.
+constexpr double least_force = 1e-6;
 
 // Replaces non-finite coordinates, so that there is a strict order.
-double finite(double place) {
-    return std::isfinite(place) ? place : 0.0;
+Vector3 finite(const Vector3& position) {
+    return position.unaryExpr([](double place) { return std::isfinite(place) ? place : 0.0; });
+}
+
+// Unit length; zero if the forces are none or cancel each other.
+Vector3 vertical_of(std::span<const Body> bodies, const Island& island) {
+    Vector3 sum = Vector3::Zero();
+    double norms = 0.0;
+    for (const int body : island.bodies) {
+        const Vector3& force = bodies[at(body)].force;
+        sum += force;
+        norms += force.norm();
+    }
+    const double norm = sum.norm();
+    return norm > least_force * norms ? Vector3(sum / norm) : Vector3(Vector3::Zero());
+}
+
+// Unit vector in the direction of the largest eigenvalue of a symmetric, positive semidefinite matrix, by powers of
+// it; the sign is arbitrary. Zero for a matrix of zeros.
+Vector3 main_direction(Matrix3 matrix) {
+    constexpr int squarings = 30;  // tells eigenvalues apart that differ by 1e-8
+    for (int k = 0; k < squarings; ++k) {
+        const double trace = matrix.trace();
+        if (!(trace > 0.0)) return Vector3::Zero();
+        matrix /= trace;
+        matrix = Matrix3(matrix * matrix);
+    }
+    Eigen::Index longest = 0;
+    matrix.diagonal().maxCoeff(&longest);
+    return matrix.col(longest).normalized();
 }
 
 int halvings_for(int rows) {
@@ -39,11 +72,7 @@ int parts_below(int height, int halvings) {
 void Dissection::cut(std::span<const Body> bodies, const Island& island) {
     int halvings = island.rows < least_rows || island.follows_others ? 0 : halvings_for(island.rows);
     if (halvings > 0) {
-        spots_.clear();
-        for (int k = 0; k < island.movable(); ++k) {
-            const Vector3& position = bodies[at(island.bodies[at(k)])].position;
-            spots_.push_back({{finite(position.x()), finite(position.z())}, k});
-        }
+        find_spots(bodies, island);
         leaf_of_.resize(spots_.size());
     }
     while (halvings > 0 && !(halve(0, island.movable(), halvings, 0) && put_runs(island, halvings))) --halvings;
@@ -62,29 +91,55 @@ void Dissection::leave_whole(const Island& island) {
     rounds_.assign(1, {});
 }
 
-// The vertical axis is y, as in the order of rows (contact_order.h). Bodies on one vertical line stay on one side
-// of a plane, so that towers are not cut. Returns whether there are planes that bisect well enough.
+void Dissection::find_spots(std::span<const Body> bodies, const Island& island) {
+    const Vector3 vertical = vertical_of(bodies, island);
+    const Vector3 origin = finite(bodies[at(island.bodies.front())].position);
+    spots_.clear();
+    reach_ = 0.0;
+    for (int k = 0; k < island.movable(); ++k) {
+        const Vector3 position = finite(bodies[at(island.bodies[at(k)])].position) - origin;
+        reach_ = std::max(reach_, position.norm());
+        spots_.push_back({.position = position - vertical.dot(position) * vertical, .body = k});
+    }
+}
+
+// The main axis of the bodies' positions, away from the body of the lowest number. Bodies weigh by their numbers,
+// so that symmetric scenes have one too.
+Vector3 Dissection::long_axis(std::span<const Spot> spots) {
+    Vector3 sum = Vector3::Zero();
+    double weights = 0.0;
+    const Spot* lowest = &spots.front();
+    for (const Spot& spot : spots) {
+        const double weight = spot.body + 1;
+        sum += weight * spot.position;
+        weights += weight;
+        if (spot.body < lowest->body) lowest = &spot;
+    }
+    const Vector3 mean = sum / weights;
+    Matrix3 spread = Matrix3::Zero();
+    for (const Spot& spot : spots) {
+        const Vector3 offset = spot.position - mean;
+        spread += (spot.body + 1) / weights * offset * offset.transpose();
+    }
+    const Vector3 axis = main_direction(spread);
+    return axis.dot(lowest->position - mean) > 0.0 ? Vector3(-axis) : axis;
+}
+
+// Bodies on one vertical line stay on one side of a plane, so that towers are not cut. Returns whether there are
+// planes that bisect well enough.
 bool Dissection::halve(int begin, int end, int halvings, int leaf) {
     const auto first = spots_.begin() + begin, last = spots_.begin() + end;
     if (halvings == 0) {
         for (auto spot = first; spot != last; ++spot) leaf_of_[at(spot->body)] = leaf;
         return true;
     }
-    const auto extent = [&](std::size_t axis) {
-        double low = infinity, high = -low;
-        for (auto spot = first; spot != last; ++spot) {
-            low = std::min(low, spot->place[axis]);
-            high = std::max(high, spot->place[axis]);
-        }
-        return high - low;
-    };
-    const std::size_t axis = extent(0) >= extent(1) ? 0 : 1;
+    const Vector3 axis = long_axis({first, last});
+    for (auto spot = first; spot != last; ++spot) spot->place = axis.dot(spot->position);
     const auto half = (end - begin) / 2;
-    std::nth_element(first, first + half, last,
-                     [axis](const Spot& a, const Spot& b) { return a.place[axis] < b.place[axis]; });
-    const double plane = (first + half)->place[axis];
-    const auto is_before = [=](const Spot& spot) { return spot.place[axis] < plane; };
-    const auto is_not_behind = [=](const Spot& spot) { return spot.place[axis] <= plane; };
+    std::nth_element(first, first + half, last, [](const Spot& a, const Spot& b) { return a.place < b.place; });
+    const double plane = (first + half)->place, line = one_line * reach_;
+    const auto is_before = [=](const Spot& spot) { return spot.place < plane - line; };
+    const auto is_not_behind = [=](const Spot& spot) { return spot.place <= plane + line; };
     const auto before = std::count_if(first, last, is_before),
                not_behind = std::count_if(first, last, is_not_behind);
     const bool takes_line = not_behind - half < half - before;

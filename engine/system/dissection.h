@@ -1,10 +1,12 @@
 // Nested dissection (George 1973): cuts a large island into parts that threads can work on concurrently.
 //
-// Vertical planes bisect the bodies, then each half, and so on. Rows between bodies of one leaf touch no other
-// leaf; a row across a plane belongs to that plane. So the rows of all leaves can be processed concurrently, then
-// those of all planes of the lowest level, and so on up to the one plane through the whole island. This changes
-// only the order of the rows, and depends only on the positions of the bodies, so results do not depend on the
-// number of threads.
+// Vertical planes across the longest extent bisect the bodies, then each half, and so on. Vertical is the sum of
+// the external forces on the island; without any there is no such direction, and the planes are only across the
+// longest extent. So nothing depends on the axes of the world. Rows between bodies of one leaf touch no other leaf;
+// a row across a plane belongs to that plane. So the rows of all leaves can be processed concurrently, then those
+// of all planes of the lowest level, and so on up to the one plane through the whole island. This changes only the
+// order of the rows, and depends only on the positions of the bodies, so results do not depend on the number of
+// threads.
 //
 // Within a part the order is that of the step: since the planes are vertical, load still travels through a heap
 // from the bottom up in one sweep, and sweeps converge as fast as before. A colouring, which groups rows without
@@ -15,7 +17,6 @@
 #include "engine/bodies/body.h"
 #include "engine/system/islands.h"
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -41,8 +42,9 @@ class Dissection {
     // Number of rows from which on an island is cut.
     static constexpr int least_rows = 2000;
 
-    // Cuts `island` by the positions of `bodies` (of the world). An island that is small, too narrow for vertical
-    // cuts, or has rows whose bounds follow rows of other bodies becomes one part in its original order.
+    // Cuts `island` by the positions of `bodies` (of the world, with the external forces). An island that is small,
+    // too narrow for vertical cuts, or has rows whose bounds follow rows of other bodies becomes one part in its
+    // original order.
     void cut(std::span<const Body> bodies, const Island& island);
 
     // The cut island, with bodies and runs in the new order; rows keep their indices in the step. Its runs do not
@@ -85,13 +87,16 @@ class Dissection {
         }
     }
 
-    // A movable body of the island and its position in the horizontal plane [m].
+    // A movable body of the island.
     struct Spot {
-        std::array<double, 2> place;
-        int body;  // old number
+        Vector3 position;    // m, from the first body, without its vertical part
+        int body;            // old number
+        double place = 0.0;  // m, across the plane that is being placed
     };
 
+    void find_spots(std::span<const Body> bodies, const Island& island);
     void leave_whole(const Island& island);
+    static Vector3 long_axis(std::span<const Spot> spots);
     bool halve(int begin, int end, int halvings, int leaf);
     void put_bodies(const Island& island, int halvings);
     bool put_runs(const Island& island, int halvings);
@@ -104,6 +109,7 @@ class Dissection {
     std::vector<Part> parts_;  // of all rounds
     std::vector<Round> rounds_;
     std::vector<Spot> spots_;
+    double reach_ = 0.0;        // m, of the farthest body from the first one
     std::vector<int> leaf_of_;  // by old number of a movable body
     std::vector<int> number_;   // new number, by old one
     std::vector<int> part_of_;  // by old index of a run

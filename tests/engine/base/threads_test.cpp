@@ -293,6 +293,53 @@ TEST_CASE("what is narrow, small, or has rows that follow those of other bodies 
     CHECK(dissection.part_count() == 1);
 }
 
+namespace {
+
+// The bodies of each part, in order.
+std::vector<std::vector<int>> leaves_of(const Heap& heap) {
+    Islands islands;
+    islands.find(heap.frozen.system);
+    Dissection dissection;
+    dissection.cut(heap.bodies, islands.all().front());
+    std::vector<std::vector<int>> leaves;
+    for (const Dissection::Leaf& leaf : dissection.leaves()) {
+        const auto bodies = dissection.island().bodies.subspan(static_cast<std::size_t>(leaf.begin),
+                                                               static_cast<std::size_t>(leaf.end - leaf.begin));
+        leaves.emplace_back(bodies.begin(), bodies.end());
+    }
+    return leaves;
+}
+
+Heap turned(Heap heap, const Quaternion& turn, const Vector3& shift, double force) {
+    for (Body& body : heap.bodies) {
+        body.position = turn * body.position + shift;
+        body.force = force * (turn * body.force);
+    }
+    return heap;
+}
+
+}  // namespace
+
+TEST_CASE("the cuts of an island turn with it and with its forces, also where it is regular, and without forces") {
+    Random random(12);
+    for (const bool regular : {false, true}) {
+        for (const double force : {1.0, 0.0}) {
+            Heap scene = heap(5, 14, 14);
+            if (regular) {  // columns of four in a square
+                for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+                    scene.bodies[i].position = scene.bodies[i].position.array().round();
+                }
+            }
+            const auto expected = leaves_of(turned(scene, Quaternion::Identity(), {0, 0, 0}, force));
+            REQUIRE(expected.size() >= 4);
+            for (int i = 0; i < 10; ++i) {
+                INFO("regular " << regular << ", force " << force << ", turn " << i);
+                CHECK(leaves_of(turned(scene, random.rotation(), random.vector(-5, 5), force)) == expected);
+            }
+        }
+    }
+}
+
 TEST_CASE("small steps of a heap have the bits of one thread on any number of them") {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         for (const bool follows_others : {false, true}) {

@@ -30,7 +30,7 @@ struct Tower {
     std::string order(RowOrder by) const {
         ContactOrder contacts;
         std::string text;
-        for (const ContactIndex& c : contacts.put(by, touches, bodies)) {
+        for (const ContactIndex& c : contacts.put(by, touches, bodies, Vector3::UnitY())) {
             text += std::to_string(c.touch) + (c.point == 0 ? "a " : "b ");
         }
         return text;
@@ -49,13 +49,15 @@ TEST_CASE("the row orders are what their names say") {
 
 namespace {
 
-// The orders of a layer of 100 cubes of this size side by side on the ground, with the given heights.
-std::string order_of_layer(double size, double height, const std::function<double()>& jitter) {
+// The order of a layer of 100 cubes of this size side by side on the ground, with the given heights, all turned.
+std::string order_of_layer(double size, double height, const std::function<double()>& jitter,
+                           const Quaternion& turn = Quaternion::Identity(), bool gravity = true) {
+    const Vector3 up = gravity ? Vector3(turn * Vector3::UnitY()) : Vector3(Vector3::Zero());
     std::vector<Body> bodies{static_body(Vector3::Zero())};
     std::vector<collision::Touch> touches;
     for (int i = 0; i < 100; ++i) {
-        bodies.push_back(
-            box_body(1, size * Vector3::Ones(), {size * (i % 10), size * (height + jitter()), size * (i / 10)}));
+        const Vector3 position(size * (i % 10), size * (height + jitter()), size * (i / 10));
+        bodies.push_back(box_body(1, size * Vector3::Ones(), turn * position));
     }
     for (int i = 1; i <= 100; ++i) touches.push_back(Tower::touch(0, i));
     for (int i = 1; i < 100; ++i) {
@@ -64,7 +66,7 @@ std::string order_of_layer(double size, double height, const std::function<doubl
     for (collision::Touch& touch : touches) touch.size = size;
     ContactOrder contacts;
     std::string text;
-    for (const ContactIndex& c : contacts.put(RowOrder::bottom_up, touches, bodies)) {
+    for (const ContactIndex& c : contacts.put(RowOrder::bottom_up, touches, bodies, up)) {
         text += std::to_string(c.touch) + " ";
     }
     return text;
@@ -87,4 +89,19 @@ TEST_CASE("rounding does not decide the order of a layer: ground first, then pai
     // Heights in a resting layer differ by slop and tolerance; cubes a tenth higher are above it.
     CHECK(order_of_layer(1.0, 0.5, [&] { return random.in(-1e-3, 1e-3); }) == expected);
     CHECK(order_of_layer(1.0, 0.5, [&] { return random.in(-0.1, 0.1); }) != expected);
+}
+
+TEST_CASE("the order of rows turns with gravity, and without gravity it is that in which pairs were made") {
+    pushfactor::tests::Random random(75);
+    const auto uneven = [] {
+        return [random = pushfactor::tests::Random(3)]() mutable { return random.in(-0.1, 0.1); };
+    };
+    const std::string expected = order_of_layer(1.0, 0.5, uneven());
+    const std::string as_made = order_of_layer(1.0, 0.5, [] { return 0.0; });
+    REQUIRE(expected != as_made);
+    for (int i = 0; i < 20; ++i) {
+        const Quaternion turn = random.rotation();
+        CHECK(order_of_layer(1.0, 0.5, uneven(), turn) == expected);
+        CHECK(order_of_layer(1.0, 0.5, uneven(), turn, false) == as_made);
+    }
 }

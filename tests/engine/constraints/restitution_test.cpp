@@ -238,6 +238,75 @@ TEST_CASE("elastic balls that fly about in a box make no energy of many collisio
     }
 }
 
+// In the last millimetre a slow ball takes many steps to close what counts as touching.
+TEST_CASE("without gravity any approach bounces, however slow, large or finely divided") {
+    for (const double epsilon : {0.5, 1.0}) {
+        for (const double radius : {0.01, 1.0, 100.0}) {
+            for (const double speed : {1e-6, 1e-4, 1e-2}) {  // radii per second
+                for (const double step : {1.0 / 60.0, 1e-3, 1e-4}) {
+                    ContactScene scene;
+                    const double gap = 300.5 * step * speed * radius;
+                    scene.add_ball(radius, {0, 0, 0}, {speed * radius, 0, 0},
+                                   {.friction = 0, .restitution = epsilon});
+                    scene.add_ball(radius, {2.0 * radius + gap, 0, 0}, {0, 0, 0}, {.friction = 0});
+                    scene.build({0, 0, 0});
+                    scene.world.termination.tolerance_high = scene.world.termination.tolerance_low = 1e-16;
+                    for (int i = 0; i < 900; ++i) scene.world.step(step);
+                    INFO("epsilon " << epsilon << ", radius " << radius << ", " << speed << ", step " << step);
+                    CHECK(velocity(scene.world.bodies[1]).x() ==
+                          Approx(0.5 * (1.0 + epsilon) * speed * radius).epsilon(1e-6));
+                    CHECK(velocity(scene.world.bodies[0]).x() ==
+                          Approx(0.5 * (1.0 - epsilon) * speed * radius).margin(1e-6 * speed * radius));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a smaller step loses no bounce, down to one as high as the gap that counts as touching") {
+    const double radius = 0.1, touching = 1e-3 * 0.002 * 2.0 * radius;
+    for (const double height : {0.5 * touching, 4.0 * touching, 100.0 * touching, 1e4 * touching}) {
+        for (const double share : {0.2, 0.02, 0.002}) {  // of the time of the fall
+            const double falls = std::sqrt(2.0 * height / 10.0), step = share * falls;
+            ContactScene scene;
+            scene.add_ground({.friction = 0, .restitution = 1.0});
+            scene.add_ball(radius, {0, radius + height, 0}, {0, 0, 0}, {.friction = 0});
+            scene.build();
+            scene.world.kick_back_half(step);
+            double highest = 0.0;  // after the bounce
+            while (scene.world.time() < 3.0 * falls) {
+                scene.world.step(step);
+                if (scene.world.time() > 1.3 * falls)
+                    highest = std::max(highest, scene.world.bodies[1].position.y() - radius);
+            }
+            INFO("height " << height << ", share " << share);
+            if (height > touching) {
+                CHECK(highest == Approx(height).epsilon(0.05));
+            } else {
+                CHECK(highest < 1.001 * height);
+                CHECK(velocity(scene.world.bodies[1]).norm() < 10.0 * 3.0 * falls);
+            }
+        }
+    }
+}
+
+// Their rebounds meet each other within a step, which leaves speeds of some steps of weight.
+TEST_CASE("a stack of elastic cubes that falls comes to rest, the more the smaller the steps are") {
+    for (const double step : {1.0 / 60.0, 1.0 / 1000.0, 1.0 / 5000.0}) {
+        ContactScene scene;
+        scene.add_ground({.friction = 0.5, .restitution = 0.5});
+        for (int i = 0; i < 4; ++i) {
+            scene.add_box(Vector3::Constant(0.5), {0, 0.25 + 0.05 + 0.55 * i, 0}, {0, 0, 0},
+                          {.friction = 0.5, .restitution = 0.5});
+        }
+        scene.build();
+        while (scene.world.time() < 2.0) scene.world.step(step);
+        INFO("step " << step);
+        CHECK(max_speed(scene.world.bodies) < 6.0 * 10.0 * step);
+        if (step == 1.0 / 5000.0) CHECK(max_speed(scene.world.bodies) < 1e-6);
+    }
+}
+
 TEST_CASE("a stack of elastic cubes that lies on the ground stays there") {
     ContactScene scene;
     scene.add_ground();
