@@ -1,5 +1,5 @@
-// Judges random scenes, members of the families, or given scene files. Exit status: 0 all hold, 1 interrupted, 2
-// wrong usage, 3 some fail, 4 a failure could not be written.
+// Judges random scenes, members of the families, pairs that pass or touch, falls of thin bodies, or given scene
+// files. Exit status: 0 all hold, 1 interrupted, 2 wrong usage, 3 some fail, 4 a failure could not be written.
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/scenes/scene_file.h"
@@ -8,6 +8,7 @@
 #include "tests/fuzz/family_campaign.h"
 #include "tests/fuzz/family_page.h"
 #include "tests/fuzz/meeting_campaign.h"
+#include "tests/fuzz/thin_falls.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ struct OptionTexts {
     std::vector<std::filesystem::path> files;
     FamilyRequest families;
     bool page = false;
-    long meetings = 0;
+    long meetings = 0, thin_falls = 0;
 };
 
 void report(const Failure& failure, const std::filesystem::path& folder) {
@@ -133,6 +134,33 @@ int fuzz_meetings(const OptionTexts& options) {
     return static_cast<long>(judged.size()) < 2 * options.meetings ? demos::run_failed : demos::done;
 }
 
+void report(const JudgedFall& judged, const std::filesystem::path& folder) {
+    demos::make_folder(folder);
+    const std::filesystem::path file = folder / (judged.fall.scene.name + ".json");
+    demos::write_file(file, demos::scene_file_text(judged.fall.scene));
+    fmt::print("{}: {:.2f} thicknesses deep in step {}{}\n  {}\n", judged.fall.scene.name, judged.deepest,
+               judged.step, judged.error.empty() ? "" : "; " + judged.error, file.string());
+}
+
+int fuzz_thin_falls(const OptionTexts& options) {
+    demos::note_interrupts();
+    demos::ProgressBar bar("falls", options.thin_falls);
+    const std::vector<JudgedFall> judged =
+        judge_thin_falls(options.thin_falls, options.seed, options.families.preset, [&](long done) {
+            bar.show(done);
+            return !is_interrupted();
+        });
+    bool all_hold = true;
+    for (const JudgedFall& one : judged) {
+        if (one.holds()) continue;
+        all_hold = false;
+        report(one, options.out);
+    }
+    fmt::print("{}", thin_fall_table(judged));
+    if (!all_hold) return demos::check_failed;
+    return static_cast<long>(judged.size()) < options.thin_falls ? demos::run_failed : demos::done;
+}
+
 bool holds(const std::filesystem::path& file) {
     const Verdict verdict = judge(demos::read_scene_file(file));
     const std::string text =
@@ -147,6 +175,7 @@ int run(const OptionTexts& options) {
     try {
         if (options.families.members > 0) return judge_families(options);
         if (options.meetings > 0) return fuzz_meetings(options);
+        if (options.thin_falls > 0) return fuzz_thin_falls(options);
         if (options.files.empty()) return fuzz(options);
         const auto failing = std::count_if(options.files.begin(), options.files.end(),
                                            [](const auto& file) { return !holds(file); });
@@ -179,7 +208,10 @@ int main(int argc, char** argv) {
     app.add_option("--meetings", options.meetings,
                    "judge this number of pairs that pass, and as many that touch, instead")
         ->check(CLI::Range(1L, 1'000'000'000L));
-    app.add_option("--preset", families.preset, "preset of the runs of members and pairs")
+    app.add_option("--thin-falls", options.thin_falls,
+                   "judge this number of falls of rods, plates and coins instead")
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--preset", families.preset, "preset of the runs of members, pairs and falls")
         ->check(CLI::IsMember({"default", "exact", "paper"}))
         ->capture_default_str();
     app.add_option("--most-bodies", families.most_bodies, "most bodies of a member")->capture_default_str();
