@@ -185,6 +185,45 @@ Wait longest_wait(const Placed& pair, double rest, double& largest_gap) {
     return longest < 0.0 ? Wait{} : wait_along(pair, best, rest);
 }
 
+// The direction between the closest corners or corner and edge: where those are what is closest, no separating axis has
+// all of the distance.
+Vector3 between_corners(const PlacedHull& a, const PlacedHull& b) {
+    double least = never;
+    Vector3 best = Vector3::Zero();
+    const auto search = [&](const PlacedHull& of_corners, const PlacedHull& of_edges, double way) {
+        const auto place = [](const PlacedHull& hull, int vertex) -> Vector3 {
+            return hull.pose().position + hull.pose().rotation * hull.hull().vertex(vertex);
+        };
+        for (int corner = 0; corner < static_cast<int>(of_corners.hull().vertices.size()); ++corner) {
+            const Vector3 point = place(of_corners, corner);
+            for (const HullEdge& edge : of_edges.hull().edges) {
+                const Vector3 from = place(of_edges, edge.from), along = of_edges.pose().rotation * edge.direction;
+                const double share = std::clamp(along.dot(point - from), 0.0, edge.length);
+                const Vector3 offset = from + share * along - point;
+                if (offset.squaredNorm() >= least) continue;
+                least = offset.squaredNorm();
+                best = way * offset;
+            }
+        }
+    };
+    search(a, b, 1.0);
+    search(b, a, -1.0);
+    return best.normalized();
+}
+
+Wait wait_between_corners(const Placed& pair, double rest) {
+    const auto wait = [&](const auto& a, const auto& b) {
+        const Vector3 normal = between_corners(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b));
+        return wait_along(pair, {normal}, rest);
+    };
+    return std::visit(Overloaded{[&](const Box& a, const Box& b) { return wait(a, b); },
+                                 [&](const Box& a, const Polyhedron& b) { return wait(a, b); },
+                                 [&](const Polyhedron& a, const Box& b) { return wait(a, b); },
+                                 [&](const Polyhedron& a, const Polyhedron& b) { return wait(a, b); },
+                                 [](const auto&, const auto&) { return Wait{}; }},
+                      pair.a.shape, pair.b.shape);
+}
+
 // Upper bound on the speed of points of the shapes towards each other, m/s.
 double fastest(const Placed& pair) {
     const auto turning = [](const Moving& moving) {
@@ -258,7 +297,9 @@ Course course_of(const Moving& a, const Moving& b, double dt, double tolerance) 
         serves = most_served;
         if (largest_gap > tolerance) continue;
         if (has_points(pair, 2.0 * tolerance)) return {.time = time};
-        // A corner beside a corner: close along all axes, but without points.
+        // Close along all axes, but without points.
+        wait = wait_between_corners(pair, dt - time);
+        if (wait.gap > tolerance) continue;
         wait.time = std::max(wait.time, tolerance / fastest(pair));
         serves = 0;
     }

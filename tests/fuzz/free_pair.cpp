@@ -29,8 +29,18 @@ double turns_of(const Body& body, double dt) {
                     std::ceil(body.angular_momentum.norm() * body.inverse_inertia.maxCoeff() * dt / largest_turn));
 }
 
+// rad/s, of the uniform turn that ends where the engine's step does; of more than half a turn the other way round
+// would be shorter, so there it is that of the start.
+Vector3 steady_spin(const Body& body, double dt) {
+    const Vector3 spin = angular_velocity(body);
+    if (dt * spin.norm() > 3.0) return spin;
+    const Quaternion end = engine::rotate_by_small_turns(body, body.angular_momentum, dt);
+    const Eigen::AngleAxisd turn(end * body.orientation.conjugate());
+    return (turn.angle() / dt) * turn.axis();
+}
+
 Quaternion turned(const Body& body, double time, double dt, Turning turning) {
-    if (turning == Turning::steady) return engine::exponential(time * angular_velocity(body)) * body.orientation;
+    if (turning == Turning::steady) return engine::exponential(time * steady_spin(body, dt)) * body.orientation;
     const double turns = turns_of(body, dt);
     Body now = body;
     for (double turn = 0.0; turn < turns; ++turn) {
@@ -42,8 +52,8 @@ Quaternion turned(const Body& body, double time, double dt, Turning turning) {
 // rad^2/s^2, of the fastest turning within the step: exact if it is steady, else by samples, with half as much
 // again.
 double fastest_turning(const Body& body, double dt, Turning turning) {
+    if (turning == Turning::steady) return steady_spin(body, dt).squaredNorm();
     double fastest = angular_velocity(body).squaredNorm();
-    if (turning == Turning::steady) return fastest;
     for (int i = 1; i <= 8; ++i) {
         fastest = std::max(fastest, angular_velocity(moved(body, i * dt / 8.0, dt, turning)).squaredNorm());
     }

@@ -164,7 +164,7 @@ Vector3 axis_between(const BoxAxis& axis, const Pose& pose_a, const Pose& pose_b
 
 // Adds the point midway between the closest points of the two edges that face each other along the axis.
 void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, const BoxAxis& axis,
-                 Manifold& manifold) {
+                 double margin, Manifold& manifold) {
     const Vector3 edge_a = pose_a.rotation.col(axis.of_a);
     const Vector3 edge_b = pose_b.rotation.col(axis.of_b);
     const Vector3 normal = axis_between(axis, pose_a, pose_b);
@@ -191,8 +191,9 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     const double half_a = a.half_size[axis.of_a], half_b = b.half_size[axis.of_b];
     manifold.normal = normal;
     const auto edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
-    manifold.add({midway_between({corner_a, edge_a, -half_a, half_a}, {corner_b, edge_b, -half_b, half_b}),
-                  axis.gap, (1u << 16) + edges * 64u + which});
+    const EdgePoints points = closest_points({corner_a, edge_a, -half_a, half_a}, {corner_b, edge_b, -half_b, half_b});
+    const double gap = gap_between(points, axis.gap);
+    if (gap < margin) manifold.add({points.middle(), gap, (1u << 16) + edges * 64u + which});
 }
 
 // Collides the boxes along one axis.
@@ -207,7 +208,7 @@ void collide_along(const BoxAxis& axis, const Box& a, const Pose& pose_a, const 
         const Face face{axis.of_b, -sign_of(pose_b.rotation.col(axis.of_b).dot(offset))};
         clip_faces(b, pose_b, face, a, pose_a, true, tolerance, margin, manifold);
     } else {
-        cross_edges(a, pose_a, b, pose_b, axis, manifold);
+        cross_edges(a, pose_a, b, pose_b, axis, margin, manifold);
     }
 }
 

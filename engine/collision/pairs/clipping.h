@@ -64,17 +64,27 @@ struct EdgeSpan {
     double low, high;
 };
 
-// The point midway between the closest points of two edges that are not parallel (parallel_edges).
-inline Vector3 midway_between(const EdgeSpan& a, const EdgeSpan& b) {
+// The closest points of two edges that are not parallel (parallel_edges).
+struct EdgePoints {
+    Vector3 on_a, on_b;
+
+    Vector3 middle() const { return 0.5 * (on_a + on_b); }
+};
+
+inline EdgePoints closest_points(const EdgeSpan& a, const EdgeSpan& b) {
     const Vector3 between = b.from - a.from;
     const double cosine = a.along.dot(b.along);
     const double denominator = 1.0 - cosine * cosine;
     const double s = (a.along.dot(between) - cosine * b.along.dot(between)) / denominator;
     const double t = (cosine * a.along.dot(between) - b.along.dot(between)) / denominator;
     // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
-    const Vector3 on_a = a.from + a.along * std::clamp(s, a.low, a.high);
-    const Vector3 on_b = b.from + b.along * std::clamp(t, b.low, b.high);
-    return 0.5 * (on_a + on_b);
+    return {a.from + a.along * std::clamp(s, a.low, a.high), b.from + b.along * std::clamp(t, b.low, b.high)};
+}
+
+// The gap of the point between two edges, `gap` along their common normal [m]. Edges that are apart may end before
+// they cross: then they are as far apart as their closest points.
+inline double gap_between(const EdgePoints& points, double gap) {
+    return gap > 0.0 ? std::max(gap, (points.on_b - points.on_a).norm()) : gap;
 }
 
 }  // namespace pushfactor::engine::collision

@@ -139,7 +139,8 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
 }
 
 // Adds the point midway between the closest points of the two edges.
-void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axis, Manifold& manifold) {
+void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axis, double margin,
+                 Manifold& manifold) {
     const HullEdge& edge_a = a.hull().edge(axis.of_a);
     const HullEdge& edge_b = b.hull().edge(axis.of_b);
     const Vector3 from_a = a.pose().position + a.pose().rotation * a.hull().vertex(edge_a.from);
@@ -149,8 +150,11 @@ void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axi
 
     manifold.normal = axis.normal;
     constexpr std::uint32_t of_edges = 511u << 22;  // no face has this number
-    manifold.add({midway_between({from_a, along_a, 0.0, edge_a.length}, {from_b, along_b, 0.0, edge_b.length}),
-                  axis.gap,
+    const EdgePoints points =
+        closest_points({from_a, along_a, 0.0, edge_a.length}, {from_b, along_b, 0.0, edge_b.length});
+    const double gap = gap_between(points, axis.gap);
+    if (gap >= margin) return;
+    manifold.add({points.middle(), gap,
                   of_edges | static_cast<std::uint32_t>(axis.of_a) << 11 | static_cast<std::uint32_t>(axis.of_b)});
 }
 
@@ -162,7 +166,7 @@ void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull
     } else if (axis.of_a < 0) {
         clip_faces(b, axis.of_b, a, true, tolerance, margin, manifold);
     } else {
-        cross_edges(a, b, axis, manifold);
+        cross_edges(a, b, axis, margin, manifold);
     }
 }
 
