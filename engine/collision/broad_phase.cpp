@@ -84,7 +84,8 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
             double path = 0.0;  // of a moved one; one that turns may meet all
             if (step) {
                 const Motion& motion = step->path_of(collider.body);
-                path = motion.angular_velocity.isZero(0.0) ? std::max(0.0, step->dt * up.dot(motion.velocity)) : infinity;
+                path = motion.angular_velocity.isZero(0.0) ? std::max(0.0, step->dt * up.dot(motion.velocity))
+                                                           : infinity;
             }
             planes_.push_back({.point = pose.position + path * up, .up = up, .collider = i});
             continue;
@@ -107,8 +108,9 @@ void BroadPhase::bound(std::span<const Collider> colliders, std::span<const Body
             const Pose& pose = poses[body];
             const double size = size_of(collider.shape);
             Bounds& box = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
-            static_cast<BoundingBox&>(box) = swept_box(collider.shape, pose, step ? step->path_of(collider.body) : Motion{},
-                                                       step ? step->dt : 0.0, margin * size);
+            static_cast<BoundingBox&>(box) =
+                swept_box(collider.shape, pose, step ? step->path_of(collider.body) : Motion{},
+                          step ? step->dt : 0.0, margin * size);
             box.slack = slack_share * size;
             box.collider = i;
             box.body = collider.body;
@@ -258,8 +260,7 @@ void BroadPhase::add_if_near(int index, int other, std::vector<Candidate>& found
 }
 
 std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                             std::span<const Pose> poses, double margin,
-                                             const StepMotions* step) {
+                                             std::span<const Pose> poses, double margin, const StepMotions* step) {
     const Awake all(colliders.size());
     return find_pairs(colliders, bodies, poses, margin, step, all, all.members());
 }

@@ -52,8 +52,7 @@ class BroadPhase {
 
     // The same with nothing at rest.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
-                                     std::span<const Pose> poses, double margin,
-                                     const StepMotions* step = nullptr);
+                                     std::span<const Pose> poses, double margin, const StepMotions* step = nullptr);
 
     // Replaces the bounding box of a finite shape until the next find_pairs().
     void put(int collider, const BoundingBox& box);

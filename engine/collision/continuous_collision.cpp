@@ -41,6 +41,10 @@ double smallest_gap(std::span<const ContactPoint> points) {
     return gap;
 }
 
+bool comes_before(const Touch& touch, const Pair& pair) {
+    return touch.pair < pair;
+}
+
 Moving moving(int collider, const StepScene& scene) {
     const Collider& own = scene.colliders[static_cast<std::size_t>(collider)];
     return {own.shape, scene.poses[static_cast<std::size_t>(own.body)], scene.motions->path_of(own.body)};
@@ -50,7 +54,7 @@ Moving moving(int collider, const StepScene& scene) {
 
 void ContinuousCollision::begin(std::span<const Touch> touches) {
     known_ = touches;
-    seen_.clear();
+    found_.clear();
     points_.clear();
 }
 
@@ -75,22 +79,26 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
 }
 
 const Touch* ContinuousCollision::known(const Pair& pair) const {
-    const auto before = [](const Touch& touch, const Pair& other) { return touch.pair < other; };
-    const auto touch = std::lower_bound(known_.begin(), known_.end(), pair, before);
-    return touch != known_.end() && touch->pair == pair ? &*touch : nullptr;
+    for (const std::span<const Touch> touches : {known_, std::span<const Touch>(found_)}) {
+        const auto touch = std::lower_bound(touches.begin(), touches.end(), pair, comes_before);
+        if (touch != touches.end() && touch->pair == pair) return &*touch;
+    }
+    return nullptr;
 }
 
-// Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points and
-// the normal of the end of the step in `manifold_`.
+// Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points
+// and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
     if (first.restitution > 0.0) return false;
     const Moving a = moving(first.pair.a, scene), b = moving(first.pair.b, scene);
     const double dt = scene.motions->dt;
     touch = first;
     touch.time = dt;
+    touch.ends_deep = true;
     const Encounter encounter{.dt = dt,
                               .size = touch.size,
                               .margin = scene.detection.margin * touch.size,
+                              .pushes = true,
                               .after_a = scene.motions->after[static_cast<std::size_t>(touch.body_a)],
                               .after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)]};
     const bool meets = contact_at(a, b, encounter, dt, manifold_);
@@ -104,16 +112,16 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     unforeseen_.clear();
     if (!any_thrown(scene, forces, changed, awake, broad_phase)) return unforeseen_;
     for (const Pair& pair : broad_phase.find_pairs_of(thrown_)) {
-        if (std::binary_search(seen_.begin(), seen_.end(), pair)) continue;
         Touch touch;
         const Touch* const first = known(pair);
         if (!(first ? ends_deep(*first, scene, touch) : find_touch(pair, scene, manifold_, touch))) continue;
         touch.points = points_.emplace_back(manifold_.points().begin(), manifold_.points().end());
         unforeseen_.push_back(touch);
     }
-    const auto middle = static_cast<std::ptrdiff_t>(seen_.size());
-    for (const Touch& touch : unforeseen_) seen_.push_back(touch.pair);
-    std::inplace_merge(seen_.begin(), seen_.begin() + middle, seen_.end());
+    for (const Touch& touch : unforeseen_) {
+        const auto place = std::lower_bound(found_.begin(), found_.end(), touch.pair, comes_before);
+        if (!known(touch.pair)) found_.insert(place, touch);
+    }
     return unforeseen_;
 }
 

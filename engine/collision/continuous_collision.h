@@ -21,11 +21,11 @@ class ContinuousCollision {
     // Begins a step with its touches, in ascending order of the pair, which must stay valid until it ends.
     void begin(std::span<const Touch> touches);
 
-    // Touches that are missing once constraint forces act: with `scene.motions` under all forces, of pairs that have
-    // none, or that end the step deeper although they have; each pair at most once per step. `forces` [N and N m] are
-    // those of the constraints, one per body; only bodies marked in `changed` (one per body) have others than in the
-    // last of these calls. `awake`: colliders that are not at rest. Ascending order of the pair; valid until the next
-    // call, except for the points, which stay valid until the next begin().
+    // Touches that are missing once constraint forces act: with `scene.motions` under all forces, of pairs that
+    // have none, or that end the step deeper although they have; each pair at most once per step. `forces` [N and N
+    // m] are those of the constraints, one per body; only bodies marked in `changed` (one per body) have others
+    // than in the last of these calls. `awake`: colliders that are not at rest. Ascending order of the pair; valid
+    // until the next call, except for the points, which stay valid until the next begin().
     std::span<const Touch> look(const StepScene& scene, std::span<const Vector6> forces,
                                 std::span<const NewForce> changed, std::span<const int> awake,
                                 BroadPhase& broad_phase);
@@ -33,12 +33,12 @@ class ContinuousCollision {
   private:
     bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const NewForce> changed,
                     std::span<const int> awake, BroadPhase& broad_phase);
-    const Touch* known(const Pair& pair) const;  // of begin(); null if there is none
+    const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
     bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);
 
     std::vector<bool> thrown_;  // by collider
     std::span<const Touch> known_;
-    std::vector<Pair> seen_;          // of all look() calls of the step, ascending
+    std::vector<Touch> found_;       // the first ones of pairs that look() has found in the step, ascending
     std::vector<Touch> unforeseen_;  // of the last look()
     std::deque<std::vector<ContactPoint>> points_;  // of the step
     Manifold manifold_;                             // scratch

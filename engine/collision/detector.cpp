@@ -59,9 +59,9 @@ bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, To
                                   .before_b = scene.motions->before[body_b],
                                   .after_a = scene.motions->after[body_a],
                                   .after_b = scene.motions->after[body_b]};
-        const bool meets = meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
-                                {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold,
-                                touch.time);
+        const bool meets =
+            meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
+                 {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold, touch.time);
         if (!meets) return false;
     } else {
         collide(shape_a, scene.poses[body_a], shape_b, scene.poses[body_b], margin, manifold);

@@ -26,6 +26,8 @@ struct Touch {
     std::span<const ContactPoint> points;
     // s, until the bodies meet; the lever arms of the rows belong to that time. 0: they touch, or are near.
     double time = 0.0;
+    bool ends_deep =
+        false;  // by the solution so far (continuous_collision.h): gaps are what is left of them to push out
     bool doubtful = false;  // also overlaps by no more than `permitted` along another axis (seams.h)
 };
 
@@ -90,13 +92,14 @@ struct AwakeColliders {
     std::span<const int> moved_colliders, moved_bodies;
 };
 
-// Finds the contact of `pair` into `manifold` and sets the touch but for its points. Returns false if there is none.
+// Finds the contact of `pair` into `manifold` and sets the touch but for its points. Returns false if there is
+// none.
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch);
 
 class Detector {
   public:
-    // All touches in ascending order of the pair; with `motions` also those of pairs that meet within the step. Valid
-    // until the next call, and may be changed.
+    // All touches in ascending order of the pair; with `motions` also those of pairs that meet within the step.
+    // Valid until the next call, and may be changed.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const StepMotions* motions = nullptr);
 
@@ -124,7 +127,7 @@ class Detector {
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
     std::vector<ContactPoint> points_;  // of all touches, in order
-    std::vector<Found> found_;  // by part of the pairs
+    std::vector<Found> found_;          // by part of the pairs
 };
 
 }  // namespace pushfactor::engine::collision

@@ -61,11 +61,14 @@ Outwards outwards_of(std::span<const ContactPoint> points, const Vector3& normal
     return off_diagonals(p * (spread.width / spread.length), normal.cross(p));
 }
 
-// The point that is deepest after a turn that lifts each by its way along `slope`.
-std::size_t deepest(std::span<const ContactPoint> points, std::span<const double> ends, const Vector3& slope) {
+// The point that is deepest after a turn that lifts each by its way along `slope`, of those that are not `kept`
+// yet.
+std::size_t deepest(std::span<const ContactPoint> points, std::span<const double> ends, const Vector3& slope,
+                    std::span<const bool> kept) {
     std::size_t deepest = 0;
     double lowest = infinity;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (kept[i]) continue;
         const double height = ends[i] + slope.dot(points[i].position - points[0].position);
         if (height < lowest) lowest = height, deepest = i;
     }
@@ -105,7 +108,7 @@ void keep_carrying(const Turning& turning, const Matrix3& reference, int least, 
     for (int k = 0; k < directions; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / directions;
         const Vector3 uphill = std::cos(angle) * outwards.along + std::sin(angle) * outwards.across;
-        kept[deepest(points, turning.ends, slope * uphill)] = true;
+        kept[deepest(points, turning.ends, slope * uphill, kept)] = true;
     }
     int count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -18,8 +18,8 @@ struct ContactPoint {
 struct Manifold {
     static constexpr int most_points = 520;  // the corners of two faces of 256
 
-    Vector3 normal = Vector3::UnitY();               // unit length, world frame, from shape a to shape b
-    std::array<ContactPoint, most_points> storage;   // the first `count` are valid
+    Vector3 normal = Vector3::UnitY();              // unit length, world frame, from shape a to shape b
+    std::array<ContactPoint, most_points> storage;  // the first `count` are valid
     int count = 0;
     // m, a gap along the normal that certainly separates the shapes, also if there are no points; negative where
     // they overlap.
@@ -44,11 +44,11 @@ struct Turning {
 };
 
 // Keeps the points that may carry the shapes: the deepest ones at the end of the step after a turn about any axis
-// across the normal, of which the ends of the manifold move by `path` and `room`. A corner between two that are kept
-// sinks when the shapes roll from one to the other; so few directions of turning, from `least` to `most`, are tried
-// as keep that `allowed`. They are fixed in `reference` (a rotation that moves with one of the shapes) and lie
-// off the diagonals of a face, so that rounding does not choose between two points at one corner; for an elongated
-// manifold they follow its long direction.
+// across the normal, of which the ends of the manifold move by `path` and `room`. A corner between two that are
+// kept sinks when the shapes roll from one to the other; so few directions of turning, from `least` to `most`, are
+// tried as keep that `allowed`. They are fixed in `reference` (a rotation that moves with one of the shapes) and
+// lie off the diagonals of a face, so that rounding does not choose between two points at one corner; for an
+// elongated manifold they follow its long direction.
 void keep_carrying(const Turning& turning, const Matrix3& reference, int least, int most, Manifold& manifold);
 
 // A unit vector perpendicular to `normal`, fixed in the frame `reference`.

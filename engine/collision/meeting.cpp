@@ -10,8 +10,9 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Distance at which two bodies have met, as a fraction of the size: far below what a graze can be told from a pass by.
-constexpr double met = 5e-7;
+// Distance at which two bodies have met, as a fraction of the size: the gap up to which rows with the default slop
+// count a point as touching (contact_row.cpp).
+constexpr double met = 2e-6;
 
 // By how much a corner may sink that the manifold leaves out, as a fraction of the size: as the slop, what is seen
 // of no body.
@@ -36,8 +37,8 @@ struct Met {
     }
 };
 
-// Keeps the points of which `stays(point, closed)` holds, where `closed` [m] is what the rest of the step closes. Returns
-// how many there are.
+// Keeps the points of which `stays(point, closed)` holds, where `closed` [m] is what the rest of the step closes.
+// Returns how many there are.
 template <typename Stays>
 int keep_points(const Met& met, Manifold& manifold, const Stays& stays) {
     int count = 0;
@@ -49,7 +50,8 @@ int keep_points(const Met& met, Manifold& manifold, const Stays& stays) {
 }
 
 // The points below the margin, and those that the rest of the step closes. Of a pair that bounces only the latter,
-// if there are any: one that the rebound brings down would be stopped in this step; left out, it bounces in its turn.
+// if there are any: one that the rebound brings down would be stopped in this step; left out, it bounces in its
+// turn.
 void find_points(const Met& met, const Encounter& encounter, Manifold& manifold) {
     const double reach = approach(met.a, met.b, manifold.normal, met.rest);
     if (reach > encounter.margin) {
@@ -60,9 +62,10 @@ void find_points(const Met& met, const Encounter& encounter, Manifold& manifold)
     }
     if (!encounter.bounces) return;
     const auto closes = [](const ContactPoint& point, double closed) { return point.gap < closed; };
-    const bool any = std::any_of(manifold.points().begin(), manifold.points().end(), [&](const ContactPoint& point) {
-        return closes(point, met.rest * met.closing(point.position, manifold.normal));
-    });
+    const bool any =
+        std::any_of(manifold.points().begin(), manifold.points().end(), [&](const ContactPoint& point) {
+            return closes(point, met.rest * met.closing(point.position, manifold.normal));
+        });
     if (any) manifold.count = keep_points(met, manifold, closes);
 }
 
@@ -93,7 +96,8 @@ void wind_back(const Met& met, const Encounter& encounter, double time, Manifold
     for (ContactPoint& point : manifold.points()) {
         const double speed = closing_speed(encounter.after_a, met.a.start.position, encounter.after_b,
                                            met.b.start.position, point.position, manifold.normal);
-        point.gap = std::max(0.0, point.gap + time * speed);
+        point.gap += time * speed;
+        if (!encounter.pushes) point.gap = std::max(0.0, point.gap);
     }
 }
 
@@ -131,7 +135,8 @@ bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold
 }
 
 bool contact_at(const Moving& a, const Moving& b, const Encounter& encounter, double time, Manifold& manifold) {
-    const Met met{{a.shape, pose_at(a, time), a.motion}, {b.shape, pose_at(b, time), b.motion}, encounter.dt - time};
+    const Met met{
+        {a.shape, pose_at(a, time), a.motion}, {b.shape, pose_at(b, time), b.motion}, encounter.dt - time};
     collide(a.shape, met.a.start, b.shape, met.b.start, encounter.margin, manifold);
     find_points(met, encounter, manifold);
     choose_points(met, encounter, manifold);

@@ -3,9 +3,10 @@
 // The free motions of the step decide, with its external forces and without what constraints will do. A pair
 //   touches  if it has met already: the contact is that of the start of the step (section 4);
 //   meets    at a time within the step: the contact has the normal and the points of that moment. The gap of such a
-//            point is the rest of its path along the normal, so its row aims at -gap/dt like that of every separated
-//            point, and the bodies end the step touching;
-//   is near  if it does not meet, but ends the step in the margin: the contact is that of the end, or of the start if
+//            point is the rest of its path along the normal, so its row aims at -gap/dt like that of every
+//            separated point, and the bodies end the step touching;
+//   is near  if it does not meet, but ends the step in the margin: the contact is that of the end, or of the start
+//   if
 //            nothing closes the gap. Its rows do nothing unless another body pushes it there;
 //   passes   if it has come and gone: no contact, however close or fast.
 // Points farther than the margin take part only if the pair touches or meets, and the rest of the step closes them.
@@ -23,11 +24,12 @@
 namespace pushfactor::engine::collision {
 
 struct Encounter {
-    double dt = 0.0;        // s
-    double size = 0.0;      // m, of the smaller movable body
-    double margin = 0.0;    // m
-    bool bounces = false;   // whether the pair has a restitution
-    int least_directions = 4;  // of keep_carrying()
+    double dt = 0.0;                // s
+    double size = 0.0;              // m, of the smaller movable body
+    double margin = 0.0;            // m
+    bool bounces = false;           // whether the pair has a restitution
+    bool pushes = false;            // whether gaps may be negative
+    int least_directions = 4;       // of keep_carrying()
     Motion before_a{}, before_b{};  // with the momenta before the step, which can turn the bodies on each other
     Motion after_a{}, after_b{};    // as the rows know the velocities of their paths
 };
@@ -36,8 +38,8 @@ struct Encounter {
 // `time`. Returns false if there is none.
 bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time);
 
-// Writes the contact that the pair has at `time` [s] of the step into `manifold`, with the gaps that its points have
-// for rows of the whole step: wound back to its start. Returns false if there is none.
+// Writes the contact that the pair has at `time` [s] of the step into `manifold`, with the gaps that its points
+// have for rows of the whole step: wound back to its start. Returns false if there is none.
 bool contact_at(const Moving& a, const Moving& b, const Encounter& encounter, double time, Manifold& manifold);
 
 // Speed at which a approaches b at `point` [m] along `normal` (unit length, from a to b), with their centres

@@ -23,8 +23,8 @@ namespace pushfactor::engine::collision {
 
 class Seams {
   public:
-    // Gives those of `touches` (ascending order of the pair) that cannot meet as found the points along the normal of
-    // what holds them, and removes those without points there. The new points are valid until the next call.
+    // Gives those of `touches` (ascending order of the pair) that cannot meet as found the points along the normal
+    // of what holds them, and removes those without points there. The new points are valid until the next call.
     void put_right(const StepScene& step, std::vector<Touch>& touches);
 
   private:

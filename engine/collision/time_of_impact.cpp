@@ -14,7 +14,8 @@ namespace {
 
 constexpr int most_waits = 400;  // a box that spins by hundreds of radians per step needs many
 
-// A direction serves for so many waits, or until it is closed; then the one with the longest wait is searched again.
+// A direction serves for so many waits, or until it is closed; then the one with the longest wait is searched
+// again.
 constexpr int most_served = 8;
 
 // A pair at one time of its motion.
@@ -26,8 +27,8 @@ struct Placed {
 
 // A direction from a to b, which may turn with one of them: that of a face does, and stays the best one longer.
 struct Direction {
-    Vector3 normal = Vector3::Zero();  // unit length
-    Vector3 turning = Vector3::Zero(); // rad/s
+    Vector3 normal = Vector3::Zero();   // unit length
+    Vector3 turning = Vector3::Zero();  // rad/s
 };
 
 // How far the shapes are at least apart along a direction, t seconds later (0 <= t <= rest). Seen from a frame that
@@ -37,9 +38,9 @@ struct Direction {
 //
 // Symbols: n the direction, unit length; w its angular velocity; x and v position and velocity of b relative to a;
 // w_a, w_b the angular velocities of the shapes relative to the direction; s(d) the support of a shape, the largest
-// of d . r over its points r; A a bound on all accelerations along n. Of a point r only w_a x r is linear in time, so
-// s(n + t n x w_a) is its largest n . r then. The gap is concave in t: its chords lie below it, and a root of one
-// never comes after its own.
+// of d . r over its points r; A a bound on all accelerations along n. Of a point r only w_a x r is linear in time,
+// so s(n + t n x w_a) is its largest n . r then. The gap is concave in t: its chords lie below it, and a root of
+// one never comes after its own.
 class LeastGap {
   public:
     LeastGap(const Placed& pair, const Direction& direction, double rest)
@@ -104,7 +105,7 @@ class LeastGap {
     const Matrix3 &turn_a_, &turn_b_;
     Vector3 normal_;
     double offset_ = 0.0, speed_ = 0.0, acceleration_ = 0.0;  // m, m/s, m/s^2
-    Vector3 across_a_, across_b_;                              // n x w_a, 1/s
+    Vector3 across_a_, across_b_;                             // n x w_a, 1/s
 };
 
 // A direction in which the shapes are separated, and the time before which they cannot meet along it.
@@ -122,8 +123,8 @@ Wait wait_along(const Placed& pair, const Direction& direction, double rest) {
 
 // Angular velocity of the unit vector that stays across two edges that turn, `normal` at present; zero if they are
 // so nearly parallel that it turns faster than both.
-Vector3 turning_between(const Vector3& normal, const Vector3& along_a, const Vector3& turn_a, const Vector3& along_b,
-                        const Vector3& turn_b) {
+Vector3 turning_between(const Vector3& normal, const Vector3& along_a, const Vector3& turn_a,
+                        const Vector3& along_b, const Vector3& turn_b) {
     const Vector3 across = along_a.cross(along_b);
     const Vector3 rate = turn_a.cross(along_a).cross(along_b) + along_a.cross(turn_b.cross(along_b));
     const Vector3 turning = normal.cross(rate) * (across.dot(normal) / across.squaredNorm());
@@ -178,15 +179,16 @@ Wait longest_wait(const Placed& pair, double rest, double& largest_gap) {
                           [&](const auto&, const Plane&) { consider_closest(turn_b); },
                           [&](const Sphere&, const auto&) { consider_closest(turn_b); },
                           [&](const auto&, const Sphere&) { consider_closest(turn_a); },
-                          [&](const Sphere&, const Sphere&) {}, [&](const Plane&, const Sphere&) { consider_closest(turn_a); },
+                          [&](const Sphere&, const Sphere&) {},
+                          [&](const Plane&, const Sphere&) { consider_closest(turn_a); },
                           [&](const Sphere&, const Plane&) { consider_closest(turn_b); },
                           [&](const Plane&, const Plane&) {}},
                pair.a.shape, pair.b.shape);
     return longest < 0.0 ? Wait{} : wait_along(pair, best, rest);
 }
 
-// The direction between the closest corners or corner and edge: where those are what is closest, no separating axis has
-// all of the distance.
+// The direction between the closest corners or corner and edge: where those are what is closest, no separating axis
+// has all of the distance.
 Vector3 between_corners(const PlacedHull& a, const PlacedHull& b) {
     double least = never;
     Vector3 best = Vector3::Zero();

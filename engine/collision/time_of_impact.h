@@ -1,8 +1,8 @@
 // Time of impact: when two moving shapes meet within a step.
 //
-// Conservative advancement (Mirtich 1996): shapes that are separated by a gap along a direction cannot meet before it
-// can be closed, so time advances by the longest of these waits, repeatedly, until no gap is left. For shapes that do
-// not turn each wait is exact.
+// Conservative advancement (Mirtich 1996): shapes that are separated by a gap along a direction cannot meet before
+// it can be closed, so time advances by the longest of these waits, repeatedly, until no gap is left. For shapes
+// that do not turn each wait is exact.
 #pragma once
 
 #include "engine/bodies/motion.h"

@@ -21,9 +21,9 @@ inline bool is_any_moving(std::span<const Body> bodies, const Awake& awake, int 
 
 // State at the start of a step.
 struct StepStart {
-    std::span<const Body> bodies;  // with the external forces
-    double dt = 0.0;               // s
-    double time = 0.0;             // s since the start of the world
+    std::span<const Body> bodies;               // with the external forces
+    double dt = 0.0;                            // s
+    double time = 0.0;                          // s since the start of the world
     OrientationStep rotate = rotate_splitting;  // how bodies turn in the step
     Threads* threads = nullptr;    // that may share the work; null: one thread. The rows do not depend on them
     Vector3 up = Vector3::Zero();  // against gravity, unit length, world frame; zero without gravity

@@ -204,6 +204,8 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
     std::construct_at(&row);
     const double slop = choices_.slop * touch.size;
     write_contact_row(at, touch.normal, point.gap, choices_.correction, slop, dt, row);
+    // What the solution so far leaves at the end of the step is taken away whole, and leaves no speed.
+    if (touch.ends_deep && point.gap < 0.0) row.push = {.correcting = -point.gap / dt, .lasting = 0.0};
     if (restitution_ && touch.restitution > 0.0) {
         const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, slop, dt));
         row.push = rebound.push;
@@ -298,8 +300,7 @@ void ContactConstraints::find_motions(const StepStart& step) {
 }
 
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
-                                        const StepStart& step, std::span<const Motion> paths,
-                                        RowList& rows) {
+                                        const StepStart& step, std::span<const Motion> paths, RowList& rows) {
     const std::span<const ContactIndex> in_order =
         order.put(choices_.order, touches, step.bodies, step.up, step.threads);
     const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);

@@ -4,7 +4,8 @@
 // rotate_by_small_turns does. Within a step two motions are taken for the free one: `steady`, the uniform turn from
 // the pose before to the pose after the step, which is what the engine's continuous collision follows
 // (bodies/motion.h), and `torque_free`, the same small turns shortened in proportion. For bodies that spin about a
-// principal axis they are equal; for others they part by centimetres within the step. Only what both agree on counts.
+// principal axis they are equal; for others they part by centimetres within the step. Only what both agree on
+// counts.
 //
 // The proof. Along any fixed direction n the gap of two convex solids is at most their distance. Between two times
 // a point of a turning body moves along n by no more beyond its chord than (acceleration) (time)^2 / 8. So if the

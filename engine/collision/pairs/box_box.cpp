@@ -191,7 +191,8 @@ void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     const double half_a = a.half_size[axis.of_a], half_b = b.half_size[axis.of_b];
     manifold.normal = normal;
     const auto edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
-    const EdgePoints points = closest_points({corner_a, edge_a, -half_a, half_a}, {corner_b, edge_b, -half_b, half_b});
+    const EdgePoints points =
+        closest_points({corner_a, edge_a, -half_a, half_a}, {corner_b, edge_b, -half_b, half_b});
     const double gap = gap_between(points, axis.gap);
     if (gap < margin) manifold.add({points.middle(), gap, (1u << 16) + edges * 64u + which});
 }

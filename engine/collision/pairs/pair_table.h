@@ -6,8 +6,8 @@
 
 namespace pushfactor::engine::collision {
 
-// Writes the points of `a` and `b` with a gap below `margin` [m, >= 0] into `manifold`, with the normal from a to b;
-// none if they are apart, and nothing if the table has no function for the pair.
+// Writes the points of `a` and `b` with a gap below `margin` [m, >= 0] into `manifold`, with the normal from a to
+// b; none if they are apart, and nothing if the table has no function for the pair.
 void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
              Manifold& manifold);
 

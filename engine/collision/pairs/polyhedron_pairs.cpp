@@ -187,7 +187,8 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
     const Separation& best = axes.preferred(axis_preference * size);
     collide_along(best, a, b, margin, manifold);
     // What is below a preferred face may be beside it.
-    if (manifold.count == 0 && best.gap < axes.largest()) collide_along(axes.preferred(0.0), a, b, margin, manifold);
+    if (manifold.count == 0 && best.gap < axes.largest())
+        collide_along(axes.preferred(0.0), a, b, margin, manifold);
     GapOfOthers others(manifold.normal, much);
     for (const Separation& face : faces.all()) others.consider(face.gap, face.normal);
     manifold.other_gap = others.largest();

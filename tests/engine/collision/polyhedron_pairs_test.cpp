@@ -15,9 +15,9 @@ using namespace pushfactor::engine::collision;
 using pushfactor::tests::at;
 using pushfactor::tests::ball_points;
 using pushfactor::tests::box_points;
+using pushfactor::tests::keep_four;
 using pushfactor::tests::Points;
 using pushfactor::tests::polyhedron_of;
-using pushfactor::tests::keep_four;
 using pushfactor::tests::Random;
 using pushfactor::tests::random_points;
 
@@ -264,7 +264,7 @@ TEST_CASE("noise of rounding size changes no feature of polyhedra that lie on ea
     for (const Quaternion& above : {Quaternion::Identity(), across}) {
         const auto touched = [&](const Quaternion& tilt, const Vector3& by) {
             Manifold manifold = collided(shape, at({0, 0, 0}), shape, at(Vector3(0, 0.99, 0) + by, tilt * above));
-            CHECK(manifold.count == 8);
+            CHECK(manifold.count >= 12);
             keep_four(manifold);
             return features(manifold);
         };

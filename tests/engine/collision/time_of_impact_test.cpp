@@ -68,7 +68,8 @@ TEST_CASE("the tip of a rod that turns about its middle meets a wall when its an
     const Shape wall = Plane{};
     const double rate = 70.0;
     const Moving turning{rod, at({0, 0.6, 0}), {{0, 0, 0}, {0, 0, rate}}};
-    CHECK(course_of({wall, at({0, 0, 0}), {}}, turning, dt, 1e-7).time == Approx(std::asin(0.6) / rate).epsilon(1e-5));
+    CHECK(course_of({wall, at({0, 0, 0}), {}}, turning, dt, 1e-7).time ==
+          Approx(std::asin(0.6) / rate).epsilon(1e-5));
     const Moving slower{rod, at({0, 0.6, 0}), {{0, 0, 0}, {0, 0, 0.9 * std::asin(0.6) / dt}}};
     CHECK(course_of({wall, at({0, 0, 0}), {}}, slower, dt, 1e-7).time == never);
 }

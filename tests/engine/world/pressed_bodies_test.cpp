@@ -1,7 +1,7 @@
 // Bodies that a force or a torque moves by more than their size within one step: no tunnelling, resting bodies are
 // not swept, and an undecided sweep keeps its contact.
-#include "engine/forces/poke.h"
 #include "engine/collision/time_of_impact.h"
+#include "engine/forces/poke.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"

@@ -110,29 +110,33 @@ TEST_CASE("under the persistent push the same penetration becomes speed") {
     CHECK(velocity(world.bodies[1]).y() == Approx(0.2 * 0.2 / dt));
 }
 
+// Bodies that meet within the step push each other where they are then; angular momentum is kept up to the way that
+// they have moved by that time. Without a margin they push where they are at the start.
 TEST_CASE("an isolated collision keeps the momenta: all with push none, the linear with any") {
-    for (const PushKind kind : {PushKind::none, PushKind::persistent, PushKind::single_frame}) {
-        Random random(11);
-        World world;
-        for (const double x : {-1.0, 1.0}) {
-            Body box = box_body(random.in(0.5, 2), random.vector(1, 2), {x, 0, 0}, random.rotation());
-            box.linear_momentum = {-4 * x, random.in(-1, 1), random.in(-1, 1)};
-            box.angular_momentum = random.vector(-1, 1);
-            world.bodies.push_back(box);
+    for (const double margin : {0.0, 0.01})
+        for (const PushKind kind : {PushKind::none, PushKind::persistent, PushKind::single_frame}) {
+            Random random(11);
+            World world;
+            for (const double x : {-1.0, 1.0}) {
+                Body box = box_body(random.in(0.5, 2), random.vector(1, 2), {x, 0, 0}, random.rotation());
+                box.linear_momentum = {-4 * x, random.in(-1, 1), random.in(-1, 1)};
+                box.angular_momentum = random.vector(-1, 1);
+                world.bodies.push_back(box);
+            }
+            world.constraints.push_back(contacts({{.body = 0, .shape = collision::Box{Vector3::Constant(0.5)}},
+                                                  {.body = 1, .shape = collision::Box{Vector3::Constant(0.5)}}},
+                                                 {.correction = {kind, 0.2}, .detection = {.margin = margin}},
+                                                 std::make_unique<CoulombFriction>()));
+            world.solver = solvers::make_solver("pgs");
+            const Vector3 linear = linear_momentum(world.bodies);
+            const Vector3 angular = angular_momentum(world.bodies);
+            int contact_steps = 0;
+            for (int i = 0; i < 120; ++i) contact_steps += world.step(dt).rows() > 0 ? 1 : 0;
+            REQUIRE(contact_steps > 0);
+            CHECK((linear_momentum(world.bodies) - linear).norm() < 1e-13);
+            const double most = margin > 0.0 ? 0.02 : 1e-12;  // 0.010 of an impulse of some 8 N s over up to 0.13 m
+            if (kind != PushKind::single_frame) CHECK((angular_momentum(world.bodies) - angular).norm() < most);
         }
-        world.constraints.push_back(contacts({{.body = 0, .shape = collision::Box{Vector3::Constant(0.5)}},
-                                              {.body = 1, .shape = collision::Box{Vector3::Constant(0.5)}}},
-                                             {.correction = {kind, 0.2}, .detection = {.margin = 0.01}},
-                                             std::make_unique<CoulombFriction>()));
-        world.solver = solvers::make_solver("pgs");
-        const Vector3 linear = linear_momentum(world.bodies);
-        const Vector3 angular = angular_momentum(world.bodies);
-        int contact_steps = 0;
-        for (int i = 0; i < 120; ++i) contact_steps += world.step(dt).rows() > 0 ? 1 : 0;
-        REQUIRE(contact_steps > 0);
-        CHECK((linear_momentum(world.bodies) - linear).norm() < 1e-13);
-        if (kind != PushKind::single_frame) CHECK((angular_momentum(world.bodies) - angular).norm() < 1e-12);
-    }
 }
 
 TEST_CASE("the observer hears of every stage in the order of the step") {
