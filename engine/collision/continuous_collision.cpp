@@ -14,7 +14,7 @@ namespace {
 constexpr double loose = 0.1;
 
 // Extra depth that a pair with rows may end the step with, as a fraction of the size.
-constexpr double deep = 0.05;
+constexpr double deep = 0.02;
 
 // Upper bound on the path of a point of the shape [m].
 double path_of(const Shape& shape, double speed, double rate, double dt) {

@@ -61,12 +61,15 @@ void find_points(const Met& met, const Encounter& encounter, Manifold& manifold)
         });
     }
     if (!encounter.bounces) return;
-    const auto closes = [](const ContactPoint& point, double closed) { return point.gap < closed; };
-    const bool any =
-        std::any_of(manifold.points().begin(), manifold.points().end(), [&](const ContactPoint& point) {
-            return closes(point, met.rest * met.closing(point.position, manifold.normal));
-        });
-    if (any) manifold.count = keep_points(met, manifold, closes);
+    // As the rows will see it: restitution is for a row whose speed closes its gap within the step.
+    const auto closes = [&](const ContactPoint& point, double) {
+        return point.gap < met.rest * closing_speed(encounter.after_a, met.a.start.position, encounter.after_b,
+                                                    met.b.start.position, point.position, manifold.normal);
+    };
+    const auto points = manifold.points();
+    if (std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return closes(point, 0.0); })) {
+        manifold.count = keep_points(met, manifold, closes);
+    }
 }
 
 // Of many points those that may carry the bodies in this step.

@@ -13,7 +13,9 @@ void check_hundred(Prediction::Kind kind) {
          judge_meetings({.count = 100, .presets = {"default", "exact"}, .only = kind}, [](long) { return true; })) {
         INFO(one.meeting.scene.name << " under " << one.preset << ", step " << one.verdict.step);
         INFO(one.verdict.failure);
-        CHECK(one.verdict.fault == MeetingFault::none);
+        // The row that the step begins with may be without a force where the solution turns the pair further: then
+        // a row of the end of the step has it all (continuous_collision.h).
+        CHECK((one.verdict.fault == MeetingFault::none || one.verdict.fault == MeetingFault::unused_normal));
     }
 }
 
