@@ -37,6 +37,16 @@ struct FrameChoices {
     Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames per second of the film
 };
 
+// Outputs that a frame option serves.
+enum FrameUse : unsigned {
+    of_pictures = 1,     // frames and stills
+    of_film = 2,         // a sequence of frames
+    of_shutter = 4,      // pictures over a share of a frame's time
+    of_trajectory = 8,   // --trajectory
+    of_models = 16,      // --glb and --replay
+    of_run = 32,         // of these, also in the command run
+};
+
 struct FrameOption {
     std::string_view name;
     std::string_view placeholder;
@@ -44,6 +54,7 @@ struct FrameOption {
     std::string allowed;
     bool (*set)(FrameChoices& choices, std::string_view text);
     std::string (*get)(const FrameChoices& choices);  // empty when not given
+    unsigned uses = of_pictures;                       // FrameUse
 };
 
 std::span<const FrameOption> frame_options();

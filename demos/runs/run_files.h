@@ -9,6 +9,8 @@ namespace pushfactor::demos {
 // Paths; "-" is standard output.
 struct RunFiles {
     std::optional<std::string> csv, trajectory, rows, save_state;
+
+    bool operator==(const RunFiles&) const = default;
 };
 
 }  // namespace pushfactor::demos

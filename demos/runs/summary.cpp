@@ -92,7 +92,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     if (!choices.settings.substeps) summary["substeps"] = substeps_of(measured.substeps());
     for (const auto& [name, value] : measured.of_scene()) summary[name] = value;
     if (scene.standing) summary["heights_m"] = measured.heights();
-    return summary.dump(2) + "\n";
+    return json_text(summary);
 }
 
 }  // namespace pushfactor::demos

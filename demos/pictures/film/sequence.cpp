@@ -147,7 +147,7 @@ std::string finish(const Sequence& sequence, std::vector<ObservedRun>& runs, con
     }
     summary["made_with"] = {{"program", version_text()}};
     if (!driver.empty()) summary["made_with"]["driver"] = driver;
-    return summary.dump(2) + "\n";
+    return json_text(summary);
 }
 
 }  // namespace pushfactor::demos::pictures
