@@ -133,7 +133,8 @@ class Checks {
         for (std::size_t i = 0; i < updates_.size(); ++i) {
             if (!updates_[i]) continue;
             const long count = updates_[i]->apply();
-            if (count > 0) print(fmt::format("{}: {} {} updated\n", verdicts[i].name, count, count == 1 ? "file" : "files"));
+            if (count > 0)
+                print(fmt::format("{}: {} {} updated\n", verdicts[i].name, count, count == 1 ? "file" : "files"));
         }
     }
 
@@ -228,7 +229,8 @@ void write_results(const Check& request, const std::vector<FolderVerdict>& verdi
     if (request.markdown) write_file(*request.markdown, job_summary(headline(verdicts), suites));
 }
 
-void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated, bool allow_not_compared) {
+void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated,
+              bool allow_not_compared) {
     long failures = 0;
     for (const FolderVerdict& verdict : verdicts) {
         failures += verdict.failures() + (allow_not_compared ? 0 : verdict.not_compared());
@@ -257,11 +259,13 @@ std::vector<Option> check_options() {
         {"against", "DIR",
          "compare the PNG files of FOLDER with those of this folder instead; nothing is rendered"},
         {"tolerance", "LIST",
-         "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 [equal where program and "
+         "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 [equal where program "
+         "and "
          "driver are the same, else 2:0.05%,16:0.005%]"},
         {"flip", "N", "largest mean FLIP error instead: what a person would see, 0 to 1"},
         {"physics", "hash|M|off",
-         "hash: the state at the end is equal to the bit; M: poses are within M metres and radians of trajectory.csv "
+         "hash: the state at the end is equal to the bit; M: poses are within M metres and radians of "
+         "trajectory.csv "
          "in the folder; off [hash]"},
         {"update", "", "accept the new pictures and summaries: prints what differs and replaces it", group,
          OptionKind::flag},
@@ -275,8 +279,10 @@ std::vector<Option> check_options() {
 }
 
 AnyCommand read_check(Words& words) {
-    Check command{.folders = words.take_names(), .against = words.take("against"),
-                  .tolerance = words.take("tolerance"), .flip = words.take("flip")};
+    Check command{.folders = words.take_names(),
+                  .against = words.take("against"),
+                  .tolerance = words.take("tolerance"),
+                  .flip = words.take("flip")};
     if (command.folders.empty()) throw UsageError("check: a folder of expected pictures is missing");
     if (command.against && command.folders.size() != 1) {
         throw UsageError(fmt::format("--against {}: must be with one folder", *command.against));
@@ -316,9 +322,10 @@ void carry_out(const Check& request) {
 }
 
 Entry check_entry() {
-    return {"check", "FOLDER...",
-            "renders folders of pictures again and says what differs. FOLDER is one of `render`, or has such below it",
-            check_options, read_check};
+    return {
+        "check", "FOLDER...",
+        "renders folders of pictures again and says what differs. FOLDER is one of `render`, or has such below it",
+        check_options, read_check};
 }
 
 }  // namespace pushfactor::demos::commands

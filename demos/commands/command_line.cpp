@@ -54,8 +54,8 @@ const Entry& find_entry(const std::vector<Entry>& entries, const std::string& wo
     }
     const auto found = std::ranges::find(entries, word, &Entry::name);
     if (found != entries.end()) return *found;
-    throw UsageError(fmt::format("{}: no such command; there are {}{}", word, fmt::join(names, ", "),
-                                 suggestion(word, names)));
+    throw UsageError(
+        fmt::format("{}: no such command; there are {}{}", word, fmt::join(names, ", "), suggestion(word, names)));
 }
 
 }  // namespace

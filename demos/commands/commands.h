@@ -1,6 +1,6 @@
-// The commands of the program: a type for each with what it reads, one file each. Reading a command takes its options
-// from the words and refuses what has no effect in their combination, with UsageError; carry_out() does the work and
-// throws the exceptions of errors.h.
+// The commands of the program: a type for each with what it reads, one file each. Reading a command takes its
+// options from the words and refuses what has no effect in their combination, with UsageError; carry_out() does the
+// work and throws the exceptions of errors.h.
 #pragma once
 
 #include "demos/commands/words.h"

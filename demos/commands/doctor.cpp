@@ -99,8 +99,9 @@ std::string json_text_of(const std::vector<Finding>& findings) {
 }
 
 std::vector<Option> doctor_options() {
-    return {{"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
-            {"json", "", "print JSON: for each finding whether it is ok, and the line", "Options", OptionKind::flag}};
+    return {
+        {"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
+        {"json", "", "print JSON: for each finding whether it is ok, and the line", "Options", OptionKind::flag}};
 }
 
 AnyCommand read_doctor(Words& words) {

@@ -86,9 +86,11 @@ FigureFormat format_of(const Figures& command) {
 }
 
 // What a document takes in, where there is a PDF.
-void write_latex(const Section& section, const Print& print, const std::filesystem::path& folder) {
-    for (const std::string& file : section.plate.files) {
+void write_latex(Section& section, const Print& print, const std::filesystem::path& folder) {
+    const std::vector<std::string> files = section.plate.files;
+    for (const std::string& file : files) {
         if (!file.ends_with(".pdf")) continue;
+        section.plate.files.insert(section.plate.files.end(), {section.name + ".tex", "pushfactor.bib"});
         write_file(folder / (section.name + ".tex"),
                    latex_figure(section.name, file, print, section.plate.caption));
     }

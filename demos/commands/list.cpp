@@ -36,7 +36,8 @@ void carry_out(const List& command) {
 }
 
 Entry list_entry() {
-    return {"list", "", "the scenes: what happens, their parameters, what each is made of", list_options, read_list};
+    return {"list", "", "the scenes: what happens, their parameters, what each is made of", list_options,
+            read_list};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -1,5 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
+#include "demos/pictures/caption.h"
 #include "demos/pictures/film/frame_writer.h"
 #include "demos/pictures/film/sequence.h"
 #include "demos/pictures/film/video.h"
@@ -27,12 +28,11 @@ struct Job {
 };
 
 // Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
-void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames) {
+void warn_of_strangers(const fs::path& folder, const Frames& frames) {
     long strangers = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename();
-        const bool ours = std::any_of(frames.begin(), frames.end(), [&](const Frame& f) { return f.name == name; });
-        if (entry.path().extension() == ".png" && !ours) ++strangers;
+        if (entry.path().extension() == ".png" && !frames.has(name)) ++strangers;
     }
     if (strangers > 0) {
         note(fmt::format("{} holds {} other PNG files that this run does not touch", folder.string(), strangers));
@@ -80,7 +80,7 @@ std::vector<ObservedRun> start_runs(const Job& job, const Render& request) {
 void make_frames(const Job& job, const Render& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
                  pictures::StageTimes* times) {
     const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
-    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, job.film, times);
+    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
@@ -99,7 +99,8 @@ void render_trajectory(Job& job, const Render& request, pictures::Studio& studio
     const pictures::Film film(studio, job.sequence.panels, {&simulation}, job.sequence.frames, go_to);
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);
-    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), job.film, times);
+    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
+                                 job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     draw_frames(job.sequence, simulation, trajectory, film, writer.queue(), [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
@@ -166,9 +167,22 @@ void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times
                     1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames))));
 }
 
+void note_missing_letters(const std::vector<Job>& jobs, const pictures::Lettering& lettering) {
+    for (const Job& job : jobs) {
+        const Choices& choices = job.sequence.panels.front().choices;
+        const std::string caption = pictures::caption_of(choices);
+        const std::string_view lacking = lettering.lacks(caption);
+        if (!choices.frames.caption || lacking.empty()) continue;
+        note(fmt::format("the font has no {} for the caption {}", lacking, caption));
+        return;
+    }
+}
+
 std::vector<Option> render_options() {
     std::vector<Option> table = simulation_option_table();
-    const auto add = [&table](const std::vector<Option>& more) { table.insert(table.end(), more.begin(), more.end()); };
+    const auto add = [&table](const std::vector<Option>& more) {
+        table.insert(table.end(), more.begin(), more.end());
+    };
     add(output_option_table());
     const std::string frames = "Frames", shares = "Long films on many machines";
     add(frame_option_table(~0u, frames));
@@ -230,7 +244,9 @@ AnyCommand read_render(Words& words) {
     command.files = {.csv = take("csv", one_scene | one_run | simulation),
                      .trajectory = take("trajectory", one_scene | one_run | simulation),
                      .rows = take("rows", one_scene | one_run | simulation),
-                     .save_state = take("save-state", one_scene | one_run | simulation)};
+                     .save_state = take("save-state", one_scene | one_run | simulation),
+                     .measures = {}};
+    if (take("measure", one_scene | simulation)) command.files.measures = words.take_all("measure");
     command.summary = take("summary", one_scene | simulation);
     command.video = take("video", one_scene | sequence | whole);
     command.replay = take("replay", one_scene | sequence | simulation);
@@ -239,13 +255,13 @@ AnyCommand read_render(Words& words) {
     take("from-trajectory", one_scene | one_run);
 
     const bool draws = command.png || command.video, models = command.glb || command.replay;
-    if (!draws && !command.replay)
-        throw UsageError("--frames off: must be with --video or --replay");
+    if (!draws && !command.replay) throw UsageError("--frames off: must be with --video or --replay");
     const bool film = !stills && (draws || models);
     take_frames(words, (draws ? of_pictures : 0u) | (draws && words.given("shutter") ? of_shutter : 0u) |
                            (film ? of_film : 0u) | (command.files.trajectory ? of_trajectory : 0u) |
                            (models ? of_models : 0u));
-    require_shown_overlays(words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
+    require_shown_overlays(
+        words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
     if (command.video) pictures::check_video_name(*command.video);
     if (command.replay) pictures::check_replay_name(*command.replay);
     return command;
@@ -271,16 +287,21 @@ void carry_out(const Render& request) {
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     std::optional<pictures::Studio> studio;
     if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
+    if (studio) note_missing_letters(jobs, studio->lettering());
     if (request.from_trajectory) {
         render_trajectory(jobs.front(), request, studio.value(), watch);
     } else {
         for (Job& job : jobs) render_job(job, request, studio, watch);
     }
+    if (studio && studio->blank() > 0) {
+        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", studio->blank()));
+    }
     if (times) print_times(jobs, *times, studio.has_value());
 }
 
 Entry render_entry() {
-    return {"render", "SCENE...", "PNG frames or stills, without a display", render_options, read_render, scene_parameters_help};
+    return {"render",       "SCENE...",  "PNG frames or stills, without a display",
+            render_options, read_render, scene_parameters_help};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -128,7 +128,8 @@ std::vector<Option> report_options() {
         {"out", "DIR", "folder for the page, its pictures and tables [out/report-NAME]"},
         {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
         {"only", "PART,...",
-         "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; atlas: its "
+         "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; atlas: "
+         "its "
          "maps [all]",
          group, OptionKind::list},
         {"problems", "FILE|DIR",
@@ -186,8 +187,8 @@ Report read_report(Words& words, const std::string& name) {
     command.jobs = take("jobs", study.pieces != nullptr, "with report error, stability or atlas");
     const bool page = !command.shard;
     command.grid = take("grid", name == "atlas", "with report atlas");
-    for (const auto& [option, value] : {std::pair{"x", &command.x}, std::pair{"y", &command.y},
-                                        std::pair{"measure", &command.measure}}) {
+    for (const auto& [option, value] :
+         {std::pair{"x", &command.x}, std::pair{"y", &command.y}, std::pair{"measure", &command.measure}}) {
         *value = take(option, command.grid.has_value(), "with --grid SCENE");
     }
     if (take("set", command.grid.has_value(), "with --grid SCENE")) command.set = words.take_all("set");
@@ -199,8 +200,8 @@ Report read_report(Words& words, const std::string& name) {
     command.quick = take("quick", !command.grid, "without --grid, which says all values").has_value();
     command.parts = take_list(words, "only", !command.grid, "without --grid, which is one map");
     for (const std::string& part : command.parts) require_known("--only", part, study.parts);
-    const bool frozen = name == "error" && (command.parts.empty() || std::ranges::find(command.parts, "frozen") !=
-                                                                         command.parts.end());
+    const bool frozen = name == "error" && (command.parts.empty() ||
+                                            std::ranges::find(command.parts, "frozen") != command.parts.end());
     const char* const of_error = "with report error, the only one that has problems";
     command.problems = take("problems", frozen, of_error);
     command.beside = take("beside", name == "error", of_error);
@@ -222,12 +223,13 @@ void carry_out(const Report& command) {
 }
 
 Entry report_entry() {
-    return {"report", "REPORT",
-            "measurements of many runs, as CSV files and a page of plots. REPORT is error: error against work and run "
-            "time, of every method and scene; stability: stiff and extreme cases, each judged; cost: work and time "
-            "per step of each scene; atlas: maps of outcomes over two parameters; merge DIR...: the page of the "
-            "shards in these folders",
-            report_options, read_any_report};
+    return {
+        "report", "REPORT",
+        "measurements of many runs, as CSV files and a page of plots. REPORT is error: error against work and run "
+        "time, of every method and scene; stability: stiff and extreme cases, each judged; cost: work and time "
+        "per step of each scene; atlas: maps of outcomes over two parameters; merge DIR...: the page of the "
+        "shards in these folders",
+        report_options, read_any_report};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -53,15 +53,20 @@ void go_through(ObservedRun& observed, const std::string& name, long steps, pict
 
 std::vector<Option> run_options() {
     std::vector<Option> table = simulation_option_table();
-    for (const auto& more : {output_option_table(), frame_option_table(of_run, "Output (FILE - is standard output)")}) {
+    for (const auto& more :
+         {output_option_table(), frame_option_table(of_run, "Output (FILE - is standard output)")}) {
         table.insert(table.end(), more.begin(), more.end());
     }
     return table;
 }
 
 AnyCommand read_run(Words& words) {
-    Run command{.files = take_files(words), .summary = words.take("summary"), .glb = words.take("glb"),
-                .replay = words.take("replay"), .timing = words.take_flag("timing"), .line = words.line()};
+    Run command{.files = take_files(words),
+                .summary = words.take("summary"),
+                .glb = words.take("glb"),
+                .replay = words.take("replay"),
+                .timing = words.take_flag("timing"),
+                .line = words.line()};
     command.replay_poses_only = take_poses_only(words, command.replay.has_value());
     std::vector<std::string> scenes = words.take_names();
     command.given = take_simulation(words, scenes, !command.timing);
@@ -82,7 +87,7 @@ void carry_out(const Run& request) {
     const long steps = whole_steps(choices.settings);
     note_cut_time(choices);
     const long every = request.replay ? pictures::steps_a_replay_frame(choices) : 1;
-    std::vector<std::vector<Frame>> frames;
+    std::vector<Frames> frames;
     if (request.glb) {
         pictures::check_glb(*request.glb, choices);
         frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));

@@ -62,6 +62,10 @@ std::vector<Option> output_option_table() {
         {"replay-data", "all|poses", "poses: the replay without velocities and forces, for a smaller file [all]",
          output_group},
         file("glb", "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps"),
+        {"measure", "NAME",
+         "a number of the summary that compares with the exact motion, which takes longer than the run: "
+         "angle_error_rms_deg of pendulum-wave; may be repeated [null]",
+         output_group, OptionKind::list},
         file("save-state", "the final state, as a scene file that resumes the run"),
         {"timing", "", "CPU time of the steps in the CSV and the summary; the run uses one thread", output_group,
          OptionKind::flag},
@@ -72,7 +76,8 @@ std::vector<Option> frame_option_table(unsigned uses, const std::string& group) 
     std::vector<Option> table;
     for (const FrameOption& option : frame_options()) {
         if ((option.uses & uses) == 0) continue;
-        table.push_back({std::string(option.name), std::string(option.placeholder), std::string(option.help), group});
+        table.push_back(
+            {std::string(option.name), std::string(option.placeholder), std::string(option.help), group});
     }
     return table;
 }
@@ -127,7 +132,8 @@ RunFiles take_files(Words& words) {
     return {.csv = words.take("csv"),
             .trajectory = words.take("trajectory"),
             .rows = words.take("rows"),
-            .save_state = words.take("save-state")};
+            .save_state = words.take("save-state"),
+            .measures = words.take_all("measure")};
 }
 
 void require_shown_overlays(const Words& words, const Shown& outputs) {

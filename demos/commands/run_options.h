@@ -20,8 +20,8 @@ std::vector<Option> output_option_table();
 // The frame options that serve one of these outputs (FrameUse), under a heading.
 std::vector<Option> frame_option_table(unsigned uses, const std::string& group);
 
-// Takes the simulation options and reads --config. `scenes` is that of the config file if it was empty; `has_threads`
-// is false for runs on one thread. Frame options are in the result, but not yet taken.
+// Takes the simulation options and reads --config. `scenes` is that of the config file if it was empty;
+// `has_threads` is false for runs on one thread. Frame options are in the result, but not yet taken.
 GivenOptions take_simulation(Words& words, std::vector<std::string>& scenes, bool has_threads);
 
 // Takes the frame options that serve one of these outputs (FrameUse).

@@ -1,5 +1,6 @@
 #include "demos/commands/words.h"
 
+#include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/shell_words.h"
 #include "demos/text/suggest.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 // Where a name leads to, through links; the folder need not exist yet.
 fs::path place_of(const std::string& name) {
     std::error_code error;
-    const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
+    const fs::path place = fs::weakly_canonical(fs::absolute(followed(name)), error);
     return error ? fs::path(name) : place;
 }
 
@@ -160,8 +161,7 @@ void Words::refuse_rest(std::string_view command) const {
     for (std::size_t i = 0; i < writes_.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             if (are_one_file(writes_[i].name, writes_[k].name)) {
-                throw UsageError(
-                    fmt::format("{}: must not be the file of {}", writes_[i].field, writes_[k].field));
+                throw UsageError(fmt::format("{}: must not be the file of {}", writes_[i].field, writes_[k].field));
             }
         }
         for (const File& input : reads_) {
@@ -193,8 +193,8 @@ std::string help_of(const std::vector<Option>& options) {
         for (const Option& option : options) {
             if (option.group != group) continue;
             std::string head = "  --" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
-            const std::string gap = head.size() + 2 > indent ? "\n" + std::string(indent, ' ')
-                                                             : std::string(indent - head.size(), ' ');
+            const std::string gap =
+                head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ');
             text += head + gap + wrapped(option.help, indent) + "\n";
         }
     }

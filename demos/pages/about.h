@@ -14,6 +14,6 @@ struct About {
 About about_this();
 
 std::string about_json(const About& about);  // about.json
-std::string line_of(const About& about);    // for captions
+std::string line_of(const About& about);     // for captions
 
 }  // namespace pushfactor::demos::reports

@@ -51,10 +51,9 @@ std::vector<std::string> lines_of(std::span<const SuiteVerdict> suites) {
     if (!failures.empty()) lines.emplace_back();
     lines.insert(lines.end(), {"| | | checked | failed | not compared |", "|---|---|---|---|---|"});
     for (const SuiteVerdict& suite : suites) {
-        lines.push_back(fmt::format("| {} | {} | {} | {} | {} |",
-                                    suite.failures() > 0 ? "❌" : (suite.skipped() > 0 ? "⚠️" : "✅"),
-                                    cell(suite.name), std::ssize(suite.cases) - suite.skipped(), suite.failures(),
-                                    suite.skipped()));
+        lines.push_back(fmt::format(
+            "| {} | {} | {} | {} | {} |", suite.failures() > 0 ? "❌" : (suite.skipped() > 0 ? "⚠️" : "✅"),
+            cell(suite.name), std::ssize(suite.cases) - suite.skipped(), suite.failures(), suite.skipped()));
     }
     return lines;
 }

@@ -12,7 +12,7 @@ struct CaseVerdict {
     std::string failure{};  // one line; empty if it holds
     std::string skipped{};  // why nothing was compared; empty if something was
     double seconds = 0.0;
-    double badness = 0.0;   // failures with larger ones are listed first
+    double badness = 0.0;  // failures with larger ones are listed first
 };
 
 struct SuiteVerdict {

@@ -22,18 +22,6 @@ namespace {
 
 constexpr std::size_t most_buffered = 1 << 16;
 
-// Where the name leads to; a link may point to a file that does not exist yet.
-fs::path followed(fs::path path) {
-    constexpr int most_links = 40;
-    std::error_code error;
-    for (int i = 0; i < most_links && fs::is_symlink(path, error); ++i) {
-        const fs::path next = fs::read_symlink(path, error);
-        if (error) break;
-        path = next.is_absolute() ? next : path.parent_path() / next;
-    }
-    return path;
-}
-
 bool write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -45,6 +33,17 @@ bool write_all(int descriptor, std::string_view bytes) {
 }
 
 }  // namespace
+
+fs::path followed(fs::path path) {
+    constexpr int most_links = 40;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(path, error); ++i) {
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) break;
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return path;
+}
 
 StagedFile::StagedFile(const fs::path& target, const std::string& extension)
     : target_(target), place_(followed(target)) {

@@ -9,8 +9,9 @@
 
 namespace pushfactor::demos {
 
-// A new file next to `target`, under a name that no other process uses, until commit() puts it in its place. Links are
-// followed, and the mode of an existing file is kept. Members throw OutputError that names the target and the reason.
+// A new file next to `target`, under a name that no other process uses, until commit() puts it in its place. Links
+// are followed, and the mode of an existing file is kept. Members throw OutputError that names the target and the
+// reason.
 class StagedFile {
   public:
     explicit StagedFile(const std::filesystem::path& target, const std::string& extension = ".partial");
@@ -35,9 +36,9 @@ class StagedFile {
     int descriptor_ = -1;
 };
 
-// Writes go to a staged file. Without commit() an existing file stays. "-" is standard output; an existing path that
-// is not a regular file (a device, a pipe) is written to directly. Every member throws OutputError that names the path
-// and the reason.
+// Writes go to a staged file. Without commit() an existing file stays. "-" is standard output; an existing path
+// that is not a regular file (a device, a pipe) is written to directly. Every member throws OutputError that names
+// the path and the reason.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
@@ -60,6 +61,9 @@ class OutputFile {
     int descriptor_ = -1;
     std::string buffer_;
 };
+
+// Where a name leads to through links; the file may not exist yet.
+std::filesystem::path followed(std::filesystem::path path);
 
 // Writes to standard output, at once.
 void print(std::string_view text);

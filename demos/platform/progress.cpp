@@ -41,8 +41,8 @@ void ProgressBar::show(long done) {
     const int filled = static_cast<int>(share * width);
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = share > 0.0 ? elapsed * (1.0 - share) / share : 0.0;
-    say(fmt::format("\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left ", label_, "", filled, "", width - filled, done, total_,
-                    left));
+    say(fmt::format("\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left ", label_, "", filled, "", width - filled, done,
+                    total_, left));
 }
 
 void note_interrupts() {

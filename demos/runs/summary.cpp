@@ -90,7 +90,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
         summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
     }
     if (!choices.settings.substeps) summary["substeps"] = substeps_of(measured.substeps());
-    for (const auto& [name, value] : measured.of_scene()) summary[name] = value;
+    for (const auto& [name, value] : measured.of_scene()) summary[name] = number_or_null(value);
     if (scene.standing) summary["heights_m"] = measured.heights();
     return json_text(summary);
 }

@@ -33,7 +33,7 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     }
     std::size_t position() const { return position_; }  // bytes that were read
 
-    const std::string& fault() const { return fault_; }    // empty for an error of the text
+    const std::string& fault() const { return fault_; }  // empty for an error of the text
 
     bool null() override { return value(); }
     bool boolean(bool) override { return value(); }
@@ -121,8 +121,8 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
     if (!place.fault().empty()) {
         // Deep paths are long.
         const std::string path = place.path();
-        throw UsageError(fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "",
-                                     place.fault()));
+        throw UsageError(
+            fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
     }
     try {
         if (sound) return Json::parse(text);

@@ -11,7 +11,11 @@ namespace pushfactor::demos {
 inline std::size_t character_at(std::string_view text, std::uint32_t& code) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (text.empty()) return 0;
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) >> 5 == 6 ? 2 : byte(0) >> 4 == 14 ? 3 : byte(0) >> 3 == 30 ? 4 : 0;
+    const std::size_t length = byte(0) < 0x80       ? 1
+                               : byte(0) >> 5 == 6  ? 2
+                               : byte(0) >> 4 == 14 ? 3
+                               : byte(0) >> 3 == 30 ? 4
+                                                    : 0;
     if (length == 0 || text.size() < length) return 0;
     code = length == 1 ? byte(0) : byte(0) & (0x7fu >> length);
     for (std::size_t i = 1; i < length; ++i) {

@@ -86,6 +86,8 @@ std::string chunk(const std::string& type, const std::string& data) {
     return bytes;
 }
 
+}  // namespace
+
 std::vector<std::uint8_t> with_notes(std::vector<std::uint8_t> png, const PngNotes& notes) {
     std::string chunks;
     if (notes.dots_per_inch > 0.0) {
@@ -97,11 +99,10 @@ std::vector<std::uint8_t> with_notes(std::vector<std::uint8_t> png, const PngNot
     }
     if (!notes.film.empty()) chunks += chunk("tEXt", film_key + ('\0' + notes.film));
     constexpr std::ptrdiff_t after_header = 8 + 25;  // signature and IHDR
+    if (png.size() < after_header) return png;
     png.insert(png.begin() + after_header, chunks.begin(), chunks.end());
     return png;
 }
-
-}  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, const PngNotes& notes) {
     return with_notes(encode(image.width, image.height, 3, image.rgb), notes);

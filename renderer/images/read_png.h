@@ -10,8 +10,8 @@ namespace pushfactor::renderer {
 
 enum class Behind { white, black };
 
-// Decodes a PNG file of any kind as 8-bit sRGB; what is transparent is shown on white or black. Throws RendererError
-// for bytes that are not a whole PNG file, and for more than 268 million pixels.
+// Decodes a PNG file of any kind as 8-bit sRGB; what is transparent is shown on white or black. Throws
+// RendererError for bytes that are not a whole PNG file, and for more than 268 million pixels.
 Image decode_png(std::span<const std::uint8_t> png, Behind behind = Behind::white);
 
 // Whether the file says how opaque its pixels are. False for bytes that are no PNG file.

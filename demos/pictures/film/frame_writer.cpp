@@ -8,7 +8,7 @@
 namespace pushfactor::demos::pictures {
 
 FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
-                         const Rational& fps, std::string film, StageTimes* times)
+                         const Rational& fps, StageTimes* times, std::string film)
     : folder_(std::move(folder)),
       png_(png),
       video_name_(video),

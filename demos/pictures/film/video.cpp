@@ -22,8 +22,8 @@ std::string extension(const fs::path& file) {
     return name.substr(std::min(name.rfind('.'), name.size()));
 }
 
-// ffmpeg reads a name that begins with '-' as an option and text before a ':' as a protocol; a leading folder prevents
-// both.
+// ffmpeg reads a name that begins with '-' as an option and text before a ':' as a protocol; a leading folder
+// prevents both.
 fs::path for_ffmpeg(const fs::path& file) {
     return file.is_absolute() ? file : "." / file;
 }
@@ -96,8 +96,8 @@ Video::Video(fs::path file, int width, int height, const Rational& fps)
     std::error_code ignored;
     const fs::file_status status = fs::status(file_, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) fail("is there already and is no regular file");
-    // Created here and not by ffmpeg, which takes the format from the extension, so that a missing or read-only folder
-    // is reported before the first frame.
+    // Created here and not by ffmpeg, which takes the format from the extension, so that a missing or read-only
+    // folder is reported before the first frame.
     staged_.emplace(file_, extension(file_));
     try {
         ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg",

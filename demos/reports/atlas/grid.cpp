@@ -139,6 +139,7 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
     if (axis.values.size() < 2 || std::ranges::adjacent_find(axis.values, same) != axis.values.end()) {
         refuse(field, text, "must have at least two values, and none twice");
     }
+    if (words.size() == 1) axis.names = true;     // a list has equal cells, whatever its numbers are
     for (const std::string& one : axis.values) {  // the message of a value that no run accepts
         OptionTexts options = set;
         options.emplace_back(name, one);

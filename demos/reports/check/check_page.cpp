@@ -47,9 +47,11 @@ std::string folder_table(std::span<const FolderVerdict> folders) {
                                one.compared ? "" : "not compared: ", one.text);
         }
         if (run.empty()) run = folder.runs.empty() ? "none" : "as expected";
-        const Mark mark = folder.failures() > 0 ? Mark::fails : folder.not_compared() > 0 ? Mark::not_compared : Mark::holds;
-        table.push_back({std::string(word_of(mark)), folder.name,
-                         std::to_string(folder.pictures.size()), std::to_string(differ), run, folder.how});
+        const Mark mark = folder.failures() > 0       ? Mark::fails
+                          : folder.not_compared() > 0 ? Mark::not_compared
+                                                      : Mark::holds;
+        table.push_back({std::string(word_of(mark)), folder.name, std::to_string(folder.pictures.size()),
+                         std::to_string(differ), run, folder.how});
     }
     return "<section>\n<h2>Folders</h2>\n" + table_html(table, "Folders") + "</section>\n";
 }
@@ -159,11 +161,10 @@ std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {
                                    .badness = 3.0});
         }
         for (const PictureVerdict& picture : folder.pictures) {
-            suite.cases.push_back(
-                {.name = picture.name,
-                 .failure = picture.holds() ? "" : picture.text,
-                 .seconds = picture.seconds,
-                 .badness = picture.badness});
+            suite.cases.push_back({.name = picture.name,
+                                   .failure = picture.holds() ? "" : picture.text,
+                                   .seconds = picture.seconds,
+                                   .badness = picture.badness});
         }
     }
     return suites;

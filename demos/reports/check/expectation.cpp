@@ -105,10 +105,7 @@ bool Expectation::was_made_with(const std::string& driver) const {
 
 std::vector<std::string> Expectation::unexpected() const {
     std::vector<std::string> names = pictures_in(folder);
-    std::erase_if(names, [this](const std::string& name) {
-        const auto& frames = sequence.frames.front();
-        return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) { return frame.name == name; });
-    });
+    std::erase_if(names, [this](const std::string& name) { return sequence.frames.front().has(name); });
     return names;
 }
 
@@ -118,7 +115,8 @@ std::vector<fs::path> folders_of_runs(const fs::path& folder) {
     if (fs::exists(folder / "config.json")) found.push_back(folder);
     std::error_code error;
     for (const fs::path& below : files_below(folder)) {
-        if (below.filename() == "config.json" && below.parent_path() != folder) found.push_back(below.parent_path());
+        if (below.filename() == "config.json" && below.parent_path() != folder)
+            found.push_back(below.parent_path());
     }
     if (found.empty()) {
         throw UsageError(

@@ -107,7 +107,11 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     const bool same = expected.was_made_with(studio.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());
     FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
-    Jury jury(expected.folder, {.tolerance = tolerance, .film = film_mark(sequence.panels.front().choices, expected.given), .same_bytes = same}, job, update);
+    Jury jury(expected.folder,
+              {.tolerance = tolerance,
+               .film = film_mark(sequence.panels.front().choices, expected.given),
+               .same_bytes = same},
+              job, update);
     try {
         FrameQueue queue([&](const std::string& name, const renderer::Image& image,
                              StageWatch& watch) { return jury.look(name, image, watch); },
