@@ -5,7 +5,6 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
-#include "demos/text/lengths.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
 

@@ -1,10 +1,10 @@
-#include "demos/commands/report_note.h"
+#include "demos/commands/report.h"
 #include "demos/platform/output_file.h"
+#include "demos/platform/shell_words.h"
 #include "demos/reports/pieces/store.h"
 #include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
-#include "demos/text/shell_words.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

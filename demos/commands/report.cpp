@@ -1,5 +1,6 @@
+#include "demos/commands/report.h"
+
 #include "demos/commands/commands.h"
-#include "demos/commands/report_note.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/study.h"
 #include "demos/text/comma_list.h"

@@ -1,8 +1,8 @@
 #include "demos/commands/words.h"
 
 #include "demos/platform/output_file.h"
+#include "demos/platform/shell_words.h"
 #include "demos/text/errors.h"
-#include "demos/text/shell_words.h"
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>

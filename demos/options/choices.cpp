@@ -204,6 +204,7 @@ SceneDescription spelled_out(const Choices& choices) {
 }
 
 std::string film_mark(const Choices& choices, const GivenOptions& given) {
+    if (!choices.frames.at.empty()) return "";
     Json config = Json::parse(config_text(choices, given));
     // Frames are the same bytes with any of these.
     for (const char* const name : {"gl", "threads", "scene"}) config.erase(name);

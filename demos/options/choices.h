@@ -70,7 +70,7 @@ void require_parameters(const std::string& scene, const GivenOptions& given);
 // The description with every option spelled out, so that its meaning does not depend on presets.
 SceneDescription spelled_out(const Choices& choices);
 
-// Hash of what decides the pictures of a film, to tell its frames from those of another.
+// Hash of what decides the pictures of a film, to tell its frames from those of another; empty for stills.
 std::string film_mark(const Choices& choices, const GivenOptions& given);
 
 // JSON text that reproduces the run: every option spelled out; for a comparison only the given ones.

@@ -2,6 +2,7 @@
 
 #include "renderer/base/renderer_error.h"
 
+#include <libdeflate.h>
 #include <png.h>
 
 #include <cstddef>
@@ -29,6 +30,29 @@ struct Reader {
     }
 };
 
+std::uint32_t number_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i) number = number << 8 | bytes[at + i];
+    return number;
+}
+
+// Calls `visit` with type and data of each chunk. False unless all are whole, up to the last one.
+template <typename Visit>
+bool for_chunks(std::span<const std::uint8_t> png, const Visit& visit) {
+    constexpr std::size_t signature = 8, around = 12;  // length, type and checksum of a chunk
+    const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+    for (std::size_t at = signature; at + around <= png.size();) {
+        const std::size_t length = number_at(png, at);
+        if (length > png.size() - at - around) return false;
+        if (libdeflate_crc32(0, png.data() + at + 4, length + 4) != number_at(png, at + 8 + length)) return false;
+        const std::string_view type = bytes.substr(at + 4, 4);
+        if (type == "IEND") return true;
+        visit(type, bytes.substr(at + 8, length));
+        at += around + length;
+    }
+    return false;
+}
+
 }  // namespace
 
 Image decode_png(std::span<const std::uint8_t> png, Behind behind) {
@@ -39,6 +63,10 @@ Image decode_png(std::span<const std::uint8_t> png, Behind behind) {
     }
     Reader reader;
     reader.require(png_image_begin_read_from_memory(&reader.png, png.data(), png.size()));
+    // Of chunks that are not needed for the pixels libpng does not look at the checksums.
+    if (!for_chunks(png, [](std::string_view, std::string_view) {})) {
+        throw RendererError("not a whole PNG file: a chunk is cut or damaged");
+    }
     reader.png.format = PNG_FORMAT_RGB;
     const std::size_t pixels = std::size_t{reader.png.width} * reader.png.height;
     if (pixels > most_pixels) {
@@ -61,18 +89,12 @@ bool has_opacity(std::span<const std::uint8_t> png) {
 }
 
 std::string film_in_png(std::span<const std::uint8_t> png) {
-    constexpr std::size_t around = 12;  // length, type and checksum of a chunk
-    const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+    std::string film;
     const std::string start = film_key + std::string(1, '\0');
-    for (std::size_t at = 8; at + around <= bytes.size();) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | png[at + i];
-        const std::string_view type = bytes.substr(at + 4, 4), data = bytes.substr(at + 8, length);
-        if (type == "tEXt" && data.starts_with(start)) return std::string(data.substr(start.size()));
-        if (type == "IDAT") break;
-        at += around + length;
-    }
-    return "";
+    for_chunks(png, [&](std::string_view type, std::string_view data) {
+        if (type == "tEXt" && data.starts_with(start)) film = data.substr(start.size());
+    });
+    return film;
 }
 
 }  // namespace pushfactor::renderer

@@ -1,7 +1,7 @@
 // Figures for print: sizes on paper, letters, LaTeX, and colours that stay apart in grey.
 #include "demos/pages/printing/latex.h"
 #include "demos/pages/printing/sheet.h"
-#include "demos/text/lengths.h"
+#include "demos/text/numbers.h"
 #include "demos/text/palette.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

@@ -218,9 +218,9 @@ TEST_CASE("a check that is interrupted, or cannot write, leaves what was expecte
     for (int i = 0; i < 9; ++i) fs::remove(folder / ("gold/frame_00000" + std::to_string(i) + ".png"));
     const auto before = contents(folder, "gold");
 
-    const Ended stopped = shell(folder, "'" PUSHFACTOR_PROGRAM
-                                        "' check gold --update & until [ -e gold/.new/frame_000001.png ]; do sleep "
-                                        "0.01; done; kill -INT $!; wait $!");
+    const Ended stopped = shell(folder, PUSHFACTOR_IN_BACKGROUND
+                                " check gold --update & until [ -e gold/.new/frame_000001.png ]; do sleep "
+                                "0.01; done; kill -INT $!; wait $!");
     CHECK(stopped.status == 1);
     CHECK(stopped.err == "pushfactor: interrupted: no expected file was changed\n");
     CHECK(contents(folder, "gold") == before);

@@ -61,7 +61,7 @@ TEST_CASE("an atlas in 2, 7 and 64 shards, in any order, one killed and started 
         };
         if (count == 2) {
             const Ended killed =
-                shell(folder, "'" PUSHFACTOR_PROGRAM "'" + shard(2) + " --jobs 1 & until ls " + out +
+                shell(folder, PUSHFACTOR_IN_BACKGROUND + shard(2) + " --jobs 1 & until ls " + out +
                                   "/pieces/*/*/*.json >list 2>/dev/null || ! kill -0 $!; do sleep 0.01; done; kill "
                                   "-KILL $!; wait $!");
             CHECK(killed.status == 128 + 9);
