@@ -201,6 +201,9 @@ std::vector<Option> render_options() {
 
 AnyCommand read_join(Words& words) {
     Join command{.folders = words.take_all("join"), .video = words.take("video").value_or("")};
+    // Further folders may follow without the option.
+    const std::vector<std::string> more = words.take_names();
+    command.folders.insert(command.folders.end(), more.begin(), more.end());
     if (command.video.empty()) throw UsageError("--join: must be with --video FILE");
     pictures::check_video_name(command.video);
     words.refuse_rest("render --join");
@@ -264,6 +267,7 @@ AnyCommand read_render(Words& words) {
         words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
     if (command.video) pictures::check_video_name(*command.video);
     if (command.replay) pictures::check_replay_name(*command.replay);
+    words.refuse_rest(stills ? "render --at, which makes stills" : draws ? "render" : "render --frames off");
     return command;
 }
 

@@ -53,9 +53,7 @@ bool for_chunks(std::span<const std::uint8_t> png, const Visit& visit) {
     return false;
 }
 
-}  // namespace
-
-Image decode_png(std::span<const std::uint8_t> png, Behind behind) {
+std::vector<std::uint8_t> decode(std::span<const std::uint8_t> png, png_uint_32 format, Image& size) {
     if (png.empty()) throw RendererError("an empty file");
     const std::string_view text(reinterpret_cast<const char*>(png.data()), png.size());
     if (text.starts_with("version https://git-lfs")) {
@@ -67,18 +65,32 @@ Image decode_png(std::span<const std::uint8_t> png, Behind behind) {
     if (!for_chunks(png, [](std::string_view, std::string_view) {})) {
         throw RendererError("not a whole PNG file: a chunk is cut or damaged");
     }
-    reader.png.format = PNG_FORMAT_RGB;
+    reader.png.format = format;
     const std::size_t pixels = std::size_t{reader.png.width} * reader.png.height;
     if (pixels > most_pixels) {
         throw RendererError("a PNG file of " + std::to_string(reader.png.width) + "x" +
                             std::to_string(reader.png.height) + " pixels: must be at most 268435456 in all");
     }
-    Image image{
-        .width = static_cast<int>(reader.png.width), .height = static_cast<int>(reader.png.height), .rgb = {}};
-    image.rgb.resize(3 * pixels);
-    const png_byte level = behind == Behind::white ? 255 : 0;
-    const png_color colour{level, level, level};
-    reader.require(png_image_finish_read(&reader.png, &colour, image.rgb.data(), 0, nullptr));
+    size.width = static_cast<int>(reader.png.width);
+    size.height = static_cast<int>(reader.png.height);
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_PIXEL_CHANNELS(format) * pixels);
+    const png_color white{255, 255, 255};
+    reader.require(png_image_finish_read(&reader.png, &white, bytes.data(), 0, nullptr));
+    return bytes;
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> png) {
+    Image image;
+    image.rgb = decode(png, PNG_FORMAT_RGB, image);
+    return image;
+}
+
+Image decode_opacity(std::span<const std::uint8_t> png) {
+    Image image;
+    const std::vector<std::uint8_t> rgba = decode(png, PNG_FORMAT_RGBA, image);
+    for (std::size_t i = 3; i < rgba.size(); i += 4) image.rgb.insert(image.rgb.end(), 3, rgba[i]);
     return image;
 }
 

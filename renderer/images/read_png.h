@@ -8,11 +8,12 @@
 
 namespace pushfactor::renderer {
 
-enum class Behind { white, black };
-
-// Decodes a PNG file of any kind as 8-bit sRGB; what is transparent is shown on white or black. Throws
+// Decodes a PNG file of any kind as 8-bit sRGB; what is transparent is shown on white. Throws
 // RendererError for bytes that are not a whole PNG file, and for more than 268 million pixels.
-Image decode_png(std::span<const std::uint8_t> png, Behind behind = Behind::white);
+Image decode_png(std::span<const std::uint8_t> png);
+
+// The opacity of its pixels as grey: white is opaque. Throws as decode_png().
+Image decode_opacity(std::span<const std::uint8_t> png);
 
 // Whether the file says how opaque its pixels are. False for bytes that are no PNG file.
 bool has_opacity(std::span<const std::uint8_t> png);

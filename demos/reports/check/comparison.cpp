@@ -67,11 +67,11 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
         if (image.width == actual.width && image.height == actual.height) {
             look(how.tolerance, image, actual, compared);
             if (compared.verdict.holds() && (renderer::has_opacity(*bytes) || renderer::has_opacity(file))) {
-                // Equal on white and on black is equal in opacity.
-                const auto on_black = [](const Bytes& png) {
-                    return renderer::decode_png(png, renderer::Behind::black);
-                };
-                look(how.tolerance, on_black(*bytes), file.empty() ? actual : on_black(file), compared);
+                const renderer::Image opaque{.width = actual.width,
+                                             .height = actual.height,
+                                             .rgb = std::vector<std::uint8_t>(actual.rgb.size(), 255)};
+                look(how.tolerance, renderer::decode_opacity(*bytes),
+                     file.empty() ? opaque : renderer::decode_opacity(file), compared);
                 if (!compared.verdict.holds()) compared.verdict.text = "opacity: " + compared.verdict.text;
             }
         } else {
