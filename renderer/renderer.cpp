@@ -237,7 +237,7 @@ void Renderer::render(std::span<const Picture> pictures, Image& image) {
     context_.make_current();
     image = pictures.size() == 1 ? pipeline_->draw(pictures.front()) : pipeline_->draw_spread(pictures);
     draw_marks(image, pictures.back());
-    check_in_view(image, pictures.back().background.colour, pictures.back().camera);
+    if (shows_only(pictures.back().background.colour, image)) ++blank_;
     pipeline_->end(Stage::marks);
 }
 

@@ -30,19 +30,22 @@ class Renderer {
              int samples = 1, Stages* stages = nullptr);
     ~Renderer();
 
-    // Never returns a blank image. Throws RendererError for a picture that check() rejects or of which the camera
-    // sees nothing, and if GL fails; the message says why.
+    // Throws RendererError for a picture that check() rejects, and if GL fails; the message says why.
     Image render(const Picture& picture);
 
     // Renders into `image`, whose old contents are used only for their memory. The samples are spread over several
     // pictures in their order, for motion blur; their marks are those of the last.
     void render(std::span<const Picture> pictures, Image& image);
 
+    // How many of the pictures so far show only the background, because nothing is in view of their camera.
+    long blank() const { return blank_; }
+
   private:
     class Pipeline;
 
     OffscreenContext& context_;
     std::unique_ptr<Pipeline> pipeline_;
+    long blank_ = 0;
 };
 
 }  // namespace pushfactor::renderer

@@ -54,7 +54,7 @@ struct Run {
     }
     double measured(const std::string& name) const {
         for (const auto& [known, value] : measurements.of_scene()) {
-            if (known == name) return value;
+            if (known == name) return value.value();
         }
         throw std::out_of_range("no measure " + name);
     }

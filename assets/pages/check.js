@@ -8,6 +8,13 @@
     const whats = [...document.querySelectorAll(".what")];
     let timer = 0;
 
+    // Pixels of small pictures are seen as such.
+    for (const picture of document.querySelectorAll(".stage img")) {
+        const look = () => picture.classList.toggle("enlarged", picture.naturalWidth < picture.clientWidth);
+        picture.addEventListener("load", look);
+        if (picture.complete) look();
+    }
+
     const tell = () => {
         const slider = body.dataset.mode === "slider";
         const text = body.classList.contains("second") ? "Now: actual" : "Now: expected";
@@ -51,6 +58,7 @@
         });
     }
     addEventListener("keydown", (event) => {
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (event.target.matches("input, button") && event.key === " ") return;
         const button = buttons[Number(event.key) - 1];
         if (button) choose(button.value);

@@ -21,11 +21,11 @@ set bmargin at screen 0.135
 set xlabel x_axis noenhanced
 set ylabel y_axis noenhanced
 share = (format eq 'svg' ? 1.0 : 0.75) * letters
-small = sprintf(',%.1f', 0.62 * share)
-inner = sprintf(',%.1f', 0.7 * share)
+small = sprintf(',%.1f', 0.7 * share)
+inner = sprintf(',%.1f', 0.85 * share)
 legend = sprintf(',%.1f', 0.8 * share)
 set label 99 heading at screen 0.095,0.958 left font sprintf(',%.1f', 1.1 * share) noenhanced
-set label 100 command at screen 0.992,0.02 right font small textcolor rgb '#888888' noenhanced
+set label 100 command at screen 0.992,0.02 right font small textcolor rgb '#666666' noenhanced
 set label 101 'numbers: '.number_words at screen 0.752,0.145 left font small textcolor rgb '#444444' noenhanced
 set key at screen 0.745,0.925 samplen 1.6 top left Left reverse font legend
 plot data index 0 using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid 1.0 border rgb 'white' linewidth 1.5 \

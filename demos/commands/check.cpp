@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace reports::check;
 
-Rules understand_rules(const CheckRequest& request) {
+Rules understand_rules(const Check& request) {
     Rules rules;
     if (request.tolerance && request.flip)
         throw UsageError("--flip: must be given without --tolerance, which it replaces");
@@ -46,16 +46,24 @@ Rules understand_rules(const CheckRequest& request) {
         }
         rules.tolerance = Tolerance{.limits = {}, .flip = *most};
     }
-    if (request.physics == "off") {
+    const std::string physics = request.physics.value_or("hash");
+    if (physics == "off") {
         rules.physics = false;
-    } else if (request.physics != "hash") {
-        const auto most = parse_number(request.physics);
+    } else if (physics != "hash") {
+        const auto most = parse_number(physics);
         if (!most || *most < 0.0) {
-            throw UsageError(fmt::format("--physics {}: must be hash, off, or metres from 0", request.physics));
+            throw UsageError(fmt::format("--physics {}: must be hash, off, or metres from 0", physics));
         }
         rules.trajectory = *most;
     }
     return rules;
+}
+
+int jobs_at_once(const Check& request) {
+    if (!request.jobs) return 1;
+    const auto jobs = parse_integer(*request.jobs);
+    if (jobs && *jobs >= 1 && *jobs <= 256) return *jobs;
+    throw UsageError(fmt::format("--jobs {}: must be a whole number from 1 to 256", *request.jobs));
 }
 
 // File names for folders: what is not plain becomes '-', and a name that is taken gets a number.
@@ -68,6 +76,8 @@ class Anchors {
             if (plain || !wanted.empty()) wanted += plain ? c : '-';
         }
         while (wanted.ends_with('-')) wanted.pop_back();
+        constexpr std::size_t longest = 100;
+        if (wanted.size() > longest) wanted.erase(0, wanted.size() - longest);
         if (wanted.empty()) wanted = "pictures";
         std::string anchor = wanted;
         for (int n = 2; !taken_.insert(anchor).second; ++n) anchor = fmt::format("{}-{}", wanted, n);
@@ -88,16 +98,13 @@ std::string name_of(const fs::path& folder) {
 // Checks the folders, several at once, and prints the lines of each in their order as soon as they are known.
 class Checks {
   public:
-    Checks(const Request& request, const Rules& rules) : request_(request), rules_(rules) {
+    Checks(const Check& request, const Rules& rules) : request_(request), rules_(rules) {
         Anchors anchors;
-        for (const std::string& given : request.check.folders) {
+        for (const std::string& given : request.folders) {
             for (const fs::path& folder : folders_of_runs(given)) {
-                expected_.push_back(read_expectation(folder, request.given));
                 jobs_.push_back({.name = name_of(folder), .anchor = anchors(folder), .pages = pages()});
+                folders_.push_back(folder);
             }
-        }
-        if (rules.trajectory) {
-            for (const Expectation& one : expected_) require_trajectory(one);
         }
         updates_.resize(jobs_.size());
         verdicts_.resize(jobs_.size());
@@ -107,12 +114,12 @@ class Checks {
     fs::path pages() const { return request_.out.value_or("out/check"); }
 
     std::vector<FolderVerdict> carry_out() {
-        if (request_.check.update) {
+        if (request_.update) {
             for (std::size_t i = 0; i < jobs_.size(); ++i) {
-                updates_[i] = std::make_unique<Update>(expected_[i].folder);
+                updates_[i] = std::make_unique<Update>(folders_[i]);
             }
         }
-        const auto most = static_cast<std::size_t>(request_.check.jobs);
+        const auto most = static_cast<std::size_t>(jobs_at_once(request_));
         std::vector<std::thread> others;
         for (std::size_t i = 1; i < std::min(most, jobs_.size()); ++i) others.emplace_back([this] { work(); });
         work();
@@ -126,27 +133,27 @@ class Checks {
         for (std::size_t i = 0; i < updates_.size(); ++i) {
             if (!updates_[i]) continue;
             const long count = updates_[i]->apply();
-            if (count > 0) fmt::print("{}: {} files are new\n", verdicts[i].name, count);
+            if (count > 0)
+                print(fmt::format("{}: {} {} updated\n", verdicts[i].name, count, count == 1 ? "file" : "files"));
         }
     }
 
     std::string driver() const { return driver_; }
 
   private:
-    static void require_trajectory(const Expectation& one) {
-        if (fs::exists(one.folder / "trajectory.csv")) return;
-        throw UsageError(
-            fmt::format("{0}: must have a trajectory.csv for --physics in metres: `render --trajectory "
-                        "{0}/trajectory.csv`",
-                        one.folder.string()));
-    }
-
     void work() {
         try {
             std::optional<pictures::Studio> studio;
             std::string made_for;
             while (const auto next = take()) {
-                const std::string& gl = expected_[*next].sequence.panels.front().choices.frames.gl;
+                std::optional<Expectation> expected;
+                try {
+                    expected.emplace(read_expectation(folders_[*next], request_.given));
+                } catch (const UsageError& error) {
+                    fail(*next, error.what());
+                    continue;
+                }
+                const std::string& gl = expected->sequence.panels.front().choices.frames.gl;
                 if (!studio || gl != made_for) {
                     const std::lock_guard lock(mutex_);  // the first context sets the environment
                     studio.reset();
@@ -154,7 +161,7 @@ class Checks {
                     made_for = gl;
                     driver_ = studio->driver();
                 }
-                check(*next, *studio);
+                check(*next, *expected, *studio);
             }
         } catch (...) {
             const std::lock_guard lock(mutex_);
@@ -169,26 +176,38 @@ class Checks {
         return next_++;
     }
 
-    void check(std::size_t i, pictures::Studio& studio) {
+    // A folder that cannot be read fails, and the others are checked.
+    void fail(std::size_t i, const std::string& why) {
+        end(i, {.name = jobs_[i].name,
+                .anchor = jobs_[i].anchor,
+                .how = "not at all",
+                .runs = {{.subject = "folder", .holds = false, .text = why}}});
+    }
+
+    void check(std::size_t i, const Expectation& expected, pictures::Studio& studio) {
         FolderJob job = jobs_[i];
         std::optional<ProgressBar> bar;  // of one folder at a time
-        if (request_.check.jobs == 1) {
-            bar.emplace(job.name, static_cast<long>(expected_[i].sequence.frame_count()));
+        if (jobs_at_once(request_) == 1) {
+            bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
-        FolderVerdict verdict = check_folder(expected_[i], rules_, job, studio, updates_[i].get());
+        FolderVerdict verdict = check_folder(expected, rules_, job, studio, updates_[i].get());
         bar.reset();
+        end(i, std::move(verdict));
+    }
+
+    void end(std::size_t i, FolderVerdict verdict) {
         const std::lock_guard lock(mutex_);
         verdicts_[i] = std::move(verdict);
         ended_[i] = true;
         for (; printed_ < ended_.size() && ended_[printed_]; ++printed_) {
-            for (const std::string& line : lines_of(verdicts_[printed_])) fmt::print("{}\n", line);
+            for (const std::string& line : lines_of(verdicts_[printed_])) print(fmt::format("{}\n", line));
         }
     }
 
-    const Request& request_;
+    const Check& request_;
     Rules rules_;
-    std::vector<Expectation> expected_;
+    std::vector<fs::path> folders_;
     std::vector<FolderJob> jobs_;
     std::vector<std::unique_ptr<Update>> updates_;
 
@@ -200,7 +219,7 @@ class Checks {
     std::exception_ptr error_;
 };
 
-void write_results(const Request& request, const std::vector<FolderVerdict>& verdicts, const fs::path& folder,
+void write_results(const Check& request, const std::vector<FolderVerdict>& verdicts, const fs::path& folder,
                    const std::string& driver) {
     const std::string made_with = "pushfactor " + version_text() + (driver.empty() ? "" : ", " + driver);
     make_folder(folder);
@@ -210,37 +229,87 @@ void write_results(const Request& request, const std::vector<FolderVerdict>& ver
     if (request.markdown) write_file(*request.markdown, job_summary(headline(verdicts), suites));
 }
 
-void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated) {
+void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated,
+              bool allow_not_compared) {
     long failures = 0;
-    for (const FolderVerdict& verdict : verdicts) failures += verdict.failures();
+    for (const FolderVerdict& verdict : verdicts) {
+        failures += verdict.failures() + (allow_not_compared ? 0 : verdict.not_compared());
+    }
     const std::string page = (folder / "index.html").string();
     if (failures == 0 || updated) {
-        fmt::print("{}; see {}\n", headline(verdicts), page);
+        print(fmt::format("{}; see {}\n", headline(verdicts), page));
         return;
     }
     throw CheckError(fmt::format("{}; see {}", headline(verdicts), page));
 }
 
-void check_other_pictures(const Request& request, const Rules& rules) {
-    if (request.check.folders.size() != 1) {
-        throw UsageError(fmt::format("--against {}: must be with one folder", *request.check.against));
-    }
-    if (request.check.update) throw UsageError("--update: must be without --against, which renders nothing");
-    const fs::path expected = request.check.folders.front(), folder = request.out.value_or("out/check");
+void check_other_pictures(const Check& request, const Rules& rules) {
+    const fs::path expected = request.folders.front(), folder = request.out.value_or("out/check");
     const std::vector<FolderVerdict> verdicts{
-        check_pictures(expected, *request.check.against, rules.tolerance.value_or(exactly()),
+        check_pictures(expected, *request.against, rules.tolerance.value_or(exactly()),
                        {.name = name_of(expected), .anchor = Anchors()(expected), .pages = folder})};
-    for (const std::string& line : lines_of(verdicts.front())) fmt::print("{}\n", line);
+    for (const std::string& line : lines_of(verdicts.front())) print(fmt::format("{}\n", line));
     write_results(request, verdicts, folder, "");
-    conclude(verdicts, folder, false);
+    conclude(verdicts, folder, false, request.allow_not_compared);
+}
+
+std::vector<Option> check_options() {
+    const std::string group = "Options";
+    return {
+        {"against", "DIR",
+         "compare the PNG files of FOLDER with those of this folder instead; nothing is rendered"},
+        {"tolerance", "LIST",
+         "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 [equal where program "
+         "and "
+         "driver are the same, else 2:0.05%,16:0.005%]"},
+        {"flip", "N", "largest mean FLIP error instead: what a person would see, 0 to 1"},
+        {"physics", "hash|M|off",
+         "hash: the state at the end is equal to the bit; M: poses are within M metres and radians of "
+         "trajectory.csv "
+         "in the folder; off [hash]"},
+        {"update", "", "accept the new pictures and summaries: prints what differs and replaces it", group,
+         OptionKind::flag},
+        {"jobs", "N", "folders that are checked at once [1]"},
+        {"gl", "osmesa|egl", "OpenGL back end [as in the config.json]"},
+        {"out", "DIR", "folder for the page and its pictures [out/check]"},
+        {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
+        {"markdown", "FILE", "a summary as Markdown, for the summary of a job", group, OptionKind::writes},
+        {"allow-not-compared", "", "status 0 although something could not be compared", group, OptionKind::flag},
+    };
+}
+
+AnyCommand read_check(Words& words) {
+    Check command{.folders = words.take_names(),
+                  .against = words.take("against"),
+                  .tolerance = words.take("tolerance"),
+                  .flip = words.take("flip")};
+    if (command.folders.empty()) throw UsageError("check: a folder of expected pictures is missing");
+    if (command.against && command.folders.size() != 1) {
+        throw UsageError(fmt::format("--against {}: must be with one folder", *command.against));
+    }
+    const bool renders = !command.against;
+    const char* const must = "without --against, which renders nothing";
+    command.physics = words.take("physics", renders, must);
+    command.update = words.take("update", renders, must).has_value();
+    command.jobs = words.take("jobs", renders, must);
+    if (const auto gl = words.take("gl", renders, must)) {
+        if (*gl != "osmesa" && *gl != "egl") throw UsageError(fmt::format("--gl {}: must be osmesa or egl", *gl));
+        command.given.add("gl", *gl, "--gl");
+    }
+    command.out = words.take("out");
+    command.junit = words.take("junit");
+    command.markdown = words.take("markdown");
+    command.allow_not_compared = words.take_flag("allow-not-compared");
+    understand_rules(command);
+    jobs_at_once(command);
+    return command;
 }
 
 }  // namespace
 
-void check(const Request& request) {
-    const Rules rules = understand_rules(request.check);
-    if (request.check.folders.empty()) throw UsageError("check: a folder of expected pictures is missing");
-    if (request.check.against) {
+void carry_out(const Check& request) {
+    const Rules rules = understand_rules(request);
+    if (request.against) {
         check_other_pictures(request, rules);
         return;
     }
@@ -248,8 +317,15 @@ void check(const Request& request) {
     make_folder(checks.pages());
     const std::vector<FolderVerdict> verdicts = checks.carry_out();
     write_results(request, verdicts, checks.pages(), checks.driver());
-    if (request.check.update) checks.update(verdicts);
-    conclude(verdicts, checks.pages(), request.check.update);
+    if (request.update) checks.update(verdicts);
+    conclude(verdicts, checks.pages(), request.update, request.allow_not_compared);
+}
+
+Entry check_entry() {
+    return {
+        "check", "FOLDER...",
+        "renders folders of pictures again and says what differs. FOLDER is one of `render`, or has such below it",
+        check_options, read_check};
 }
 
 }  // namespace pushfactor::demos::commands

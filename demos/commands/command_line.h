@@ -1,16 +1,23 @@
 // The command line of the program.
 #pragma once
 
-#include "demos/commands/request.h"
+#include "demos/commands/commands.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace pushfactor::demos {
 
-// The parsed command line; none after printing help or the version. Throws UsageError.
-std::optional<Request> parse_command_line(int argc, char** argv);
+// A command with what it reads, and the files that it will write.
+struct CommandLine {
+    commands::AnyCommand command;
+    std::vector<std::string> outputs;
+};
 
-// A word of the command line as a shell takes it.
-std::string quoted(const std::string& word);
+std::vector<commands::Entry> command_entries();
+
+// The words after the program's name. None after printing help or the version. Throws UsageError.
+std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words);
 
 }  // namespace pushfactor::demos

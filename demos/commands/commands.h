@@ -1,18 +1,148 @@
-// The commands of the program, one file each. All throw the exceptions of errors.h.
+// The commands of the program: a type for each with what it reads, one file each. Reading a command takes its
+// options from the words and refuses what has no effect in their combination, with UsageError; carry_out() does the
+// work and throws the exceptions of errors.h.
 #pragma once
 
-#include "demos/commands/request.h"
+#include "demos/commands/words.h"
+#include "demos/options/choices.h"
+#include "demos/runs/run_files.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace pushfactor::demos::commands {
 
-void list(const Request& request);
-void scene(const Request& request);
-void family(const Request& request);
-void run(const Request& request);
-void render(const Request& request);
-void figures(const Request& request);
-void report(const Request& request);
-void check(const Request& request);
-void doctor(const Request& request);
+struct List {
+    bool names_only = false;
+
+    bool operator==(const List&) const = default;
+};
+
+struct Scene {
+    std::string scene;
+    GivenOptions given;
+
+    bool operator==(const Scene&) const = default;
+};
+
+struct Family {
+    std::string name;    // all families are listed when empty
+    GivenOptions given;  // seed and parameters
+
+    bool operator==(const Family&) const = default;
+};
+
+struct Run {
+    std::string scene;
+    GivenOptions given;
+    RunFiles files;
+    std::optional<std::string> summary;  // path; "-" is standard output
+    std::optional<std::string> glb, replay;
+    bool replay_poses_only = false;
+    bool timing = false;
+    std::string line;  // as typed
+
+    bool operator==(const Run&) const = default;
+};
+
+struct Render {
+    std::vector<std::string> scenes;
+    GivenOptions given;
+    RunFiles files;
+    std::optional<std::string> summary, video, glb, replay;
+    bool replay_poses_only = false;
+    bool timing = false;
+    bool png = true;
+    std::optional<std::string> out, shard, from_trajectory;
+    std::string line;
+
+    bool operator==(const Render&) const = default;
+};
+
+// render --join
+struct Join {
+    std::vector<std::string> folders;
+    std::string video;
+
+    bool operator==(const Join&) const = default;
+};
+
+struct Figures {
+    std::vector<std::string> names;  // all when empty
+    std::optional<std::string> out, width, dpi, letters, theme, background, samples;
+
+    bool operator==(const Figures&) const = default;
+};
+
+struct Report {
+    std::string name;
+    std::vector<std::string> parts;  // all when empty
+    bool quick = false;
+    std::optional<std::string> out, junit, markdown, problems, beside, exported, shard, jobs;
+    std::optional<std::string> grid, x, y, measure;
+    std::vector<std::string> set, replays;
+
+    bool operator==(const Report&) const = default;
+};
+
+// report merge
+struct Merge {
+    std::vector<std::string> folders;
+    std::optional<std::string> out, junit, markdown;
+
+    bool operator==(const Merge&) const = default;
+};
+
+struct Check {
+    std::vector<std::string> folders;
+    std::optional<std::string> against;  // folder of pictures that are not rendered
+    std::optional<std::string> tolerance, flip, physics, jobs, out, junit, markdown;
+    bool update = false;
+    bool allow_not_compared = false;
+    GivenOptions given;  // gl
+
+    bool operator==(const Check&) const = default;
+};
+
+struct Doctor {
+    std::optional<std::string> out;
+    bool json = false;
+
+    bool operator==(const Doctor&) const = default;
+};
+
+void carry_out(const List& command);
+void carry_out(const Scene& command);
+void carry_out(const Family& command);
+void carry_out(const Run& command);
+void carry_out(const Render& command);
+void carry_out(const Join& command);
+void carry_out(const Figures& command);
+void carry_out(const Report& command);
+void carry_out(const Merge& command);
+void carry_out(const Check& command);
+void carry_out(const Doctor& command);
+
+using AnyCommand = std::variant<List, Scene, Family, Run, Render, Join, Figures, Report, Merge, Check, Doctor>;
+
+// What the command line offers under one word.
+struct Entry {
+    std::string name, names, description;  // names: of what is no option, in the usage line
+    std::vector<Option> (*options)();
+    AnyCommand (*read)(Words& words);
+    std::string (*appendix)() = nullptr;  // of the help text
+};
+
+Entry list_entry();
+Entry scene_entry();
+Entry family_entry();
+Entry run_entry();
+Entry render_entry();
+Entry figures_entry();
+Entry report_entry();
+Entry check_entry();
+Entry doctor_entry();
 
 }  // namespace pushfactor::demos::commands

@@ -95,18 +95,29 @@ std::string text_of(const std::vector<Finding>& findings) {
 std::string json_text_of(const std::vector<Finding>& findings) {
     Json json;
     for (const Finding& finding : findings) json[finding.name] = {{"ok", finding.good}, {"found", finding.text}};
-    return json.dump(2) + "\n";
+    return json_text(json);
+}
+
+std::vector<Option> doctor_options() {
+    return {
+        {"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
+        {"json", "", "print JSON: for each finding whether it is ok, and the line", "Options", OptionKind::flag}};
+}
+
+AnyCommand read_doctor(Words& words) {
+    Doctor command{.out = words.take("out"), .json = words.take_flag("json")};
+    if (command.out && !command.out->ends_with(".png")) {
+        throw UsageError(fmt::format("--out {}: must end in .png", *command.out));
+    }
+    return command;
 }
 
 }  // namespace
 
-void doctor(const Request& request) {
-    if (request.out && !request.out->ends_with(".png")) {
-        throw UsageError(fmt::format("--out {}: must end in .png", *request.out));
-    }
+void carry_out(const Doctor& command) {
     const Graphics osmesa = pictures::check_graphics(ContextKind::osmesa);
     const Graphics egl = pictures::check_graphics(ContextKind::egl);
-    const Finding picture = show_picture(osmesa, egl, request.out);
+    const Finding picture = show_picture(osmesa, egl, command.out);
     const std::vector<Finding> findings{
         {"pushfactor", true, version_text()},
         {"OSMesa", !osmesa.picture.rgb.empty(), osmesa.found},
@@ -118,8 +129,13 @@ void doctor(const Request& request) {
         count_cores(),
         picture,
     };
-    write_file("-", request.json ? json_text_of(findings) : text_of(findings));
+    write_file("-", command.json ? json_text_of(findings) : text_of(findings));
     if (!picture.good) throw CheckError("no picture can be drawn here: the list says what to install");
+}
+
+Entry doctor_entry() {
+    return {"doctor", "", "what is installed here: libraries, programs, font; whether pictures can be rendered",
+            doctor_options, read_doctor};
 }
 
 }  // namespace pushfactor::demos::commands

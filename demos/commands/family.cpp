@@ -16,28 +16,33 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-using families::Family;
+using Kind = families::Family;
 
 std::string range_of(const families::FamilyParameter& parameter) {
     return fmt::format("{} to {}", to_text(parameter.range.low), to_text(parameter.range.high));
 }
 
+std::string parameters_text(const Kind& family, const char* indent) {
+    std::string text;
+    for (const families::FamilyParameter& parameter : family.parameters) {
+        text += fmt::format("{}{:<20} {} [{}]\n", indent,
+                            fmt::format("--{} {}", parameter.range.name, parameter.range.placeholder),
+                            parameter.range.help, range_of(parameter));
+    }
+    return text;
+}
+
 void print_all() {
-    for (const Family& family : families::families()) {
-        fmt::print("{}\n    {}\n    {}\n", family.name, family.sentence, family.why);
-        for (const families::FamilyParameter& parameter : family.parameters) {
-            fmt::print("    {:<20} {} [{}]\n",
-                       fmt::format("--{} {}", parameter.range.name, parameter.range.placeholder),
-                       parameter.range.help, range_of(parameter));
-        }
-        fmt::print("\n");
+    for (const Kind& family : families::families()) {
+        print(fmt::format("{}\n    {}\n    {}\n{}\n", family.name, family.sentence, family.why,
+                          parameters_text(family, "    ")));
     }
 }
 
-const Family& family_of(const std::string& name) {
-    if (const Family* const family = families::find_family(name)) return *family;
+const Kind& family_named(const std::string& name) {
+    if (const Kind* const family = families::find_family(name)) return *family;
     std::vector<std::string> names;
-    for (const Family& family : families::families()) names.emplace_back(family.name);
+    for (const Kind& family : families::families()) names.emplace_back(family.name);
     throw UsageError(
         fmt::format("family {}: must be one of {}{}", name, fmt::join(names, ", "), suggestion(name, names)));
 }
@@ -51,7 +56,7 @@ int seed_of(const GivenOptions::Given& given) {
     return values.whole("seed");
 }
 
-void add_value(const Family& family, const std::string& name, const GivenOptions::Given& given,
+void add_value(const Kind& family, const std::string& name, const GivenOptions::Given& given,
                families::Choice& choice) {
     const auto found = std::find_if(family.parameters.begin(), family.parameters.end(),
                                     [&](const auto& parameter) { return parameter.range.name == name; });
@@ -67,20 +72,69 @@ void add_value(const Family& family, const std::string& name, const GivenOptions
     choice.given.emplace_back(name, given.text);
 }
 
-}  // namespace
-
-void family(const Request& request) {
-    if (request.families.empty()) return print_all();
-    const Family& family = family_of(request.families.front());
+// Throws UsageError for a value that is not allowed, or a parameter of another family.
+families::Choice choice_of(const Family& command) {
+    const Kind& family = family_named(command.name);
     families::Choice choice;
-    for (const auto& [name, given] : request.given.all()) {
+    for (const auto& [name, given] : command.given.all()) {
         if (name == "seed") {
             choice.seed = seed_of(given);
         } else {
             add_value(family, name, given, choice);
         }
     }
-    write_file("-", scene_file_text(draw_member(family, choice).prospect.scene));
+    return choice;
+}
+
+std::vector<Option> family_options() {
+    std::vector<Option> table{{"seed", "N", "random seed [1]"}};
+    for (const Kind& family : families::families()) {
+        for (const families::FamilyParameter& parameter : family.parameters) {
+            const std::string name(parameter.range.name);
+            if (std::ranges::find(table, name, &Option::name) == table.end()) table.push_back({name, "N", "", ""});
+        }
+    }
+    return table;
+}
+
+AnyCommand read_family(Words& words) {
+    const std::vector<std::string> names = words.take_names();
+    if (names.size() > 1) {
+        throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(names, " ")));
+    }
+    Family command;
+    if (names.empty()) return command;
+    command.name = names.front();
+    family_named(command.name);
+    for (const Option& option : family_options()) {
+        if (const auto text = words.take(option.name)) command.given.add(option.name, *text, "--" + option.name);
+    }
+    choice_of(command);
+    return command;
+}
+
+std::string family_help() {
+    std::string text = "\nParameters [at random]:\n";
+    for (const Kind& family : families::families()) {
+        text += fmt::format("  {}\n{}", family.name, parameters_text(family, "    "));
+    }
+    return text;
+}
+
+}  // namespace
+
+void carry_out(const Family& command) {
+    if (command.name.empty()) return print_all();
+    write_file("-", scene_file_text(draw_member(family_named(command.name), choice_of(command)).prospect.scene));
+}
+
+Entry family_entry() {
+    return {"family",
+            "[NAME]",
+            "families of scenes; with a name prints a member, drawn at random, as a scene file",
+            family_options,
+            read_family,
+            family_help};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -5,7 +5,6 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
-#include "demos/text/lengths.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
 
@@ -48,31 +47,36 @@ int pixels_of(const std::string& option, int pixels) {
     return pixels;
 }
 
-FigureFormat format_of(const Request& request) {
-    FigureFormat format{.samples = request.figure_samples};
-    if (is_second("--theme", request.figure_theme, "light", "dark")) format.theme = Theme::dark;
-    if (is_second("--background", request.figure_background, "plain", "none")) format.background = Background::none;
-    const std::string option = "--width " + request.figure_width;
-    const auto width = parse_length_mm(request.figure_width);
+int whole_number(const char* option, const std::string& text, int low, int high) {
+    const auto number = parse_integer(text);
+    if (number && *number >= low && *number <= high) return *number;
+    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, low, high));
+}
+
+FigureFormat format_of(const Figures& command) {
+    FigureFormat format;
+    if (command.samples) format.samples = whole_number("--samples", *command.samples, 1, 256);
+    if (is_second("--theme", command.theme.value_or("light"), "light", "dark")) format.theme = Theme::dark;
+    if (is_second("--background", command.background.value_or("plain"), "plain", "none")) {
+        format.background = Background::none;
+    }
+    const std::string text = command.width.value_or("1600"), option = "--width " + text;
+    const auto width = parse_length_mm(text);
     if (!width) {
-        const auto pixels = parse_integer(request.figure_width);
+        const auto pixels = parse_integer(text);
         if (!pixels) {
             throw UsageError(option + ": must be a number of pixels or a length on paper with mm, cm, in or pt");
-        }
-        if (request.figure_dpi || request.figure_letters) {
-            throw UsageError(
-                fmt::format("{}: must be a length on paper, say 85mm, with --dpi and --font-size", option));
         }
         format.width = pixels_of(option, *pixels);
         return format;
     }
-    Print print{.width_mm = *width, .dpi = request.figure_dpi.value_or(300)};
-    if (request.figure_letters) {
-        const auto size = parse_length_mm(*request.figure_letters);
-        print.letters_pt = size.value_or(0.0) / 25.4 * 72.0;
+    Print print{.width_mm = *width,
+                .dpi = command.dpi ? whole_number("--dpi", *command.dpi, 72, 1200) : Print{}.dpi};
+    if (command.letters) {
+        print.letters_pt = parse_length_mm(*command.letters).value_or(0.0) / 25.4 * 72.0;
         if (!(print.letters_pt >= 4.0 && print.letters_pt <= 24.0)) {
             throw UsageError(
-                fmt::format("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *request.figure_letters));
+                fmt::format("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *command.letters));
         }
     }
     format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.pixels());
@@ -81,20 +85,51 @@ FigureFormat format_of(const Request& request) {
 }
 
 // What a document takes in, where there is a PDF.
-void write_latex(const Section& section, const Print& print, const std::filesystem::path& folder) {
-    for (const std::string& file : section.plate.files) {
+void write_latex(Section& section, const Print& print, const std::filesystem::path& folder) {
+    const std::vector<std::string> files = section.plate.files;
+    for (const std::string& file : files) {
         if (!file.ends_with(".pdf")) continue;
+        section.plate.files.insert(section.plate.files.end(), {section.name + ".tex", "pushfactor.bib"});
         write_file(folder / (section.name + ".tex"),
                    latex_figure(section.name, file, print, section.plate.caption));
     }
 }
 
+std::vector<Option> figures_options() {
+    return {
+        {"out", "DIR", "folder for the page and its pictures [out/figures]"},
+        {"width", "N|LENGTH",
+         "width of a figure: pixels, or for print a length (85mm, 17cm, 3.35in, 240pt), which adds PDF and LaTeX "
+         "[1600]"},
+        {"dpi", "N", "with a length: pixels per inch of pictures [300]"},
+        {"font-size", "LENGTH", "with a length: size of all letters on paper [8pt]"},
+        {"theme", "NAME", "light, or dark for talks [light]"},
+        {"background", "NAME", "plain, or none: transparent [plain]"},
+        {"samples", "N",
+         "renderings averaged per picture: smoother edges, soft shadows, light of the whole sky from 16 on [32]"},
+    };
+}
+
+AnyCommand read_figures(Words& words) {
+    Figures command{.names = words.take_names(), .out = words.take("out"), .width = words.take("width")};
+    const bool on_paper = command.width && parse_length_mm(*command.width);
+    const char* const must = "with a --width on paper, say 85mm";
+    command.dpi = words.take("dpi", on_paper, must);
+    command.letters = words.take("font-size", on_paper, must);
+    command.theme = words.take("theme");
+    command.background = words.take("background");
+    command.samples = words.take("samples");
+    wanted(command.names);
+    format_of(command);
+    return command;
+}
+
 }  // namespace
 
-void figures(const Request& request) {
-    const std::vector<figures::Figure> chosen = wanted(request.figures);
-    const FigureFormat format = format_of(request);
-    const std::filesystem::path folder = request.out.value_or("out/figures");
+void carry_out(const Figures& command) {
+    const std::vector<figures::Figure> chosen = wanted(command.names);
+    const FigureFormat format = format_of(command);
+    const std::filesystem::path folder = command.out.value_or("out/figures");
     make_folder(folder);
     figures::FigureOutput output(folder, format);
     std::vector<Section> sections;
@@ -112,7 +147,12 @@ void figures(const Request& request) {
                          "Figures 5 to 11 of Tamis & Maggiore, Constraint based physics solver (2015), and some of "
                          "our own. All numbers were measured in the runs that are shown.",
                          sections));
-    fmt::print("{}\n", (folder / "index.html").string());
+    print((folder / "index.html").string() + "\n");
+}
+
+Entry figures_entry() {
+    return {"figures", "[FIGURE...]", "the figures of the paper's sections 8, 10 and 12, and ours, as one page",
+            figures_options, read_figures};
 }
 
 }  // namespace pushfactor::demos::commands

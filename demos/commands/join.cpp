@@ -1,7 +1,7 @@
-#include "demos/commands/join.h"
-
+#include "demos/commands/commands.h"
 #include "demos/pictures/film/sequence.h"
 #include "demos/pictures/film/video.h"
+#include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <span>
 
 namespace pushfactor::demos::commands {
 
@@ -24,8 +25,8 @@ std::string bytes_of(const fs::path& file) {
     return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-// The film that all folders have frames of.
-pictures::Sequence film_of(const std::vector<std::string>& folders) {
+// The film that all folders have frames of, and the mark of its frames.
+pictures::Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
     const fs::path first = fs::path(folders.front()) / "config.json";
     for (const std::string& folder : folders) {
         const fs::path config = fs::path(folder) / "config.json";
@@ -43,7 +44,9 @@ pictures::Sequence film_of(const std::vector<std::string>& folders) {
     if (!scene) throw UsageError(fmt::format("{}: scene: must be given", first.string()));
     if (given.find("at"))
         throw UsageError(fmt::format("--join {}: must be a sequence, not stills", folders.front()));
-    return pictures::plan_sequence(scene->text, given);
+    pictures::Sequence film = pictures::plan_sequence(scene->text, given);
+    mark = film_mark(film.panels.front().choices, given);
+    return film;
 }
 
 // Where each frame is.
@@ -67,10 +70,16 @@ std::vector<fs::path> files_of(const pictures::Sequence& film, const std::vector
                                fmt::join(missing, ", "), all > most ? ", ..." : ""));
 }
 
-renderer::Image picture_in(const fs::path& file) {
+renderer::Image picture_in(const fs::path& file, const std::string& mark) {
     const std::string bytes = bytes_of(file);
+    const std::span png(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     try {
-        return renderer::decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+        renderer::Image image = renderer::decode_png(png);
+        if (renderer::film_in_png(png) == mark) return image;
+        throw UsageError(
+            fmt::format("--join: must be of one film: {} is of another than config.json, or was not drawn "
+                        "by this program; draw it again",
+                        file.string()));
     } catch (const renderer::RendererError& error) {
         throw RunError(fmt::format("{}: {}", file.string(), error.what()));
     }
@@ -78,22 +87,17 @@ renderer::Image picture_in(const fs::path& file) {
 
 }  // namespace
 
-void join(const Request& request) {
-    if (!request.video) throw UsageError("--join: must be with --video FILE");
-    if (!request.scenes.empty()) {
-        throw UsageError(
-            fmt::format("scene {}: must not be with --join, whose config.json has it", request.scenes.front()));
-    }
-    pictures::check_video_name(*request.video);
-    pictures::require_ffmpeg(*request.video);
-    const pictures::Sequence film = film_of(request.joined);
-    const std::vector<fs::path> files = files_of(film, request.joined);
+void carry_out(const Join& command) {
+    pictures::require_ffmpeg(command.video);
+    std::string mark;
+    const pictures::Sequence film = film_of(command.folders, mark);
+    const std::vector<fs::path> files = files_of(film, command.folders);
     const FrameChoices& frames = film.panels.front().choices.frames;
-    pictures::Video video(*request.video, frames.width, frames.height, frames.film_rate());
+    pictures::Video video(command.video, frames.width, frames.height, frames.film_rate());
     ProgressBar bar("join", static_cast<long>(files.size()));
     for (std::size_t i = 0; i < files.size(); ++i) {
         stop_if_interrupted(fmt::format("{} of {} frames were read", i, files.size()));
-        const renderer::Image image = picture_in(files[i]);
+        const renderer::Image image = picture_in(files[i], mark);
         if (image.width != frames.width || image.height != frames.height) {
             throw RunError(fmt::format("{}: must be {}x{} pixels, not {}x{}", files[i].string(), frames.width,
                                        frames.height, image.width, image.height));
@@ -102,7 +106,7 @@ void join(const Request& request) {
         bar.show(static_cast<long>(i + 1));
     }
     video.finish();
-    fmt::print("{}\n", *request.video);
+    print(command.video + "\n");
 }
 
 }  // namespace pushfactor::demos::commands

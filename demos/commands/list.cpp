@@ -1,24 +1,43 @@
 #include "demos/commands/commands.h"
+#include "demos/platform/output_file.h"
 #include "demos/scenes/catalogue.h"
 
 #include <fmt/format.h>
 
 namespace pushfactor::demos::commands {
 
-void list(const Request& request) {
-    for (const SceneEntry& scene : catalogue()) {
-        if (request.names_only) {
-            fmt::print("{}\n", scene.name);
-            continue;
-        }
-        const SceneDescription description = scene.describe(ParameterValues(scene.parameters));
-        fmt::print("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, made_of(description));
-        for (const Parameter& parameter : scene.parameters) {
-            fmt::print("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder),
-                       parameter.help);
-        }
-        fmt::print("\n");
+namespace {
+
+std::vector<Option> list_options() {
+    return {{"names", "", "only the names, one per line", "Options", OptionKind::flag}};
+}
+
+AnyCommand read_list(Words& words) {
+    return List{.names_only = words.take_flag("names")};
+}
+
+std::string text_of(const SceneEntry& scene) {
+    const SceneDescription description = scene.describe(ParameterValues(scene.parameters));
+    std::string text =
+        fmt::format("{}\n    {}\n    made of: {}\n", scene.name, scene.sentence, made_of(description));
+    for (const Parameter& parameter : scene.parameters) {
+        text += fmt::format("    {:<16} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder),
+                            parameter.help);
     }
+    return text + "\n";
+}
+
+}  // namespace
+
+void carry_out(const List& command) {
+    for (const SceneEntry& scene : catalogue()) {
+        print(command.names_only ? std::string(scene.name) + "\n" : text_of(scene));
+    }
+}
+
+Entry list_entry() {
+    return {"list", "", "the scenes: what happens, their parameters, what each is made of", list_options,
+            read_list};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -1,7 +1,8 @@
-#include "demos/commands/merge.h"
-
-#include "demos/commands/command_line.h"
+#include "demos/commands/report.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/shell_words.h"
 #include "demos/reports/pieces/store.h"
+#include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
 
@@ -18,12 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using reports::PieceStore;
-
-std::string command_of(const std::vector<std::string>& words) {
-    std::string text = "pushfactor";
-    for (const std::string& word : words) text += " " + quoted(word);
-    return text;
-}
 
 // The only version of all folders, which is that of this program.
 void require_one_version(const std::vector<fs::path>& folders) {
@@ -61,67 +56,74 @@ ReportNote read_note(const fs::path& folder) {
     return {json["words"].get<std::vector<std::string>>(), json["shards"].get<int>()};
 }
 
-Request parsed(const std::vector<std::string>& words) {
-    std::vector<std::string> all{"pushfactor"};
-    all.insert(all.end(), words.begin(), words.end());
-    std::vector<char*> arguments;
-    for (std::string& word : all) arguments.push_back(word.data());
-    return parse_command_line(static_cast<int>(arguments.size()), arguments.data()).value();
+// The report of all folders, which must be one.
+ReportNote note_of(const std::vector<fs::path>& folders) {
+    ReportNote common;
+    for (const fs::path& folder : folders) {
+        ReportNote note = read_note(folder);
+        if (!common.words.empty() && note.words != common.words) {
+            throw UsageError(fmt::format("merge: must be of one report, not `{}` ({}) and `{}` ({})",
+                                         command_of(common.words), folders.front().string(), command_of(note.words),
+                                         folder.string()));
+        }
+        note.shards = std::max(note.shards, common.shards);
+        common = std::move(note);
+    }
+    return common;
+}
+
+// Prints the missing pieces and the commands that make them.
+void print_missing(const ReportNote& note, const fs::path& folder, const std::vector<std::string>& keys) {
+    constexpr std::size_t most = 20;
+    std::map<int, std::size_t> shards;  // missing pieces of each
+    for (const std::string& key : keys) {
+        const auto count = static_cast<std::uint64_t>(note.shards);
+        ++shards[static_cast<int>(reports::hash_of_key(key) % count) + 1];
+    }
+    for (std::size_t i = 0; i < std::min(keys.size(), most); ++i) print(fmt::format("missing: {}\n", keys[i]));
+    if (keys.size() > most) print(fmt::format("and {} more\n", keys.size() - most));
+    print("made by:\n");
+    for (const auto& [number, missing] : shards) {
+        std::vector<std::string> words = note.words;
+        if (note.shards > 1) {
+            words.insert(words.end(), {"--shard", to_text(Shard{number, note.shards})});
+        }
+        words.insert(words.end(), {"--out", folder.string()});
+        print(fmt::format("{}    # {}\n", command_of(words), missing));
+    }
 }
 
 }  // namespace
 
 std::string note_text(const ReportNote& note) {
-    return Json{{"words", note.words}, {"shards", note.shards}}.dump(2) + "\n";
+    return json_text(Json{{"words", note.words}, {"shards", note.shards}});
 }
 
-Merge understand_merge(const Request& request) {
-    Merge merge;
-    for (std::size_t i = 1; i < request.reports.size(); ++i) merge.folders.emplace_back(request.reports[i]);
-    if (merge.folders.empty()) throw UsageError("merge: must have the folders of shards: report merge DIR...");
-    for (const auto& [option, given] :
-         {std::pair{"--shard", request.shard.has_value()}, std::pair{"--quick", request.quick},
-          std::pair{"--only", !request.parts.empty()}, std::pair{"--grid", request.grid.scene.has_value()},
-          std::pair{"--export", request.exported.has_value()}}) {
-        if (given)
-            throw UsageError(fmt::format("{}: must not be with merge, which does what the shards did", option));
-    }
-    require_one_version(merge.folders);
-    for (const fs::path& folder : merge.folders) {
-        ReportNote note = read_note(folder);
-        if (!merge.note.words.empty() && note.words != merge.note.words) {
-            throw UsageError(fmt::format("merge: must be of one report, not `{}` ({}) and `{}` ({})",
-                                         command_of(merge.note.words), merge.folders.front().string(),
-                                         command_of(note.words), folder.string()));
-        }
-        note.shards = std::max(note.shards, merge.note.shards);
-        merge.note = std::move(note);
-    }
-    merge.request = parsed(merge.note.words);
-    merge.request.junit = request.junit;
-    merge.request.markdown = request.markdown;
-    merge.request.out = request.out;
-    if (!request.out && merge.folders.size() == 1) merge.request.out = merge.folders.front().string();
-    return merge;
+AnyCommand read_merge(Words& words) {
+    Merge command{.folders = words.take_names(),
+                  .out = words.take("out"),
+                  .junit = words.take("junit"),
+                  .markdown = words.take("markdown")};
+    command.folders.erase(command.folders.begin());
+    if (command.folders.empty()) throw UsageError("merge: must have the folders of shards: report merge DIR...");
+    words.refuse_rest("report merge, which does what the shards did");
+    return command;
 }
 
-void print_missing(const Merge& merge, const std::vector<std::string>& keys) {
-    constexpr std::size_t most = 20;
-    std::map<int, std::size_t> shards;  // missing pieces of each
-    for (const std::string& key : keys) {
-        const auto count = static_cast<std::uint64_t>(merge.note.shards);
-        ++shards[static_cast<int>(reports::hash_of_key(key) % count) + 1];
-    }
-    for (std::size_t i = 0; i < std::min(keys.size(), most); ++i) fmt::print("missing: {}\n", keys[i]);
-    if (keys.size() > most) fmt::print("and {} more\n", keys.size() - most);
-    fmt::print("made by:\n");
-    for (const auto& [number, missing] : shards) {
-        std::vector<std::string> words = merge.note.words;
-        if (merge.note.shards > 1) {
-            words.insert(words.end(), {"--shard", to_text(Shard{number, merge.note.shards})});
-        }
-        words.insert(words.end(), {"--out", merge.folders.front().string()});
-        fmt::print("{}    # {}\n", command_of(words), missing);
+void carry_out(const Merge& command) {
+    const std::vector<fs::path> folders(command.folders.begin(), command.folders.end());
+    require_one_version(folders);
+    const ReportNote note = note_of(folders);
+    Words words("report", report_options(), {note.words.begin() + 1, note.words.end()});
+    Report report = read_report(words, words.take_names().front());
+    report.out = !command.out && folders.size() == 1 ? command.folders.front() : command.out;
+    report.junit = command.junit;
+    report.markdown = command.markdown;
+    try {
+        make_report(report, folders);
+    } catch (const reports::MissingPieces& missing) {
+        print_missing(note, folders.front(), missing.keys);
+        throw;
     }
 }
 

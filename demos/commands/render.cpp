@@ -1,9 +1,12 @@
 #include "demos/commands/commands.h"
-#include "demos/commands/join.h"
+#include "demos/commands/run_options.h"
+#include "demos/pictures/caption.h"
 #include "demos/pictures/film/frame_writer.h"
 #include "demos/pictures/film/sequence.h"
+#include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
+#include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
@@ -21,38 +24,51 @@ namespace fs = std::filesystem;
 struct Job {
     pictures::Sequence sequence;
     fs::path folder;
+    std::string film;  // mark of its frames
 };
 
 // Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
-void warn_of_strangers(const fs::path& folder, const std::vector<Frame>& frames) {
+void warn_of_strangers(const fs::path& folder, const Frames& frames) {
     long strangers = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename();
-        const bool ours = std::any_of(frames.begin(), frames.end(), [&](const Frame& f) { return f.name == name; });
-        if (entry.path().extension() == ".png" && !ours) ++strangers;
+        if (entry.path().extension() == ".png" && !frames.has(name)) ++strangers;
     }
     if (strangers > 0) {
-        fmt::print(stderr, "pushfactor: note: {} holds {} other PNG files that this run does not touch\n",
-                   folder.string(), strangers);
+        note(fmt::format("{} holds {} other PNG files that this run does not touch", folder.string(), strangers));
     }
 }
 
-Job understand_job(const std::string& scene, const Request& request) {
-    Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}};
+Job understand_job(const std::string& scene, const Render& request) {
+    Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}, .film = {}};
     if (request.shard) {
         const auto shard = parse_shard(*request.shard);
         if (!shard)
             throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
         job.sequence.shard = *shard;
     }
+    if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.glb) pictures::check_glb(*request.glb, job.sequence.panels.front().choices);
+    job.film = film_mark(job.sequence.panels.front().choices, request.given);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
 }
 
-std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
+// Shards of one film write the same file; a folder with another film is not for them.
+void write_config(const Job& job, const Render& request) {
+    const fs::path file = job.folder / "config.json";
+    const std::string text = config_text(job.sequence.panels.front().choices, request.given);
+    if (!request.shard) {
+        write_file(file, text);
+    } else if (!write_first(file, text)) {
+        throw UsageError(fmt::format("--shard {}: {} is of another film; remove the folder, or take another --out",
+                                     *request.shard, file.string()));
+    }
+}
+
+std::vector<ObservedRun> start_runs(const Job& job, const Render& request) {
     std::vector<ObservedRun> runs;
     for (const ComparedRun& panel : job.sequence.panels) {
         runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
@@ -61,10 +77,10 @@ std::vector<ObservedRun> start_runs(const Job& job, const Request& request) {
 }
 
 // Throws what a thread threw; keeps the frames so far.
-void make_frames(const Job& job, const Request& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
+void make_frames(const Job& job, const Render& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
                  pictures::StageTimes* times) {
     const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
-    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times);
+    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
@@ -74,7 +90,7 @@ void make_frames(const Job& job, const Request& request, std::vector<ObservedRun
 }
 
 // Without a simulation there is no summary.
-void render_trajectory(Job& job, const Request& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_trajectory(Job& job, const Render& request, pictures::Studio& studio, pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
     const pictures::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
     pictures::add_overview(job.sequence.panels, job.sequence.frames, go_to);
@@ -82,8 +98,9 @@ void render_trajectory(Job& job, const Request& request, pictures::Studio& studi
     Simulation simulation(choices);
     const pictures::Film film(studio, job.sequence.panels, {&simulation}, job.sequence.frames, go_to);
     warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_file(job.folder / "config.json", config_text(choices, request.given));
-    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times);
+    write_config(job, request);
+    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
+                                 job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     draw_frames(job.sequence, simulation, trajectory, film, writer.queue(), [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
@@ -91,7 +108,7 @@ void render_trajectory(Job& job, const Request& request, pictures::Studio& studi
     writer.finish();
 }
 
-void render_job(Job& job, const Request& request, std::optional<pictures::Studio>& studio,
+void render_job(Job& job, const Render& request, std::optional<pictures::Studio>& studio,
                 pictures::StageTimes* times) {
     pictures::add_overview(job.sequence.panels, job.sequence.frames);
     std::vector<ObservedRun> runs = start_runs(job, request);
@@ -105,7 +122,7 @@ void render_job(Job& job, const Request& request, std::optional<pictures::Studio
                 .file = *request.replay,
                 .steps_a_frame = job.sequence.frames.front().size() > 1 ? job.sequence.frames.front()[1].step : 1,
                 .poses_only = request.replay_poses_only,
-                .command = request.command_line},
+                .command = request.line},
             job.sequence.panels, simulations);
     }
     if (request.glb) {
@@ -117,97 +134,146 @@ void render_job(Job& job, const Request& request, std::optional<pictures::Studio
                                               runs.front().simulation()));
     }
     warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_file(job.folder / "config.json", config_text(job.sequence.panels.front().choices, request.given));
+    write_config(job, request);
     try {
         make_frames(job, request, runs, takers, times);
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
-        if (takers.replay) fmt::print(stderr, "{}", takers.replay->keep(error.what()));
+        if (takers.replay) say(takers.replay->keep(error.what()));
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            fmt::print(stderr, "{}{}", runs[i].keep_records(), runs[i].warnings(job.sequence.panels[i].label));
+            say(runs[i].keep_records() + runs[i].warnings(job.sequence.panels[i].label));
         }
         throw;
     }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
                finish(job.sequence, runs, studio ? studio->driver() : ""));
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        fmt::print(stderr, "{}", runs[i].warnings(job.sequence.panels[i].label));
+        say(runs[i].warnings(job.sequence.panels[i].label));
     }
 }
 
 // On standard error, because data may be on standard output.
-void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times) {
+void print_times(const std::vector<Job>& jobs, const pictures::StageTimes& times, bool drawn) {
     long frames = 0;
-    for (const Job& job : jobs) frames += static_cast<long>(job.sequence.frames.front().size());
+    for (const Job& job : jobs) frames += static_cast<long>(job.sequence.drawn_count());
     const FrameChoices& choices = jobs.front().sequence.panels.front().choices.frames;
-    fmt::print(stderr, "{}", times.table(frames));
+    say(times.table(frames));
+    if (!drawn) return;
     const pictures::StageTime least = pictures::time_of_empty_frame({choices.width, choices.height}, choices.gl);
     const pictures::StageTime encode = times.sum("encode");
     const pictures::StageTime write = times.sum("write");
-    fmt::print(stderr,
-               "the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time per frame\n",
-               1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames)));
+    say(fmt::format("the floor (clear and read back {:.2f}, encode and write): {:.2f} ms of CPU time per frame\n",
+                    1e3 * least.cpu, 1e3 * (least.cpu + (encode.cpu + write.cpu) / static_cast<double>(frames))));
 }
 
-// A film from a trajectory has nothing to write about a run.
-void refuse_simulation(const Request& request) {
-    if (request.scenes.size() > 1) {
-        throw UsageError(
-            fmt::format("--from-trajectory {}: must be for one scene at a time", *request.from_trajectory));
-    }
-    for (const auto& [option, path] :
-         {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
-          std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
-          std::pair{"--save-state", request.files.save_state}, std::pair{"--replay", request.replay},
-          std::pair{"--glb", request.glb}}) {
-        if (!path) continue;
-        throw UsageError(
-            fmt::format("{} {}: must not be with --from-trajectory, which does not simulate", option, *path));
+void note_missing_letters(const std::vector<Job>& jobs, const pictures::Lettering& lettering) {
+    for (const Job& job : jobs) {
+        const Choices& choices = job.sequence.panels.front().choices;
+        const std::string caption = pictures::caption_of(choices);
+        const std::string_view lacking = lettering.lacks(caption);
+        if (!choices.frames.caption || lacking.empty()) continue;
+        note(fmt::format("the font has no {} for the caption {}", lacking, caption));
+        return;
     }
 }
 
-// An option that names one file cannot serve several scenes or panels.
-void refuse_shared_files(const Request& request) {
-    const bool several = request.scenes.size() > 1;
-    const bool compares = request.given.find("compare") != nullptr;
-    for (const auto& [option, path] :
-         {std::pair{"--csv", request.files.csv}, std::pair{"--trajectory", request.files.trajectory},
-          std::pair{"--rows", request.files.rows}, std::pair{"--summary", request.summary},
-          std::pair{"--save-state", request.files.save_state}, std::pair{"--video", request.video},
-          std::pair{"--replay", request.replay}, std::pair{"--glb", request.glb}}) {
-        if (several && path) throw UsageError(fmt::format("{} {}: must be for one scene at a time", option, *path));
-        const bool one_for_all = option == std::string_view("--summary") || option == std::string_view("--video") ||
-                                 option == std::string_view("--replay");
-        if (compares && path && !one_for_all) {
-            throw UsageError(fmt::format("{} {}: must be for one run, not with --compare", option, *path));
+std::vector<Option> render_options() {
+    std::vector<Option> table = simulation_option_table();
+    const auto add = [&table](const std::vector<Option>& more) {
+        table.insert(table.end(), more.begin(), more.end());
+    };
+    add(output_option_table());
+    const std::string frames = "Frames", shares = "Long films on many machines";
+    add(frame_option_table(~0u, frames));
+    add({
+        {"out", "DIR", "folder for the frames [out/SCENE, or out/SCENE for each of several]", frames},
+        {"video", "FILE", "also write a video (.mp4, .webm or .gif); needs ffmpeg", frames, OptionKind::writes},
+        {"frames", "on|off", "off: no PNG files, only the video or the replay [on]", frames},
+        {"shard", "K/N", "draw only every N-th frame, from the K-th on", shares},
+        {"from-trajectory", "FILE", "draw the poses of this file of --trajectory instead of simulating again",
+         shares, OptionKind::reads},
+        {"join", "DIR", "make the --video of the frames in these folders; draws nothing; may be repeated", shares,
+         OptionKind::list},
+    });
+    return table;
+}
+
+AnyCommand read_join(Words& words) {
+    Join command{.folders = words.take_all("join"), .video = words.take("video").value_or("")};
+    // Further folders may follow without the option.
+    const std::vector<std::string> more = words.take_names();
+    command.folders.insert(command.folders.end(), more.begin(), more.end());
+    if (command.video.empty()) throw UsageError("--join: must be with --video FILE");
+    pictures::check_video_name(command.video);
+    words.refuse_rest("render --join");
+    return command;
+}
+
+// What a file can be made of.
+enum Needs : unsigned { one_scene = 1, one_run = 2, sequence = 4, simulation = 8, whole = 16 };
+
+AnyCommand read_render(Words& words) {
+    if (words.given("join")) return read_join(words);
+    Render command;
+    command.timing = words.take_flag("timing");
+    command.from_trajectory = words.take("from-trajectory");
+    command.shard = words.take("shard");
+    command.out = words.take("out");
+    command.png = take_switch(words, "frames", true);
+    command.line = words.line();
+    command.scenes = words.take_names();
+    command.given = take_simulation(words, command.scenes, !command.timing);
+    const bool stills = command.given.find("at") != nullptr;
+
+    struct Condition {
+        unsigned bit;
+        bool holds;
+        const char* must;
+    };
+    const Condition conditions[] = {
+        {one_scene, command.scenes.size() == 1, "for one scene at a time"},
+        {one_run, !command.given.find("compare"), "for one run, not with --compare"},
+        {sequence, !stills, "of a sequence, not of stills (--at)"},
+        {simulation, !command.from_trajectory, "without --from-trajectory, which does not simulate"},
+        {whole, !command.shard, "with --join, when all shards are drawn, not with --shard"},
+    };
+    const auto take = [&](const char* option, unsigned needs) {
+        for (const Condition& condition : conditions) {
+            if ((needs & condition.bit) != 0) words.take(option, condition.holds, condition.must);
         }
-    }
-    for (const auto& [option, path] :
-         {std::pair{"--video", request.video}, std::pair{"--replay", request.replay}}) {
-        if (!path || !request.given.find("at")) continue;
-        throw UsageError(fmt::format("{} {}: must be of a sequence, not of stills (--at)", option, *path));
-    }
-    if (request.shard && request.video) {
-        throw UsageError(fmt::format("--video {}: must be with --join, when all shards are drawn, not with --shard",
-                                     *request.video));
-    }
-    if (request.from_trajectory) refuse_simulation(request);
-    if (!request.png && !request.video && !request.replay) {
-        throw UsageError("--frames off: must come with --video or --replay");
-    }
-    if (request.video) pictures::check_video_name(*request.video);
-    if (request.replay) pictures::check_replay_name(*request.replay);
+        return words.take(option);
+    };
+    command.files = {.csv = take("csv", one_scene | one_run | simulation),
+                     .trajectory = take("trajectory", one_scene | one_run | simulation),
+                     .rows = take("rows", one_scene | one_run | simulation),
+                     .save_state = take("save-state", one_scene | one_run | simulation),
+                     .measures = {}};
+    if (take("measure", one_scene | simulation)) command.files.measures = words.take_all("measure");
+    command.summary = take("summary", one_scene | simulation);
+    command.video = take("video", one_scene | sequence | whole);
+    command.replay = take("replay", one_scene | sequence | simulation);
+    command.glb = take("glb", one_scene | one_run | sequence | simulation);
+    command.replay_poses_only = take_poses_only(words, command.replay.has_value());
+    take("from-trajectory", one_scene | one_run);
+
+    const bool draws = command.png || command.video, models = command.glb || command.replay;
+    if (!draws && !command.replay) throw UsageError("--frames off: must be with --video or --replay");
+    const bool film = !stills && (draws || models);
+    take_frames(words, (draws ? of_pictures : 0u) | (draws && words.given("shutter") ? of_shutter : 0u) |
+                           (film ? of_film : 0u) | (command.files.trajectory ? of_trajectory : 0u) |
+                           (models ? of_models : 0u));
+    require_shown_overlays(
+        words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
+    if (command.video) pictures::check_video_name(*command.video);
+    if (command.replay) pictures::check_replay_name(*command.replay);
+    words.refuse_rest(stills ? "render --at, which makes stills" : draws ? "render" : "render --frames off");
+    return command;
 }
 
 }  // namespace
 
-void render(const Request& request) {
-    if (!request.joined.empty()) {
-        join(request);
-        return;
-    }
-    refuse_shared_files(request);
+void carry_out(const Render& request) {
     if (request.video) pictures::require_ffmpeg(*request.video);
     // All input is checked and all folders are created before the first frame is drawn.
     std::vector<Job> jobs;
@@ -225,12 +291,21 @@ void render(const Request& request) {
     pictures::StageTimes* const watch = times ? &*times : nullptr;
     std::optional<pictures::Studio> studio;
     if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
+    if (studio) note_missing_letters(jobs, studio->lettering());
     if (request.from_trajectory) {
         render_trajectory(jobs.front(), request, studio.value(), watch);
     } else {
         for (Job& job : jobs) render_job(job, request, studio, watch);
     }
-    if (times) print_times(jobs, *times);
+    if (studio && studio->blank() > 0) {
+        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", studio->blank()));
+    }
+    if (times) print_times(jobs, *times, studio.has_value());
+}
+
+Entry render_entry() {
+    return {"render",       "SCENE...",  "PNG frames or stills, without a display",
+            render_options, read_render, scene_parameters_help};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -1,7 +1,11 @@
+#include "demos/commands/report.h"
+
 #include "demos/commands/commands.h"
-#include "demos/commands/merge.h"
+#include "demos/platform/output_file.h"
 #include "demos/reports/study.h"
+#include "demos/text/comma_list.h"
 #include "demos/text/errors.h"
+#include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
@@ -34,8 +38,8 @@ std::vector<std::filesystem::path> problem_files(const std::filesystem::path& gi
 }
 
 // The command without what does not change results: that of the whole report.
-std::vector<std::string> deciding_words(const Request& request) {
-    std::vector<std::string> words{"report", request.reports.front()};
+std::vector<std::string> deciding_words(const Report& request) {
+    std::vector<std::string> words{"report", request.name};
     const auto add = [&words](const char* option, const std::optional<std::string>& value) {
         if (value) words.insert(words.end(), {option, *value});
     };
@@ -43,97 +47,56 @@ std::vector<std::string> deciding_words(const Request& request) {
     if (!request.parts.empty()) add("--only", fmt::format("{}", fmt::join(request.parts, ",")));
     add("--problems", request.problems);
     add("--beside", request.beside);
-    const GridWords& grid = request.grid;
-    add("--grid", grid.scene);
-    add("--x", grid.x);
-    add("--y", grid.y);
-    add("--measure", grid.measure);
-    for (const std::string& text : grid.set) add("--set", text);
-    if (!grid.replays.empty()) add("--replays", fmt::format("{}", fmt::join(grid.replays, ",")));
+    add("--grid", request.grid);
+    add("--x", request.x);
+    add("--y", request.y);
+    add("--measure", request.measure);
+    for (const std::string& text : request.set) add("--set", text);
+    if (!request.replays.empty()) add("--replays", fmt::format("{}", fmt::join(request.replays, ",")));
     return words;
 }
 
-// Options of one report, given with another.
-void refuse_foreign(const Request& request, const reports::Study& study) {
-    for (const auto& [option, value] :
-         {std::pair{"--problems", request.problems}, std::pair{"--beside", request.beside},
-          std::pair{"--export", request.exported}}) {
-        if (value && study.name != "error") {
-            throw UsageError(
-                fmt::format("{} {}: must be with report error, the only one that has problems", option, *value));
-        }
-    }
-    for (const auto& [option, file] :
-         {std::pair{"--junit", request.junit}, std::pair{"--markdown", request.markdown}}) {
-        if (file && !study.judges) {
-            throw UsageError(fmt::format("{} {}: must be with report stability, which judges", option, *file));
-        }
-        if (file && request.shard) {
-            throw UsageError(fmt::format("{} {}: must be with report merge, not with --shard", option, *file));
-        }
-    }
-    if (request.shard && request.exported) {
-        throw UsageError(fmt::format("--export {}: must be without --shard", *request.exported));
-    }
-    if (request.shard && !study.pieces) {
-        throw UsageError(fmt::format("--shard {}: must be with report error, stability or atlas", *request.shard));
-    }
-}
-
 // Absent without --grid.
-std::optional<reports::GridRequest> understand_grid(const Request& request) {
-    const GridWords& words = request.grid;
-    for (const auto& [option, given] :
-         {std::pair{"--x", words.x.has_value()}, std::pair{"--y", words.y.has_value()},
-          std::pair{"--measure", words.measure.has_value()}, std::pair{"--set", !words.set.empty()},
-          std::pair{"--replays", !words.replays.empty()}}) {
-        if (given && !words.scene) throw UsageError(fmt::format("{}: must be with --grid SCENE", option));
+std::optional<reports::GridRequest> understand_grid(const Report& request) {
+    if (!request.grid) return std::nullopt;
+    if (!find_scene(*request.grid) && !request.grid->ends_with(".json")) {
+        understand(*request.grid, {});  // says what scenes there are
     }
-    if (!words.scene) return std::nullopt;
-    if (request.reports.front() != "atlas") {
-        throw UsageError(fmt::format("--grid {}: must be with report atlas", *words.scene));
-    }
-    if (!words.x || !words.y) {
-        throw UsageError(
-            fmt::format("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *words.scene));
-    }
-    if (!find_scene(*words.scene) && !words.scene->ends_with(".json")) {
-        understand(*words.scene, {});  // says what scenes there are
-    }
-    if (request.quick || !request.parts.empty()) {
-        throw UsageError(fmt::format("--grid {}: must be without --quick and --only", *words.scene));
-    }
-    return reports::GridRequest{.scene = *words.scene,
-                                .x = *words.x,
-                                .y = *words.y,
-                                .measure = words.measure.value_or("max_penetration_m"),
-                                .set = words.set,
-                                .replays = words.replays};
+    return reports::GridRequest{.scene = *request.grid,
+                                .x = *request.x,
+                                .y = *request.y,
+                                .measure = request.measure.value_or("max_penetration_m"),
+                                .set = request.set,
+                                .replays = request.replays};
 }
 
-std::optional<Shard> understand_shard(const Request& request) {
+std::optional<int> understand_jobs(const Report& request) {
+    if (!request.jobs) return std::nullopt;
+    const auto jobs = parse_integer(*request.jobs);
+    if (jobs && *jobs >= 1 && *jobs <= 1024) return jobs;
+    throw UsageError(fmt::format("--jobs {}: must be a whole number from 1 to 1024", *request.jobs));
+}
+
+std::optional<Shard> understand_shard(const Report& request) {
     if (!request.shard) return std::nullopt;
     const auto shard = parse_shard(*request.shard);
     if (shard) return shard;
     throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
 }
 
-const reports::Study& find_study(const std::vector<reports::Study>& all, const Request& request) {
+reports::Study find_study(const std::string& name) {
+    const std::vector<reports::Study> all = reports::all_studies();
     std::vector<std::string> names;
     for (const reports::Study& study : all) names.push_back(study.name);
-    if (request.reports.size() != 1) {
-        throw UsageError(
-            fmt::format("report {}: must be one of {}", fmt::join(request.reports, " "), fmt::join(names, ", ")));
-    }
-    require_known("report", request.reports.front(), names);
-    return *std::ranges::find(all, request.reports.front(), &reports::Study::name);
+    if (name.empty()) throw UsageError(fmt::format("a report is missing: one of {}", fmt::join(names, ", ")));
+    require_known("report", name, names);
+    return *std::ranges::find(all, name, &reports::Study::name);
 }
 
-void make(const Request& request, const std::vector<std::filesystem::path>& merged) {
-    const std::vector<reports::Study> all = reports::all_studies();
-    const reports::Study& study = find_study(all, request);
-    for (const std::string& part : request.parts) require_known("--only", part, study.parts);
-    refuse_foreign(request, study);
+}  // namespace
+
+void make_report(const Report& request, const std::vector<std::filesystem::path>& merged) {
+    const reports::Study study = find_study(request.name);
     const auto shard = understand_shard(request);
     const std::filesystem::path folder = request.out.value_or("out/report-" + study.name);
     const auto count = make_study(
@@ -148,31 +111,126 @@ void make(const Request& request, const std::vector<std::filesystem::path>& merg
          .markdown = request.markdown,
          .grid = understand_grid(request),
          .shard = shard,
-         .jobs = request.report_jobs,
+         .jobs = understand_jobs(request),
          .merged = merged,
          .note = note_text({.words = deciding_words(request), .shards = shard ? shard->count : 1})});
     if (shard) {
-        fmt::print("shard {}: {} pieces, of which {} were there; in {}\n", to_text(*shard), count.all, count.there,
-                   folder.string());
+        print(fmt::format("shard {}: {} pieces, of which {} were there; in {}\n", to_text(*shard), count.all,
+                          count.there, folder.string()));
     } else {
-        fmt::print("{}\n", (folder / "index.html").string());
+        print((folder / "index.html").string() + "\n");
     }
+}
+
+std::vector<Option> report_options() {
+    const std::string pieces = "Shares of a report (error, stability, atlas), which `report merge` joins";
+    const std::string grid = "A map of your own (report atlas)", group = "Options";
+    return {
+        {"out", "DIR", "folder for the page, its pictures and tables [out/report-NAME]"},
+        {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
+        {"only", "PART,...",
+         "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; atlas: "
+         "its "
+         "maps [all]",
+         group, OptionKind::list},
+        {"problems", "FILE|DIR",
+         "error: contact problems of FCLib instead of our own frozen ones: a file or a folder (.hdf5)", group,
+         OptionKind::reads},
+        {"beside", "FILE",
+         "error: other engines on the same scenes, a CSV file with the columns of error.csv; with --problems other "
+         "solvers on these, with those of problems.csv",
+         group, OptionKind::reads},
+        {"export", "DIR",
+         "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib"},
+        {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
+        {"markdown", "FILE", "a summary as Markdown, for the summary of a job", group, OptionKind::writes},
+        {"shard", "K/N", "make only the K-th of N shares, and no page; what is done is skipped", pieces},
+        {"jobs", "N", "runs at once [one per processor; error, which measures times: 1]", pieces},
+        {"grid", "SCENE", "name of a scene, or a scene file", grid},
+        {"x", "OPTION=VALUES", "values FROM:TO:STEP, log:FROM:TO:COUNT or A,B,C", grid},
+        {"y", "OPTION=VALUES", "the same for the other axis", grid},
+        {"measure", "NAME", "the number of the summary that cells show [max_penetration_m]", grid},
+        {"set", "OPTION=VALUE", "an option of all cells; may be repeated", grid, OptionKind::list},
+        {"replays", "X:Y,...|all", "replays of these cells", grid, OptionKind::list},
+    };
+}
+
+namespace {
+
+// The parts of a list that may be repeated, too.
+std::vector<std::string> take_list(Words& words, const char* option, bool has_effect, const char* must) {
+    words.take(option, has_effect, must);
+    std::vector<std::string> parts;
+    for (const std::string& text : words.take_all(option)) {
+        for (const std::string_view part : parts_of(text)) parts.emplace_back(part);
+    }
+    return parts;
+}
+
+AnyCommand read_any_report(Words& words) {
+    const std::vector<std::string> names = words.take_names();
+    if (!names.empty() && names.front() == "merge") return read_merge(words);
+    if (names.size() > 1) {
+        throw UsageError(fmt::format("report {}: must be one report at a time", fmt::join(names, " ")));
+    }
+    return read_report(words, names.empty() ? "" : names.front());
 }
 
 }  // namespace
 
-void report(const Request& request) {
-    if (request.reports.empty() || request.reports.front() != "merge") {
-        make(request, {});
-        return;
+Report read_report(Words& words, const std::string& name) {
+    const reports::Study study = find_study(name);
+    Report command{.name = name, .out = words.take("out")};
+    const auto take = [&words](const char* option, bool has_effect, const std::string& must) {
+        return words.take(option, has_effect, must);
+    };
+    command.shard = take("shard", study.pieces != nullptr, "with report error, stability or atlas");
+    command.jobs = take("jobs", study.pieces != nullptr, "with report error, stability or atlas");
+    const bool page = !command.shard;
+    command.grid = take("grid", name == "atlas", "with report atlas");
+    for (const auto& [option, value] :
+         {std::pair{"x", &command.x}, std::pair{"y", &command.y}, std::pair{"measure", &command.measure}}) {
+        *value = take(option, command.grid.has_value(), "with --grid SCENE");
     }
-    const Merge merge = understand_merge(request);
-    try {
-        make(merge.request, merge.folders);
-    } catch (const reports::MissingPieces& missing) {
-        print_missing(merge, missing.keys);
-        throw;
+    if (take("set", command.grid.has_value(), "with --grid SCENE")) command.set = words.take_all("set");
+    command.replays = take_list(words, "replays", command.grid.has_value(), "with --grid SCENE");
+    if (command.grid && (!command.x || !command.y)) {
+        throw UsageError(
+            fmt::format("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *command.grid));
     }
+    command.quick = take("quick", !command.grid, "without --grid, which says all values").has_value();
+    command.parts = take_list(words, "only", !command.grid, "without --grid, which is one map");
+    for (const std::string& part : command.parts) require_known("--only", part, study.parts);
+    const bool frozen = name == "error" && (command.parts.empty() ||
+                                            std::ranges::find(command.parts, "frozen") != command.parts.end());
+    const char* const of_error = "with report error, the only one that has problems";
+    command.problems = take("problems", frozen, of_error);
+    command.beside = take("beside", name == "error", of_error);
+    take("export", page, "without --shard");
+    command.exported = take("export", frozen, of_error);
+    for (const auto& [option, value] :
+         {std::pair{"junit", &command.junit}, std::pair{"markdown", &command.markdown}}) {
+        take(option, study.judges, "with report stability, which judges");
+        *value = take(option, page, "with report merge, not with --shard");
+    }
+    understand_shard(command);
+    understand_jobs(command);
+    words.refuse_rest("report " + name);
+    return command;
+}
+
+void carry_out(const Report& command) {
+    make_report(command, {});
+}
+
+Entry report_entry() {
+    return {
+        "report", "REPORT",
+        "measurements of many runs, as CSV files and a page of plots. REPORT is error: error against work and run "
+        "time, of every method and scene; stability: stiff and extreme cases, each judged; cost: work and time "
+        "per step of each scene; atlas: maps of outcomes over two parameters; merge DIR...: the page of the "
+        "shards in these folders",
+        report_options, read_any_report};
 }
 
 }  // namespace pushfactor::demos::commands

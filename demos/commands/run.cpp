@@ -1,7 +1,9 @@
 #include "demos/commands/commands.h"
+#include "demos/commands/run_options.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/overview.h"
 #include "demos/pictures/replay/replay.h"
+#include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/observed_run.h"
@@ -15,13 +17,13 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-std::vector<std::optional<std::string>> data_files(const Request& request) {
+std::vector<std::optional<std::string>> data_files(const Run& request) {
     const RunFiles& files = request.files;
     return {files.csv, files.trajectory, files.rows, files.save_state, request.glb, request.replay};
 }
 
 // Folder of the first output file; the working folder without one.
-std::filesystem::path folder_of_outputs(const Request& request) {
+std::filesystem::path folder_of_outputs(const Run& request) {
     std::vector<std::optional<std::string>> files = data_files(request);
     files.insert(files.begin(), request.summary);
     for (const auto& file : files) {
@@ -44,32 +46,48 @@ void go_through(ObservedRun& observed, const std::string& name, long steps, pict
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "{}{}{}", observed.keep_records(), replay ? replay->keep(error.what()) : "",
-                   observed.warnings());
+        say(observed.keep_records() + (replay ? replay->keep(error.what()) : "") + observed.warnings());
         throw;
     }
 }
 
-// What only a picture uses must not be ignored; a config file may have it for render.
-void refuse_unused(const Request& request) {
-    if (request.glb || request.replay) return;
-    for (const char* const name : {"camera", "overlay"}) {
-        const auto* const given = request.given.find(name);
-        if (!given || !given->field.starts_with("--")) continue;
-        throw UsageError(fmt::format("{} {}: must come with --glb or --replay", given->field, given->text));
+std::vector<Option> run_options() {
+    std::vector<Option> table = simulation_option_table();
+    for (const auto& more :
+         {output_option_table(), frame_option_table(of_run, "Output (FILE - is standard output)")}) {
+        table.insert(table.end(), more.begin(), more.end());
     }
+    return table;
+}
+
+AnyCommand read_run(Words& words) {
+    Run command{.files = take_files(words),
+                .summary = words.take("summary"),
+                .glb = words.take("glb"),
+                .replay = words.take("replay"),
+                .timing = words.take_flag("timing"),
+                .line = words.line()};
+    command.replay_poses_only = take_poses_only(words, command.replay.has_value());
+    std::vector<std::string> scenes = words.take_names();
+    command.given = take_simulation(words, scenes, !command.timing);
+    command.scene = only_scene(scenes);
+    const bool models = command.glb || command.replay;
+    words.take("fps", models || command.files.trajectory, "with --trajectory, --glb or --replay");
+    for (const char* const name : {"camera", "overlay"}) words.take(name, models, "with --glb or --replay");
+    require_shown_overlays(words, {.glb = command.glb.has_value(), .replay = command.replay.has_value()});
+    if (command.replay) pictures::check_replay_name(*command.replay);
+    return command;
 }
 
 }  // namespace
 
-void run(const Request& request) {
-    refuse_unused(request);
-    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scenes.front(), request.given)}};
+void carry_out(const Run& request) {
+    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scene, request.given)}};
     const Choices& choices = runs.front().choices;
     const long steps = whole_steps(choices.settings);
-    if (request.replay) pictures::check_replay_name(*request.replay);
+    note_cut_time(choices);
     const long every = request.replay ? pictures::steps_a_replay_frame(choices) : 1;
-    std::vector<std::vector<Frame>> frames;
+    std::vector<Frames> frames;
     if (request.glb) {
         pictures::check_glb(*request.glb, choices);
         frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
@@ -86,7 +104,7 @@ void run(const Request& request) {
         replay.emplace(pictures::ReplayChoices{.file = *request.replay,
                                                .steps_a_frame = every,
                                                .poses_only = request.replay_poses_only,
-                                               .command = request.command_line},
+                                               .command = request.line},
                        runs, std::vector{&observed.simulation()});
     }
     go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
@@ -95,7 +113,11 @@ void run(const Request& request) {
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
-    fmt::print(stderr, "{}", observed.warnings());
+    say(observed.warnings());
+}
+
+Entry run_entry() {
+    return {"run", "SCENE", "physics only: CSV files and a summary", run_options, read_run, scene_parameters_help};
 }
 
 }  // namespace pushfactor::demos::commands

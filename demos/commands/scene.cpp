@@ -1,12 +1,31 @@
 #include "demos/commands/commands.h"
+#include "demos/commands/run_options.h"
 #include "demos/platform/output_file.h"
 #include "demos/scenes/scene_file.h"
 
 namespace pushfactor::demos::commands {
 
-void scene(const Request& request) {
-    const Choices choices = understand(request.scenes.front(), request.given);
-    write_file("-", scene_file_text(spelled_out(choices)));
+namespace {
+
+AnyCommand read_scene(Words& words) {
+    std::vector<std::string> scenes = words.take_names();
+    GivenOptions given = take_simulation(words, scenes, true);
+    return Scene{.scene = only_scene(scenes), .given = std::move(given)};
+}
+
+}  // namespace
+
+void carry_out(const Scene& command) {
+    write_file("-", scene_file_text(spelled_out(understand(command.scene, command.given))));
+}
+
+Entry scene_entry() {
+    return {"scene",
+            "SCENE",
+            "prints a scene as a JSON file that run and render accept",
+            simulation_option_table,
+            read_scene,
+            scene_parameters_help};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pushfactor::demos::figures {
@@ -71,14 +72,16 @@ Plate intersecting_stack(FigureOutput& output, const Figure& figure) {
         if (cell.time == Rational{1, 2}) speeds.push_back(upward_speeds(run));
     };
     Plate plate = draw_plate(output, figure, strip);
+    const bool stands = std::ranges::all_of(speeds[1], [](const std::string& text) { return text == "0.0"; });
     plate.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
         "from "
         "zero, k = 0.2, 60 steps per second). After half a second the original method has them fly upwards at {} "
         "m/s, "
-        "from the lowest to the topmost. With the single-frame push and everything else equal they move at {} m/s. "
+        "from the lowest to the topmost. With the single-frame push and everything else equal they {}. "
         "Arrows: stored velocity, 10 m/s per metre.",
-        fmt::join(speeds[0], ", "), fmt::join(speeds[1], ", "));
+        fmt::join(speeds[0], ", "),
+        stands ? "stand, slower than 0.05 m/s" : fmt::format("move at {} m/s", fmt::join(speeds[1], ", ")));
     plate.commands = {command_text("render", "intersecting-stack",
                                    {{"preset", "paper"},
                                     {"compare", "push=persistent,single-frame"},

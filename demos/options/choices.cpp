@@ -6,6 +6,7 @@
 #include "demos/text/json_file.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
+#include "demos/text/text_hash.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,7 @@ ParameterValues understand_parameters(const SceneEntry& scene, const GivenOption
 
 // A name that is neither a known scene nor a file is reported as an unknown scene.
 void require_scene(const std::string& name) {
-    if (find_scene(name) || name.ends_with(".json") || std::filesystem::exists(name)) return;
+    if (find_scene(name) || name == "-" || name.ends_with(".json") || std::filesystem::exists(name)) return;
     std::vector<std::string> names;
     for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
     throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
@@ -87,10 +88,9 @@ void require_scene(const std::string& name) {
 
 // Fills in scene, description and parameters.
 void understand_scene(const std::string& name, const GivenOptions& given, Choices& choices) {
-    require_scene(name);
+    require_parameters(name, given);
     choices.scene = name;
     const SceneEntry* const entry = find_scene(name);
-    refuse_foreign_parameters(name, entry, given);
     if (!entry) {
         choices.description = read_scene_file(name);
         return;
@@ -188,6 +188,11 @@ Choices understand(const std::string& scene, GivenOptions given) {
     return choices;
 }
 
+void require_parameters(const std::string& scene, const GivenOptions& given) {
+    require_scene(scene);
+    refuse_foreign_parameters(scene, find_scene(scene), given);
+}
+
 SceneDescription spelled_out(const Choices& choices) {
     SceneDescription description = choices.description;
     description.options["preset"] = choices.settings.preset;
@@ -198,6 +203,15 @@ SceneDescription spelled_out(const Choices& choices) {
     return description;
 }
 
+std::string film_mark(const Choices& choices, const GivenOptions& given) {
+    if (!choices.frames.at.empty()) return "";
+    Json config = Json::parse(config_text(choices, given));
+    // Frames are the same bytes with any of these.
+    for (const char* const name : {"gl", "threads", "scene"}) config.erase(name);
+    config["scene"] = choices.description.name;
+    return fmt::format("{:016x}", text_hash(json_text(config)));
+}
+
 std::string config_text(const Choices& choices, const GivenOptions& given) {
     Json config;
     config["scene"] = choices.scene;
@@ -206,7 +220,7 @@ std::string config_text(const Choices& choices, const GivenOptions& given) {
             if (name != "scene") config[name] = json_of(option.text);
         }
         config["camera"] = choices.frames.camera.text;
-        return config.dump(2) + "\n";
+        return json_text(config);
     }
     config["preset"] = choices.settings.preset;
     for (const SimulationOption& option : simulation_options()) {
@@ -220,7 +234,7 @@ std::string config_text(const Choices& choices, const GivenOptions& given) {
         const std::string text = option.get(choices.frames);
         if (!text.empty()) config[std::string(option.name)] = json_of(text);
     }
-    return config.dump(2) + "\n";
+    return json_text(config);
 }
 
 }  // namespace pushfactor::demos

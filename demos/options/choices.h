@@ -27,9 +27,12 @@ class GivenOptions {
     struct Given {
         std::string text;
         std::string field;
+
+        bool operator==(const Given&) const = default;
     };
     const Given* find(std::string_view name) const;
     const std::map<std::string, Given, std::less<>>& all() const { return given_; }
+    bool operator==(const GivenOptions&) const = default;
     void add_all(const GivenOptions& other) { given_.insert(other.given_.begin(), other.given_.end()); }
 
   private:
@@ -61,8 +64,14 @@ struct Choices {
 // the field, the value and what is allowed; also for a parameter that the scene lacks.
 Choices understand(const std::string& scene, GivenOptions given);
 
+// Throws UsageError for a name that is neither a scene nor a file, and for a parameter of another scene.
+void require_parameters(const std::string& scene, const GivenOptions& given);
+
 // The description with every option spelled out, so that its meaning does not depend on presets.
 SceneDescription spelled_out(const Choices& choices);
+
+// Hash of what decides the pictures of a film, to tell its frames from those of another; empty for stills.
+std::string film_mark(const Choices& choices, const GivenOptions& given);
 
 // JSON text that reproduces the run: every option spelled out; for a comparison only the given ones.
 std::string config_text(const Choices& choices, const GivenOptions& given);

@@ -40,7 +40,7 @@ bool set_times(std::vector<Rational>& list, std::string_view text) {
     std::vector<Rational> times;
     for (const std::string_view part : parts_of(text)) {
         const auto time = parse_rational(part);
-        if (!time || time->numerator < 0) return false;
+        if (!time || time->numerator < 0 || time->value() > 1e6) return false;
         times.push_back(*time);
     }
     list = times;
@@ -121,20 +121,23 @@ std::string get_compare(const FrameChoices& choices) {
 
 const std::array frame_table{
     FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
-                set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
+                set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); },
+                of_pictures | of_models},
     FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
                 "a number above 0", set_fps,
-                [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); }},
+                [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); },
+                of_film | of_shutter | of_trajectory | of_models | of_run},
     FrameOption{"play-speed", "X", "simulated seconds per second of the video: below 1 is slow motion [1]",
                 "a number above 0", set_play_speed,
                 [](const FrameChoices& c) {
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
-                }},
+                },
+                of_film | of_shutter | of_models},
     FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
-                "times in s from 0, separated by commas, like 0,0.5,10", set_at,
+                "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_at,
                 [](const FrameChoices& c) { return text_of(c.at); }},
     FrameOption{"ghosts", "T,T,...", "the bodies as they were at these times in s too, paler the older they are",
-                "times in s from 0, separated by commas, like 0,0.5,10", set_ghosts,
+                "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_ghosts,
                 [](const FrameChoices& c) { return text_of(c.ghosts); }},
     FrameOption{
         "samples", "N",
@@ -150,7 +153,8 @@ const std::array frame_table{
                 "scene (its own), a camera FILE (.json), fit (close, with all motion in the picture) or "
                 "orbit:DEGREES_PER_SECOND; several separated by commas [scene; fit for stills and comparisons]",
                 "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
-                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; }},
+                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
+                of_pictures | of_models | of_run},
     FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
@@ -161,10 +165,11 @@ const std::array frame_table{
         "of the last second, trails:0.5 of half a second; several with commas",
         "some of contacts, forces, torques, push, velocities, islands, rest, no-contacts, thrust, trails with "
         "commas, forces, torques, push and velocities also with a scale like forces:50, trails with seconds",
-        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }},
+        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }, of_pictures | of_models | of_run},
     FrameOption{"compare", "OPTION=V1,V2,...",
                 "panels side by side that differ in this option: push=none,persistent,single-frame",
-                fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare},
+                fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare,
+                of_pictures | of_models},
     FrameOption{"gl", "osmesa|egl", "OpenGL back end [osmesa, or egl where that is not installed]", "osmesa or egl",
                 set_gl, [](const FrameChoices& c) { return c.gl; }},
 };
@@ -229,12 +234,25 @@ long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play
     return static_cast<long>(steps.numerator);
 }
 
-std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, long steps) {
+Frame Frames::operator[](std::size_t n) const {
+    if (!stills_.empty()) return stills_[n];
+    return {static_cast<long>(n) * every_, fmt::format("frame_{:06}.png", n)};
+}
+
+bool Frames::has(std::string_view name) const {
+    if (!stills_.empty()) return std::ranges::find(stills_, name, &Frame::name) != stills_.end();
+    const auto number = name.starts_with("frame_") && name.ends_with(".png")
+                            ? parse_integer(name.substr(6, name.size() - 10))
+                            : std::nullopt;
+    return number && *number >= 0 && static_cast<std::size_t>(*number) < size_ &&
+           (*this)[static_cast<std::size_t>(*number)].name == name;
+}
+
+Frames plan_frames(const FrameChoices& choices, const Rational& dt, long steps) {
     std::vector<Frame> frames;
     if (choices.at.empty()) {
         const long every = steps_a_frame(choices.film_rate(), dt, choices.play_speed);
-        for (long n = 0; n * every <= steps; ++n) frames.push_back({n * every, fmt::format("frame_{:06}.png", n)});
-        return frames;
+        return {every, static_cast<std::size_t>(steps / every) + 1};
     }
     for (const Rational& time : choices.at) {
         const long step = step_of("--at", time, dt);

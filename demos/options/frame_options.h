@@ -37,6 +37,16 @@ struct FrameChoices {
     Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames per second of the film
 };
 
+// Outputs that a frame option serves.
+enum FrameUse : unsigned {
+    of_pictures = 1,    // frames and stills
+    of_film = 2,        // a sequence of frames
+    of_shutter = 4,     // pictures over a share of a frame's time
+    of_trajectory = 8,  // --trajectory
+    of_models = 16,     // --glb and --replay
+    of_run = 32,        // of these, also in the command run
+};
+
 struct FrameOption {
     std::string_view name;
     std::string_view placeholder;
@@ -44,6 +54,7 @@ struct FrameOption {
     std::string allowed;
     bool (*set)(FrameChoices& choices, std::string_view text);
     std::string (*get)(const FrameChoices& choices);  // empty when not given
+    unsigned uses = of_pictures;                      // FrameUse
 };
 
 std::span<const FrameOption> frame_options();
@@ -54,9 +65,51 @@ struct Frame {
     std::string name;
 };
 
+// Frames by time: stills, or those of a film, which are not stored, because there may be millions.
+class Frames {
+  public:
+    Frames() = default;
+    Frames(std::vector<Frame> stills) : stills_(std::move(stills)), size_(stills_.size()) {}  // NOLINT: as a list
+    Frames(long every, std::size_t size) : every_(every), size_(size) {}  // one each `every` steps, from the start
+
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    Frame operator[](std::size_t n) const;
+    Frame front() const { return (*this)[0]; }
+    Frame back() const { return (*this)[size_ - 1]; }
+    bool has(std::string_view name) const;
+
+    class Iterator {
+      public:
+        using difference_type = std::ptrdiff_t;
+        using value_type = Frame;
+
+        Iterator() = default;
+        Iterator(const Frames* frames, std::size_t at) : frames_(frames), at_(at) {}
+        Frame operator*() const { return (*frames_)[at_]; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        Iterator operator++(int) { return {frames_, at_++}; }
+        bool operator==(const Iterator&) const = default;
+
+      private:
+        const Frames* frames_ = nullptr;
+        std::size_t at_ = 0;
+    };
+    Iterator begin() const { return {this, 0}; }
+    Iterator end() const { return {this, size_}; }
+
+  private:
+    std::vector<Frame> stills_;
+    long every_ = 0;
+    std::size_t size_ = 0;
+};
+
 // The frames of a run of `steps` steps of `dt`, by time. Throws UsageError for a time that is not a whole number of
 // steps (the message names rates or times that are) or is beyond the end.
-std::vector<Frame> plan_frames(const FrameChoices& choices, const Rational& dt, long steps);
+Frames plan_frames(const FrameChoices& choices, const Rational& dt, long steps);
 
 // The steps of the ghosts, in order. Throws UsageError as plan_frames does.
 std::vector<long> plan_ghosts(const FrameChoices& choices, const Rational& dt);

@@ -1,6 +1,7 @@
 #include "demos/options/named_run.h"
 
 #include "demos/platform/assets.h"
+#include "demos/platform/shell_words.h"
 
 namespace pushfactor::demos {
 
@@ -12,9 +13,9 @@ Choices run_of(const std::string& scene, const OptionTexts& options) {
 }
 
 std::string command_text(const std::string& command, const std::string& scene, const OptionTexts& options) {
-    std::string text = "pushfactor " + command + " " + scene;
-    for (const auto& [name, value] : options) text += " --" + name + " " + value;
-    return text;
+    std::vector<std::string> words{command, scene};
+    for (const auto& [name, value] : options) words.insert(words.end(), {"--" + name, value});
+    return command_of(words);
 }
 
 }  // namespace pushfactor::demos

@@ -38,6 +38,12 @@ inline bool colours_bodies(OverlayKind kind) {
     return kind == OverlayKind::islands || kind == OverlayKind::rest;
 }
 
+// Whether replays have the overlay.
+inline bool is_in_replays(OverlayKind kind) {
+    return kind == OverlayKind::contacts || kind == OverlayKind::forces || kind == OverlayKind::push ||
+           kind == OverlayKind::velocities;
+}
+
 // Whether the overlay has arrows, and so a scale.
 inline bool has_arrows(OverlayKind kind) {
     return kind != OverlayKind::contacts && kind != OverlayKind::thrust && kind != OverlayKind::no_contacts &&

@@ -66,6 +66,12 @@ std::string name_of(const Value& value, const Names<Value, n>& names) {
     return std::string(found->first);
 }
 
+bool set_seconds(Settings& s, std::string_view text) {
+    auto seconds = parse_number(text);
+    if (const auto fraction = parse_rational(text); fraction && !seconds) seconds = fraction->value();
+    return take(s.seconds, seconds, 0.0, 1e6);
+}
+
 bool set_dt(Settings& s, std::string_view text) {
     const auto dt = parse_rational(text);
     if (!dt || dt->numerator <= 0 || dt->value() > 1.0 || dt->value() < 1e-6) return false;
@@ -155,8 +161,7 @@ std::string solver_names() {
 
 const std::array simulation_table{
     SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]",
-                     "a number of seconds from 0 to 1e6",
-                     [](Settings& s, std::string_view t) { return take(s.seconds, parse_number(t), 0.0, 1e6); },
+                     "a number of seconds from 0 to 1e6, or a fraction like 1001/1000", set_seconds,
                      [](const Settings& s) { return to_text(s.seconds); }},
     SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,

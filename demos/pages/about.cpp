@@ -36,13 +36,13 @@ About about_this() {
             .cores = std::thread::hardware_concurrency()};
 }
 
-std::string json_text(const About& about) {
+std::string about_json(const About& about) {
     const Json json{{"program", "pushfactor " + about.version},
                     {"compiler", about.compiler},
                     {"flags", about.flags},
                     {"cpu", about.cpu.empty() ? Json(nullptr) : Json(about.cpu)},
                     {"cores", about.cores}};
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 std::string line_of(const About& about) {

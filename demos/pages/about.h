@@ -13,7 +13,7 @@ struct About {
 
 About about_this();
 
-std::string json_text(const About& about);  // about.json
-std::string line_of(const About& about);    // for captions
+std::string about_json(const About& about);  // about.json
+std::string line_of(const About& about);     // for captions
 
 }  // namespace pushfactor::demos::reports

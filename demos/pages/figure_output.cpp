@@ -45,12 +45,12 @@ std::string FigureOutput::save(const renderer::Image& image, const std::string& 
 }
 
 void FigureOutput::save(const Sheet& sheet, const std::string& name, Plate& plate) const {
-    write(folder_ / (name + ".png"), png_of(sheet, studio_.lettering(), format_.theme));
+    write(folder_ / (name + ".png"), png_of(sheet, studio_.lettering(), format_));
     plate.pictures.push_back(name + ".png");
     if (!format_.print) return;
     // The picture alone, which gnuplot puts under the texts.
     const fs::path bare = folder_ / (name + ".bare.png");
-    write(bare, png_of(sheet));
+    write(bare, png_of(sheet, 0.0));
     try {
         add_pdf({.script = "sheet",
                  .data = name + ".txt",

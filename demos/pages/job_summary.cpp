@@ -1,5 +1,7 @@
 #include "demos/pages/job_summary.h"
 
+#include "demos/text/utf8.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 // A cell of a table, as text.
 std::string cell(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : utf8(text)) {
         if (std::string_view("|\\`*_<>[]#&~").find(c) != std::string_view::npos) result += '\\';
         result += c == '\n' ? ' ' : c;
     }
@@ -38,17 +40,20 @@ std::vector<Failure> worst_first(std::span<const SuiteVerdict> suites) {
 }
 
 std::vector<std::string> lines_of(std::span<const SuiteVerdict> suites) {
-    std::vector<std::string> lines{"| | | checked | failed |", "|---|---|---|---|"};
-    for (const SuiteVerdict& suite : suites) {
-        lines.push_back(fmt::format("| {} | {} | {} | {} |", suite.failures() == 0 ? "✅" : "❌", cell(suite.name),
-                                    suite.cases.size(), suite.failures()));
-    }
+    // Failures first: a summary that is too long is cut.
+    std::vector<std::string> lines;
     const std::vector<Failure> failures = worst_first(suites);
-    if (failures.empty()) return lines;
-    lines.insert(lines.end(), {"", "| failure | |", "|---|---|"});
+    if (!failures.empty()) lines = {"| failure | |", "|---|---|"};
     for (const Failure& failure : failures) {
         lines.push_back(fmt::format("| {} | {} |", cell(failure.suite->name + ": " + failure.one->name),
                                     cell(failure.one->failure)));
+    }
+    if (!failures.empty()) lines.emplace_back();
+    lines.insert(lines.end(), {"| | | checked | failed | not compared |", "|---|---|---|---|---|"});
+    for (const SuiteVerdict& suite : suites) {
+        lines.push_back(fmt::format(
+            "| {} | {} | {} | {} | {} |", suite.failures() > 0 ? "❌" : (suite.skipped() > 0 ? "⚠️" : "✅"),
+            cell(suite.name), std::ssize(suite.cases) - suite.skipped(), suite.failures(), suite.skipped()));
     }
     return lines;
 }

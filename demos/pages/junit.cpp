@@ -1,6 +1,7 @@
 #include "demos/pages/junit.h"
 
 #include "demos/pages/html.h"
+#include "demos/text/utf8.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -9,23 +10,24 @@ namespace pushfactor::demos {
 
 namespace {
 
-// XML has no control characters but these, not even escaped.
-bool is_allowed(char c) {
-    return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t';
+// XML has no control characters but these, and no noncharacters, not even escaped.
+bool is_allowed(std::uint32_t code) {
+    return (code >= 0x20 || code == '\n' || code == '\t') && code != 0xfffe && code != 0xffff;
 }
 
 // In attributes a line's end has to be written as a number.
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char& c : text) {
-        if (is_allowed(c)) result += c == '\n' ? "&#10;" : html::escaped({&c, 1});
-    }
+    for (const char& c : utf8(text, is_allowed)) result += c == '\n' ? "&#10;" : html::escaped({&c, 1});
     return result;
 }
 
 std::string case_xml(const SuiteVerdict& suite, const CaseVerdict& one) {
-    const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
-                                          escaped(suite.name), escaped(one.name));
+    const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
+                                          escaped(suite.name), escaped(one.name), one.seconds);
+    if (!one.skipped.empty()) {
+        return fmt::format("{}>\n      <skipped message=\"{}\"/>\n    </testcase>\n", start, escaped(one.skipped));
+    }
     if (one.failure.empty()) return start + "/>\n";
     return fmt::format("{}>\n      <failure type=\"difference\" message=\"{}\">{}</failure>\n    </testcase>\n",
                        start, escaped(one.failure), escaped(one.failure));
@@ -40,8 +42,9 @@ std::string junit_xml(std::span<const SuiteVerdict> suites, std::time_t time) {
     for (const SuiteVerdict& suite : suites) {
         text += fmt::format(
             "  <testsuite name=\"{}\" package=\"pushfactor\" id=\"{}\" timestamp=\"{}\" hostname=\"localhost\" "
-            "tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\">\n    <properties/>\n",
-            escaped(suite.name), id++, timestamp, suite.cases.size(), suite.failures(), suite.seconds);
+            "tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n    <properties/>\n",
+            escaped(suite.name), id++, timestamp, suite.cases.size(), suite.failures(), suite.skipped(),
+            suite.seconds);
         for (const CaseVerdict& one : suite.cases) text += case_xml(suite, one);
         text += "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
     }

@@ -10,7 +10,8 @@ namespace pushfactor::demos {
 enum class Mark {
     holds,
     known_miss,  // misses the bar, but no worse than known
-    fails
+    fails,
+    not_compared
 };
 
 // A word and a sign, so that the verdict does not depend on colour.
@@ -19,7 +20,7 @@ struct MarkLook {
 };
 
 inline constexpr std::array mark_looks{MarkLook{"holds", "✓", "holds"}, MarkLook{"known miss", "≈", "known"},
-                                       MarkLook{"fails", "✗", "fails"}};
+                                       MarkLook{"fails", "✗", "fails"}, MarkLook{"not compared", "–", "known"}};
 
 inline std::string_view word_of(Mark mark) {
     return mark_looks[static_cast<std::size_t>(mark)].word;

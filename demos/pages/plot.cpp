@@ -6,8 +6,13 @@
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"
+#include "renderer/images/png.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <cstdlib>
+#include <ctime>
 
 namespace pushfactor::demos {
 
@@ -56,20 +61,44 @@ std::string style_of(const Plot& plot, const std::string& file_format) {
         pixels_an_inch, format.theme == Theme::dark ? 1 : 0, format.background == Background::none ? 1 : 0);
 }
 
+// Cairo writes the time into a PDF; instead that of SOURCE_DATE_EPOCH, or 1970, so that equal figures are equal
+// files.
+void set_date(std::string& pdf) {
+    const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
+    const auto seconds = epoch ? parse_integer(epoch) : std::nullopt;
+    const std::string date =
+        fmt::format("(D:{:%Y%m%d%H%M%S}", fmt::gmtime(static_cast<std::time_t>(seconds.value_or(0))));
+    for (const char* const key : {"/CreationDate ", "/ModDate "}) {
+        const std::size_t at = pdf.find(key + std::string("(D:"));
+        if (at != std::string::npos) pdf.replace(at + std::string_view(key).size(), date.size(), date);
+    }
+}
+
 // Returns the name of the file.
 std::string draw(const Plot& plot, const std::string& file_format, const fs::path& folder) {
     const fs::path scripts = asset_folder("plots");
     const std::string made = plot.name + "." + file_format;
+    // Gnuplot opens the file itself; it appears whole, below its name.
+    const StagedFile staged(folder / made, "." + file_format);
     const std::string settings =
         fmt::format("{}{}{}data = {}; made = {}; style = {}", colours(plot.format), variables_of(plot),
                     style_of(plot, file_format), gnuplot_string((folder / plot.data).string()),
-                    gnuplot_string((folder / made).string()), gnuplot_string((scripts / "style.gp").string()));
+                    gnuplot_string(staged.path().string()), gnuplot_string((scripts / "style.gp").string()));
     try {
         ChildProcess("gnuplot", "gnuplot-nox", {"-e", settings, (scripts / (plot.script + ".gp")).string()})
             .finish();
     } catch (const ChildProcessError& error) {
         throw OutputError(error.what());
     }
+    std::string bytes = read_bytes_of(staged.path()).value_or("");
+    if (file_format == "pdf") set_date(bytes);
+    if (file_format == "png" && plot.format.print) {
+        const auto png =
+            renderer::with_notes({bytes.begin(), bytes.end()},
+                                 {.dots_per_inch = static_cast<double>(plot.format.print->dpi), .film = {}});
+        bytes.assign(png.begin(), png.end());
+    }
+    write_file(folder / made, bytes);
     return made;
 }
 

@@ -10,7 +10,9 @@ namespace pushfactor::demos {
 struct CaseVerdict {
     std::string name;
     std::string failure{};  // one line; empty if it holds
-    double badness = 0.0;   // failures with larger ones are listed first
+    std::string skipped{};  // why nothing was compared; empty if something was
+    double seconds = 0.0;
+    double badness = 0.0;  // failures with larger ones are listed first
 };
 
 struct SuiteVerdict {
@@ -18,6 +20,9 @@ struct SuiteVerdict {
     double seconds = 0.0;
     std::vector<CaseVerdict> cases{};
 
+    long skipped() const {
+        return std::count_if(cases.begin(), cases.end(), [](const auto& one) { return !one.skipped.empty(); });
+    }
     long failures() const {
         return std::count_if(cases.begin(), cases.end(), [](const auto& one) { return !one.failure.empty(); });
     }

@@ -37,6 +37,7 @@ class Lettering {
     // Plain text whose baseline begins at `at`; centred there when `centred`.
     void text(renderer::Image& image, const std::string& text, glm::vec2 at, float size, bool centred = false,
               const glm::vec3& colour = ink_colour) const;
+    std::string_view lacks(std::string_view text) const { return font_.lacks(text); }
     float width(const std::string& text, float size) const { return font_.width(text, size); }
 
   private:

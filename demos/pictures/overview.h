@@ -20,7 +20,6 @@ double least_aspect(const FrameChoices& frames, std::size_t panels);
 // Gives the panels a view that shows all motion in all frames, found by a separate run; does nothing if the scene
 // has a camera or one was given. Bodies that fly so far that the picture would show nothing else are followed only
 // part of their way.
-void add_overview(std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
-                  const GoTo& go_to = {});
+void add_overview(std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
 
 }  // namespace pushfactor::demos::pictures

@@ -40,7 +40,9 @@ void Studio::draw(std::span<const renderer::Picture> pictures, const Size& size,
         made_for = wanted;
         end("set up");
     }
+    const long before = renderer->blank();
     renderer->render(pictures, image);
+    blank_ += renderer->blank() - before;
 }
 
 StageTime time_of_empty_frame(const Size& size, const std::string& gl) {

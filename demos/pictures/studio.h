@@ -40,6 +40,9 @@ class Studio {
 
     const Lettering& lettering() const { return lettering_; }
 
+    // Pictures in which nothing is in view of the camera.
+    long blank() const { return blank_; }
+
     // What draws, with back end and versions. Equal texts stand for equal bytes of equal pictures.
     std::string driver() const { return context_->description() + ", " + renderer::gl_version_of(*context_); }
 
@@ -53,6 +56,7 @@ class Studio {
     std::unique_ptr<renderer::OffscreenContext> context_;
     std::vector<Seat> seats_;
     Lettering lettering_;
+    long blank_ = 0;
 };
 
 // Mean time per frame of a nearly empty picture.

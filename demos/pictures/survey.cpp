@@ -62,8 +62,7 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
     return balls;
 }
 
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
-              const GoTo& go_to) {
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;
     Outline outline;

@@ -35,8 +35,7 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
 using GoTo = std::function<void(Simulation& run, long step)>;
 
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<std::vector<Frame>>& frames,
-              const GoTo& go_to = {});
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
 
 // Balls around the movable bodies of a scene in its current state, and the points that they hang on.
 std::vector<Ball> movable_balls(const BuiltScene& scene);

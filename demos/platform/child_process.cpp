@@ -97,8 +97,17 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     const fs::path program = require_program(name, package);
 
     // Standard error goes to a file: an unread pipe would fill up and block both processes.
-    said_ = std::tmpfile();
-    if (!said_) throw ChildProcessError(fmt::format("no temporary file: {}", std::strerror(errno)));
+    // In TMPDIR, which std::tmpfile() does not know.
+    std::error_code no_folder;
+    const fs::path place = fs::temp_directory_path(no_folder) / "pushfactor-XXXXXX";
+    std::string file = place.string();
+    const int descriptor = no_folder ? -1 : mkostemp(file.data(), O_CLOEXEC);
+    if (descriptor >= 0) unlink(file.c_str());
+    said_ = descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
+    if (!said_) {
+        throw ChildProcessError(fmt::format("no temporary file in {} (TMPDIR): {}", place.parent_path().string(),
+                                            no_folder ? no_folder.message() : std::strerror(errno)));
+    }
     arguments.insert(arguments.begin(), name);
     try {
         start(program, std::move(arguments), folder);

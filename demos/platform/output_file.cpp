@@ -2,10 +2,17 @@
 
 #include "demos/text/errors.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <utility>
 
 namespace pushfactor::demos {
 
@@ -13,41 +20,98 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool holds(const fs::path& path, std::string_view bytes) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error) || fs::file_size(path, error) != bytes.size() || error) return false;
-    std::ifstream stream(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {}) == bytes;
+constexpr std::size_t most_buffered = 1 << 16;
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
 }
 
 }  // namespace
 
+fs::path followed(fs::path path) {
+    constexpr int most_links = 40;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(path, error); ++i) {
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) break;
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return path;
+}
+
+StagedFile::StagedFile(const fs::path& target, const std::string& extension)
+    : target_(target), place_(followed(target)) {
+    struct stat old {};
+    const bool exists = stat(place_.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
+    std::random_device random;
+    while (descriptor_ < 0) {
+        // Short: the target may have the longest name that there can be.
+        path_ = place_.parent_path() / fmt::format(".{:08x}{}", random(), extension);
+        descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) {
+            path_.clear();
+            fail(errno);
+        }
+    }
+    if (exists) fchmod(descriptor_, old.st_mode & 07777);
+}
+
+StagedFile::~StagedFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!path_.empty()) unlink(path_.c_str());
+}
+
+void StagedFile::fail(int error) const {
+    throw OutputError(target_.string() + ": " + std::strerror(error));
+}
+
+void StagedFile::sync() {
+    // EINVAL: a file system that cannot.
+    if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+void StagedFile::commit() {
+    sync();
+    if (rename(path_.c_str(), place_.c_str()) != 0) fail(errno);
+    path_.clear();
+}
+
+bool StagedFile::commit_new() {
+    sync();
+    if (link(path_.c_str(), place_.c_str()) == 0) return true;
+    if (errno == EEXIST) return false;
+    // A file system without hard links.
+    if (fs::exists(place_)) return false;
+    if (rename(path_.c_str(), place_.c_str()) != 0) fail(errno);
+    path_.clear();
+    return true;
+}
+
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     if (path_ == "-") {
-        file_ = stdout;
+        descriptor_ = STDOUT_FILENO;
         return;
     }
     std::error_code ignored;
     const fs::file_status status = fs::status(path_, ignored);
-    if (fs::is_directory(status)) fail(EISDIR);
-    fs::path target = path_;
-    if (!fs::exists(status) || fs::is_regular_file(status)) {
-        temporary_ = path_;
-        temporary_ += ".partial";
-        target = temporary_;
+    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
+        descriptor_ = staged_.emplace(path_).descriptor();
+        return;
     }
-    file_ = std::fopen(target.c_str(), "wb");
-    if (!file_) {
-        const int error = errno;
-        temporary_.clear();
-        fail(error);
-    }
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(errno);
 }
 
 OutputFile::~OutputFile() {
-    if (file_ && file_ != stdout) std::fclose(file_);
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (!staged_ && descriptor_ >= 0 && path_ != "-") close(descriptor_);
 }
 
 void OutputFile::fail(int error) const {
@@ -55,20 +119,22 @@ void OutputFile::fail(int error) const {
 }
 
 void OutputFile::write(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(errno);
+    buffer_ += text;
+    if (buffer_.size() >= most_buffered) flush();
+}
+
+void OutputFile::flush() {
+    if (!write_all(descriptor_, buffer_)) fail(errno);
+    buffer_.clear();
 }
 
 void OutputFile::commit() {
-    if (std::fflush(file_) != 0) fail(errno);
-    if (file_ == stdout) return;
-    std::FILE* const file = file_;
-    file_ = nullptr;
-    if (std::fclose(file) != 0) fail(errno);
-    if (temporary_.empty()) return;
-    std::error_code error;
-    fs::rename(temporary_, path_, error);
-    if (error) fail(error.value());
-    temporary_.clear();
+    flush();
+    if (staged_) {
+        staged_->commit();
+    } else if (path_ != "-" && close(std::exchange(descriptor_, -1)) != 0) {
+        fail(errno);
+    }
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
@@ -77,20 +143,42 @@ void write_file(const fs::path& path, std::string_view bytes) {
     file.commit();
 }
 
+void print(std::string_view text) {
+    write_file("-", text);
+}
+
+std::optional<std::string> read_bytes_of(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return std::nullopt;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+bool write_first(const fs::path& path, std::string_view bytes) {
+    StagedFile file(path);
+    if (!write_all(file.descriptor(), bytes)) throw OutputError(path.string() + ": " + std::strerror(errno));
+    return file.commit_new() || read_bytes_of(path) == bytes;
+}
+
 fs::path write_new_file(const fs::path& folder, const std::string& stem, const std::string& extension,
                         std::string_view bytes) {
     constexpr int most = 1000;
     for (int n = 1; n <= most; ++n) {
         fs::path path = folder / (stem + (n > 1 ? "-" + std::to_string(n) : "") + extension);
-        std::error_code ignored;
-        if (!fs::exists(fs::symlink_status(path, ignored))) {
-            write_file(path, bytes);
-            return path;
-        }
-        if (holds(path, bytes)) return path;
+        if (write_first(path, bytes)) return path;
     }
     throw OutputError((folder / (stem + extension)).string() + ": there are already " + std::to_string(most) +
                       " files of this name");
+}
+
+void make_folders_of(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        std::error_code ignored;
+        if (file == "-" || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))) continue;
+        const fs::path folder = followed(file).parent_path();
+        make_folder(folder.empty() ? "." : folder);
+    }
 }
 
 void make_folder(const fs::path& folder) {

@@ -1,17 +1,44 @@
 // A file that is written whole or not at all.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
 
-// Writes go to a temporary file next to `path`, which commit() renames. Without commit() it is removed, and an
-// existing file stays. "-" is standard output; an existing path that is not a regular file (a device, a pipe) is
-// written to directly. Every member throws OutputError that names the path and the reason.
+// A new file next to `target`, under a name that no other process uses, until commit() puts it in its place. Links
+// are followed, and the mode of an existing file is kept. Members throw OutputError that names the target and the
+// reason.
+class StagedFile {
+  public:
+    explicit StagedFile(const std::filesystem::path& target, const std::string& extension = ".partial");
+    StagedFile(const StagedFile&) = delete;
+    StagedFile& operator=(const StagedFile&) = delete;
+    ~StagedFile();  // removes it unless it was committed
+
+    const std::filesystem::path& path() const { return path_; }
+    int descriptor() const { return descriptor_; }  // open for writing
+
+    // Syncs the file and renames it; an existing target is replaced.
+    void commit();
+
+    // The same unless there is a target; false then.
+    bool commit_new();
+
+  private:
+    void sync();
+    [[noreturn]] void fail(int error) const;
+
+    std::filesystem::path target_, place_, path_;  // as given; through links; of the temporary file
+    int descriptor_ = -1;
+};
+
+// Writes go to a staged file. Without commit() an existing file stays. "-" is standard output; an existing path
+// that is not a regular file (a device, a pipe) is written to directly. Every member throws OutputError that names
+// the path and the reason.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
@@ -26,12 +53,20 @@ class OutputFile {
     std::string name() const { return path_ == "-" ? "standard output" : path_.string(); }
 
   private:
+    void flush();
     [[noreturn]] void fail(int error) const;
 
     std::filesystem::path path_;
-    std::filesystem::path temporary_;  // empty when written to directly
-    std::FILE* file_ = nullptr;
+    std::optional<StagedFile> staged_;  // none when written to directly
+    int descriptor_ = -1;
+    std::string buffer_;
 };
+
+// Where a name leads to through links; the file may not exist yet.
+std::filesystem::path followed(std::filesystem::path path);
+
+// Writes to standard output, at once.
+void print(std::string_view text);
 
 // Writes the file `path` with the content `bytes`.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
@@ -40,6 +75,15 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 // taken. An existing file with exactly these bytes is kept. Returns the path.
 std::filesystem::path write_new_file(const std::filesystem::path& folder, const std::string& stem,
                                      const std::string& extension, std::string_view bytes);
+
+// Writes the file `path` if there is none. False if there is one with other bytes.
+bool write_first(const std::filesystem::path& path, std::string_view bytes);
+
+// The bytes of a regular file; none if there is no such file or it cannot be read.
+std::optional<std::string> read_bytes_of(const std::filesystem::path& path);
+
+// Makes the folders of these files, and refuses those that cannot be written in.
+void make_folders_of(const std::vector<std::string>& files);
 
 // Creates the folder and its parents. Throws OutputError if files cannot be created in it.
 void make_folder(const std::filesystem::path& folder);

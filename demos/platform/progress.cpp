@@ -1,5 +1,6 @@
 #include "demos/platform/progress.h"
 
+#include "demos/platform/messages.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ ProgressBar::ProgressBar(std::string label, long total)
       next_(start_) {}
 
 ProgressBar::~ProgressBar() {
-    if (drawn_) std::fputc('\n', stderr);
+    if (drawn_) say("\n");
 }
 
 void ProgressBar::show(long done) {
@@ -40,13 +41,15 @@ void ProgressBar::show(long done) {
     const int filled = static_cast<int>(share * width);
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double left = share > 0.0 ? elapsed * (1.0 - share) / share : 0.0;
-    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left ", label_, "", filled, "", width - filled, done,
-               total_, left);
-    std::fflush(stderr);
+    say(fmt::format("\r{} [{:=<{}}{: <{}}] {}/{}  {:.0f} s left ", label_, "", filled, "", width - filled, done,
+                    total_, left));
 }
 
 void note_interrupts() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupt_came = true; });
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // A shell starts background jobs with SIGINT ignored, nohup with SIGHUP; that stays.
+        if (std::signal(signal, [](int) { interrupt_came = true; }) == SIG_IGN) std::signal(signal, SIG_IGN);
+    }
 }
 
 bool interrupted() {

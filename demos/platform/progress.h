@@ -26,7 +26,7 @@ class ProgressBar {
     Clock::time_point start_, next_;
 };
 
-// Installs handlers that only record SIGINT and SIGTERM.
+// Installs handlers that only record SIGINT, SIGTERM and SIGHUP, unless they are ignored.
 void note_interrupts();
 
 // Whether such a signal was received. Thread-safe.

@@ -124,7 +124,7 @@ class ErrorReport {
     }
 
     void make() {
-        run_.write("about.json", json_text(about_this()));
+        run_.write("about.json", about_json(about_this()));
         if (run_.request().exported) make_folder(*run_.request().exported);
         for (const Experiment& sweep : plan_.experiments) add_experiment(sweep);
         for (const FrozenMoment& moment : plan_.moments) add_moment(moment);

@@ -55,7 +55,12 @@ Mark mark_for(const Verdict& verdict) {
 
 // Page lines of a table of trials, with the verdict in front.
 std::vector<std::vector<std::string>> lines_with_verdicts(const Table& table, std::span<const Trial> trials) {
-    std::vector<std::vector<std::string>> lines = page_lines(table);
+    // The verdict says on the page what the column `holds` says in the file.
+    Table shown = table;
+    const auto column = std::ranges::find(shown.columns, "holds") - shown.columns.begin();
+    shown.columns.erase(shown.columns.begin() + column);
+    for (auto& row : shown.rows) row.erase(row.begin() + column);
+    std::vector<std::vector<std::string>> lines = page_lines(shown);
     lines.front().insert(lines.front().begin(), std::string(verdict_column));
     std::size_t line = 1;
     for (const Trial& trial : trials) {

@@ -1,6 +1,10 @@
 #include "demos/runs/measurements.h"
 
+#include "demos/text/errors.h"
 #include "engine/base/overloaded.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +146,7 @@ void UnsolvedSteps::add(const Sample& sample) {
     }
 }
 
-Measurements::Measurements(const Simulation& simulation)
+Measurements::Measurements(const Simulation& simulation, const std::vector<std::string>* wanted)
     : standing_(simulation.scene().standing),
       scene_measure_(simulation.scene().measure ? simulation.scene().measure(simulation.scene().world) : nullptr),
       size_(judged_size(simulation.scene())),
@@ -153,6 +157,19 @@ Measurements::Measurements(const Simulation& simulation)
       held_(held_in(simulation.scene())),
       obstacles_(simulation.scene()),
       stretch_(simulation.scene()) {
+    if (wanted) {
+        std::vector<std::string> names;
+        if (scene_measure_) {
+            for (const auto& [name, value] : scene_measure_->result()) names.push_back(name);
+        }
+        for (const std::string& name : *wanted) {
+            if (std::ranges::find(names, name) != names.end()) continue;
+            throw UsageError(
+                fmt::format("--measure {}: must be a measure of the scene: {}", name,
+                            names.empty() ? "it has none" : fmt::format("{}", fmt::join(names, ", "))));
+        }
+        makes_scene_measure_ = !wanted->empty() || !scene_measure_ || !scene_measure_->is_costly();
+    }
     const double steps_a_second = std::max(1.0, std::round(1.0 / simulation.settings().dt.value()));
     steps_a_moment_ = static_cast<long>(std::ceil(steps_a_second / 60.0));
     moments_a_second_ = static_cast<std::size_t>(std::ceil(steps_a_second / static_cast<double>(steps_a_moment_)));
@@ -217,7 +234,7 @@ void Measurements::observe(const Simulation& simulation) {
     });
     if (!at_10_s_ && sample.time >= 10.0) at_10_s_ = latest_;
     if (standing_) watch_standing(sample.time, latest_);
-    if (scene_measure_) scene_measure_->observe(simulation.scene().world);
+    if (scene_measure_ && makes_scene_measure_) scene_measure_->observe(simulation.scene().world);
 
     remember(judge(simulation, stretch), sample.step);
 }
@@ -317,8 +334,13 @@ double Measurements::max_kinetic_energy_last_second() const {
     return largest_last_second(&Moment::kinetic_energy);
 }
 
-std::vector<std::pair<std::string, double>> Measurements::of_scene() const {
-    return scene_measure_ ? scene_measure_->result() : std::vector<std::pair<std::string, double>>{};
+std::vector<std::pair<std::string, std::optional<double>>> Measurements::of_scene() const {
+    std::vector<std::pair<std::string, std::optional<double>>> measures;
+    if (!scene_measure_) return measures;
+    for (const auto& [name, value] : scene_measure_->result()) {
+        measures.emplace_back(name, makes_scene_measure_ ? std::optional(value) : std::nullopt);
+    }
+    return measures;
 }
 
 double Measurements::median_residual() const {

@@ -78,7 +78,9 @@ struct AtRest {
 
 class Measurements {
   public:
-    explicit Measurements(const Simulation& simulation);  // at the start of the run
+    // At the start of the run. `wanted`: names of costly measures of the scene that are made; null: all. Throws
+    // UsageError for another name.
+    explicit Measurements(const Simulation& simulation, const std::vector<std::string>* wanted = nullptr);
 
     void observe(const Simulation& simulation);  // after each step
 
@@ -106,8 +108,9 @@ class Measurements {
     const UnsolvedSteps& unsolved() const { return unsolved_; }
     const IslandCount& islands() const { return islands_; }
     const AtRest& at_rest() const { return at_rest_; }
-    std::vector<std::pair<std::string, double>> of_scene() const;  // the scene's own measures
-    std::vector<double> heights() const;                           // m, movable bodies at the end
+    // The scene's own measures; none where it was not made.
+    std::vector<std::pair<std::string, std::optional<double>>> of_scene() const;
+    std::vector<double> heights() const;  // m, movable bodies at the end
 
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
@@ -131,6 +134,7 @@ class Measurements {
 
     std::optional<Standing> standing_;
     std::unique_ptr<SceneMeasure> scene_measure_;
+    bool makes_scene_measure_ = true;
     double size_ = 1.0;        // m, L
     double speed_ = 1.0;       // m/s, v_s
     long steps_a_moment_ = 1;  // so that the last second is at most 60 moments, however small the steps

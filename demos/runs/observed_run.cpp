@@ -22,13 +22,13 @@ std::string state_text(const Choices& choices, const Simulation& simulation, con
 ObservedRun::ObservedRun(const Choices& choices, const RunFiles& files, bool timing, std::filesystem::path folder)
     : choices_(timing ? choices.on_one_thread() : choices),
       simulation_(choices_, timing ? thread_cpu_us : nullptr),
-      measurements_(simulation_),
+      measurements_(simulation_, &files.measures),
       folder_(std::move(folder)),
       save_state_(files.save_state) {
     if (files.csv) records_.push_back(steps_record(*files.csv, timing));
     if (files.trajectory) {
         const auto& fps = choices.frames.fps;
-        const long every = fps ? steps_a_frame(*fps, choices.settings.dt) : 1;
+        const long every = fps ? steps_a_frame(*fps, choices.settings.dt, choices.frames.play_speed) : 1;
         records_.push_back(trajectory_record(*files.trajectory, every, simulation_));
     }
     if (files.rows) records_.push_back(rows_record(*files.rows));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace pushfactor::demos {
@@ -24,7 +25,9 @@ void PoseReader::refuse(const std::string& what) const {
 void PoseReader::rewind() {
     stream_.clear();
     stream_.seekg(0);
-    if (!std::getline(stream_, text_) || !text_.starts_with(pose_columns)) {
+    const bool has_line = static_cast<bool>(std::getline(stream_, text_));
+    if (text_.starts_with("\xef\xbb\xbf")) text_.erase(0, 3);
+    if (!has_line || !text_.starts_with(pose_columns)) {
         refuse(fmt::format("line 1: must begin with {}", pose_columns));
     }
     line_ = 1;
@@ -44,10 +47,17 @@ std::optional<PoseLine> PoseReader::next() {
         value = *number;
         rest.remove_prefix(comma + 1);
     }
+    if (values[1] < 0.0 || values[1] != std::floor(values[1])) {
+        refuse(fmt::format("line {}: body {} must be a whole number from 0", line_, values[1]));
+    }
+    const engine::Quaternion orientation(values[5], values[6], values[7], values[8]);
+    if (std::abs(orientation.norm() - 1.0) > 1e-6) {
+        refuse(fmt::format("line {}: the orientation must be a quaternion of length 1", line_));
+    }
     return PoseLine{.time = values[0],
-                    .pose = {.body = static_cast<std::size_t>(std::max(values[1], 0.0)),
+                    .pose = {.body = static_cast<std::size_t>(values[1]),
                              .position = {values[2], values[3], values[4]},
-                             .orientation = {values[5], values[6], values[7], values[8]}}};
+                             .orientation = orientation}};
 }
 
 }  // namespace pushfactor::demos

@@ -90,9 +90,9 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
         summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
     }
     if (!choices.settings.substeps) summary["substeps"] = substeps_of(measured.substeps());
-    for (const auto& [name, value] : measured.of_scene()) summary[name] = value;
+    for (const auto& [name, value] : measured.of_scene()) summary[name] = number_or_null(value);
     if (scene.standing) summary["heights_m"] = measured.heights();
-    return summary.dump(2) + "\n";
+    return json_text(summary);
 }
 
 }  // namespace pushfactor::demos

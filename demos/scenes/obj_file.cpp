@@ -1,21 +1,53 @@
 #include "demos/scenes/obj_file.h"
 
+#include "demos/text/errors.h"
+#include "demos/text/input.h"
+#include "demos/text/numbers.h"
 #include "engine/base/invalid_input.h"
 
-#include <tiny_obj_loader.h>  // of double numbers, by the target that is linked
+#include <fmt/format.h>
 
-#include <algorithm>
+#include <sstream>
 
 namespace pushfactor::demos {
 
+namespace {
+
+engine::Vector3 vertex_of(std::istringstream& words, const std::string& where) {
+    engine::Vector3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::string word;
+        words >> word;
+        const auto number = parse_number(word);
+        if (!number) {
+            throw engine::InvalidInput(where, word.empty() ? "a vertex with too few words" : "\"" + word + "\"",
+                                       "a vertex of three numbers with decimal points");
+        }
+        point[axis] = *number;
+    }
+    // A weight or a colour may follow.
+    for (std::string word; words >> word;) {
+        if (!parse_number(word)) throw engine::InvalidInput(where, "\"" + word + "\"", "a number");
+    }
+    return point;
+}
+
+}  // namespace
+
 std::vector<engine::Vector3> read_obj_points(const std::filesystem::path& file) {
-    tinyobj::ObjReader reader;
-    const bool read = reader.ParseFromFile(file.string());
+    std::istringstream lines;
+    try {
+        lines.str(read_input(file, file.string()));
+    } catch (const UsageError&) {
+        throw engine::InvalidInput("file", file.string(), "a Wavefront OBJ file with vertices");
+    }
     std::vector<engine::Vector3> points;
-    if (read) {
-        const std::vector<double>& numbers = reader.GetAttrib().vertices;
-        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-            points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    int number = 1;
+    for (std::string line; std::getline(lines, line); ++number) {
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::string keyword;
+        if (words >> keyword && keyword == "v") {
+            points.push_back(vertex_of(words, fmt::format("{}, line {}", file.string(), number)));
         }
     }
     if (points.empty()) throw engine::InvalidInput("file", file.string(), "a Wavefront OBJ file with vertices");

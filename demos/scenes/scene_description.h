@@ -156,6 +156,8 @@ class SceneMeasure {
     virtual ~SceneMeasure() = default;
     virtual void observe(const engine::World& world) = 0;  // after each step
     virtual std::vector<std::pair<std::string, double>> result() const = 0;
+    // Whether it takes as long as the steps, and so is only made when asked for.
+    virtual bool is_costly() const { return false; }
 };
 
 // State of a run besides the bodies (run_state.h).

@@ -12,6 +12,7 @@
 #include "demos/text/json_file.h"
 #include "demos/text/json_reader.h"
 #include "demos/text/palette.h"
+#include "demos/text/utf8.h"
 
 #include <map>
 #include <set>
@@ -26,6 +27,13 @@ const Keys scene_keys{"version", "name",    "gravity_m_per_s2", "bodies",      "
                       "joints",  "forces",  "contacts",         "no_contacts", "material_pairs",
                       "state",   "options", "camera",           "colours"};
 const Keys material_pair_keys{"a", "b", "friction", "restitution"};
+
+// Of a scene that does not say its own.
+std::string name_of_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const std::string stem = std::filesystem::is_regular_file(file, ignored) ? file.stem().string() : "";
+    return stem.empty() ? "scene" : utf8(stem);
+}
 
 std::pair<std::string, std::string> read_no_contact(const JsonReader& json, const BodyNames& names) {
     const std::vector<JsonReader> ends = json.elements();
@@ -78,7 +86,7 @@ void read_colours(const JsonReader& json, SceneDescription& scene) {
 SceneDescription read_scene(const JsonReader& json, const std::filesystem::path& file) {
     json.require_object(scene_keys);
     SceneDescription scene;
-    scene.name = json.has("name") ? json.at("name").string() : file.stem().string();
+    scene.name = json.has("name") ? json.at("name").string() : name_of_file(file);
     // It becomes the name of a folder of frames, so it must not lead elsewhere.
     const bool plain =
         !scene.name.empty() && scene.name.front() != '.' && scene.name.find('/') == std::string::npos;

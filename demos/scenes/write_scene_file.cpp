@@ -140,7 +140,7 @@ std::string scene_file_text(const SceneDescription& scene) {
     for (const BodyDescription& body : scene.bodies) {
         if (body.colour) json["colours"][body.name] = *body.colour;
     }
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 }  // namespace pushfactor::demos

@@ -15,4 +15,9 @@ inline Json json_of(const std::string& text) {
     return parsed.is_number() ? parsed : Json(text);
 }
 
+// The text of a file. Bytes that are no UTF-8, as names of files may have, become U+FFFD.
+inline std::string json_text(const Json& json, int indent = 2) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent >= 0 ? "\n" : "");
+}
+
 }  // namespace pushfactor::demos

@@ -1,21 +1,22 @@
 #include "demos/text/json_file.h"
 
 #include "demos/text/errors.h"
+#include "demos/text/input.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <set>
 #include <vector>
 
 namespace pushfactor::demos {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = 100'000'000;
+constexpr std::size_t most_levels = 100;  // what reads values is recursive
 
-// Locates the first error of a document.
+// Locates the first error of a document: of its text, a key that is twice in an object, or too many levels.
 class ErrorPlace : public nlohmann::json_sax<Json> {
   public:
     // "bodies[0].mass_kg"; empty for the document as a whole.
@@ -32,6 +33,8 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     }
     std::size_t position() const { return position_; }  // bytes that were read
 
+    const std::string& fault() const { return fault_; }  // empty for an error of the text
+
     bool null() override { return value(); }
     bool boolean(bool) override { return value(); }
     bool number_integer(number_integer_t) override { return value(); }
@@ -42,7 +45,9 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     bool start_object(std::size_t) override { return open({.key = {}, .index = -1}); }
     bool key(string_t& name) override {
         levels_.back().key = name;
-        return true;
+        if (levels_.back().keys.insert(name).second) return true;
+        fault_ = "must be given once";
+        return false;
     }
     bool end_object() override { return close(); }
     bool start_array(std::size_t) override { return open({.key = {}, .index = 0}); }
@@ -56,10 +61,13 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     struct Level {
         std::string key;  // of the value that comes, in an object
         long index = -1;  // of the value that comes, in an array
+        std::set<std::string> keys{};
     };
     bool open(const Level& level) {
         levels_.push_back(level);
-        return true;
+        if (levels_.size() <= most_levels) return true;
+        fault_ = fmt::format("must have at most {} levels", most_levels);
+        return false;
     }
     bool close() {
         levels_.pop_back();
@@ -72,6 +80,7 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
 
     std::vector<Level> levels_;
     std::size_t position_ = 0;
+    std::string fault_;
 };
 
 // The word of `text` around `position`.
@@ -90,9 +99,8 @@ bool is_not_finite(std::string word) {
     return word == "nan" || word == "inf" || word == "infinity";
 }
 
-[[noreturn]] void refuse(const std::string& label, const std::string& text, const Json::exception& problem) {
-    ErrorPlace place;
-    Json::sax_parse(text, &place);
+[[noreturn]] void refuse(const std::string& label, const std::string& text, const ErrorPlace& place,
+                         const Json::exception& problem) {
     const std::string path = place.path();
     const std::string word = word_at(text, std::max<std::size_t>(place.position(), 1));
     const bool too_large = dynamic_cast<const Json::out_of_range*>(&problem) != nullptr;
@@ -107,18 +115,21 @@ bool is_not_finite(std::string word) {
 }  // namespace
 
 Json read_json_file(const std::filesystem::path& file, const std::string& label) {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    std::ifstream stream(file, std::ios::binary);
-    if (error || !stream) throw UsageError(fmt::format("{}: cannot be read", label));
-    if (bytes > most_bytes) {
-        throw UsageError(fmt::format("{}: must be at most {} bytes long, not {}", label, most_bytes, bytes));
+    const std::string text = read_input(file, label);
+    ErrorPlace place;
+    const bool sound = Json::sax_parse(text, &place);
+    if (!place.fault().empty()) {
+        // Deep paths are long.
+        const std::string path = place.path();
+        throw UsageError(
+            fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
     }
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
-        return Json::parse(text);
+        if (sound) return Json::parse(text);
+        static_cast<void>(Json::parse(text));
+        throw UsageError(fmt::format("{}: is not JSON", label));
     } catch (const Json::exception& problem) {
-        refuse(label, text, problem);
+        refuse(label, text, place, problem);
     }
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace pushfactor::demos {
 
@@ -27,6 +29,17 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<int> parse_integer(std::string_view text) {
     return parse<int>(text);
+}
+
+std::optional<double> parse_length_mm(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, double>, 4> units{
+        {{"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}}};
+    for (const auto& [unit, millimetres] : units) {
+        if (!text.ends_with(unit)) continue;
+        const auto number = parse_number(text.substr(0, text.size() - unit.size()));
+        if (number) return *number * millimetres;
+    }
+    return std::nullopt;
 }
 
 std::string to_text(double value) {

@@ -10,6 +10,9 @@ namespace pushfactor::demos {
 std::optional<double> parse_number(std::string_view text);  // finite
 std::optional<int> parse_integer(std::string_view text);
 
+// In millimetres; units are mm, cm, in and pt (1/72 inch). Nothing without a number and a unit.
+std::optional<double> parse_length_mm(std::string_view text);
+
 // The shortest text that reads back as the same double.
 std::string to_text(double value);
 

@@ -60,6 +60,14 @@ Rational operator*(const Rational& a, const Rational& b) {
     return {product(left.numerator, right.numerator), product(left.denominator, right.denominator)};
 }
 
+Rational operator+(const Rational& a, const Rational& b) {
+    std::int64_t sum = 0;
+    if (__builtin_add_overflow(product(a.numerator, b.denominator), product(b.numerator, a.denominator), &sum)) {
+        throw std::overflow_error("a fraction with too many digits");
+    }
+    return make_rational(sum, product(a.denominator, b.denominator));
+}
+
 Rational operator/(const Rational& a, const Rational& b) {
     return a * make_rational(b.denominator, b.numerator);
 }

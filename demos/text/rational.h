@@ -24,6 +24,7 @@ Rational make_rational(std::int64_t numerator, std::int64_t denominator);
 // Exact; throws std::overflow_error if a term does not fit into 64 bits.
 Rational operator*(const Rational& a, const Rational& b);
 Rational operator/(const Rational& a, const Rational& b);
+Rational operator+(const Rational& a, const Rational& b);
 
 // Parses "1/60", "0.02", "3" or "1e-3". None if the text is not such a number or has too many digits to be exact.
 std::optional<Rational> parse_rational(std::string_view text);

@@ -79,7 +79,7 @@ void check_framebuffer(const Gl& gl, const char* purpose) {
     throw RendererError(std::string("OpenGL cannot draw into ") + purpose + ": " + status_name(status));
 }
 
-void check_in_view(const Image& image, const glm::vec3& background, const Camera& camera) {
+bool shows_only(const glm::vec3& background, const Image& image) {
     const glm::vec3 bytes = 255.0f * background;
     const std::size_t count = image.rgb.size();
     // Starts in the middle, which is most likely to show something.
@@ -87,10 +87,9 @@ void check_in_view(const Image& image, const glm::vec3& background, const Camera
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = first + n < count ? first + n : first + n - count;
         // GL may round the background colour up or down.
-        if (std::abs(static_cast<float>(image.rgb[i]) - bytes[static_cast<int>(i % 3)]) > 1.0f) return;
+        if (std::abs(static_cast<float>(image.rgb[i]) - bytes[static_cast<int>(i % 3)]) > 1.0f) return false;
     }
-    throw RendererError("nothing of the picture is in view of the camera at " + text_of(camera.eye) +
-                        " m that looks at " + text_of(camera.target) + " m");
+    return true;
 }
 
 }  // namespace pushfactor::renderer

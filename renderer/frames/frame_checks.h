@@ -14,7 +14,7 @@ void check_gl_errors(const Gl& gl);
 // Throws RendererError with the reason and `purpose` if the framebuffer bound for drawing is incomplete.
 void check_framebuffer(const Gl& gl, const char* purpose);
 
-// Throws RendererError if the image taken by this camera shows only the background, sRGB.
-void check_in_view(const Image& image, const glm::vec3& background, const Camera& camera);
+// Whether the image shows nothing but the background, sRGB.
+bool shows_only(const glm::vec3& background, const Image& image);
 
 }  // namespace pushfactor::renderer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/images/image.h"
+#include "renderer/images/png.h"
 
 #include <glm/vec3.hpp>
 
@@ -21,6 +22,6 @@ struct CutOut {
 CutOut cut_out(const Image& on_dark, const glm::vec3& dark, const Image& on_light, const glm::vec3& light);
 
 // As encode_png() of an image.
-std::vector<std::uint8_t> encode_png(const CutOut& image);
+std::vector<std::uint8_t> encode_png(const CutOut& image, const PngNotes& notes = {});
 
 }  // namespace pushfactor::renderer

@@ -2,12 +2,15 @@
 
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/cut_out.h"
+#include "renderer/images/read_png.h"
 
 #include <libdeflate.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <string>
 
 namespace {
 
@@ -70,14 +73,43 @@ std::vector<std::uint8_t> encode(int width, int height, int channels, const std:
     return png;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> encode_png(const Image& image) {
-    return encode(image.width, image.height, 3, image.rgb);
+void append_number(std::string& bytes, std::uint32_t number) {
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(number >> shift & 0xff);
 }
 
-std::vector<std::uint8_t> encode_png(const CutOut& image) {
-    return encode(image.width, image.height, 4, image.rgba);
+// Length, type, data and checksum.
+std::string chunk(const std::string& type, const std::string& data) {
+    std::string bytes;
+    append_number(bytes, static_cast<std::uint32_t>(data.size()));
+    bytes += type + data;
+    append_number(bytes, libdeflate_crc32(0, bytes.data() + 4, bytes.size() - 4));
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> with_notes(std::vector<std::uint8_t> png, const PngNotes& notes) {
+    std::string chunks;
+    if (notes.dots_per_inch > 0.0) {
+        std::string data;
+        const auto dots_per_metre = static_cast<std::uint32_t>(std::lround(notes.dots_per_inch / 0.0254));
+        append_number(data, dots_per_metre);
+        append_number(data, dots_per_metre);
+        chunks += chunk("pHYs", data + '\1');
+    }
+    if (!notes.film.empty()) chunks += chunk("tEXt", film_key + ('\0' + notes.film));
+    constexpr std::ptrdiff_t after_header = 8 + 25;  // signature and IHDR
+    if (png.size() < after_header) return png;
+    png.insert(png.begin() + after_header, chunks.begin(), chunks.end());
+    return png;
+}
+
+std::vector<std::uint8_t> encode_png(const Image& image, const PngNotes& notes) {
+    return with_notes(encode(image.width, image.height, 3, image.rgb), notes);
+}
+
+std::vector<std::uint8_t> encode_png(const CutOut& image, const PngNotes& notes) {
+    return with_notes(encode(image.width, image.height, 4, image.rgba), notes);
 }
 
 }  // namespace pushfactor::renderer

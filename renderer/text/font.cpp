@@ -157,6 +157,16 @@ float Font::width(std::string_view utf8, float size) const {
     return static_cast<float>(face_->lay_out(utf8, size, [](int, double) {}));
 }
 
+std::string_view Font::lacks(std::string_view utf8) const {
+    while (!utf8.empty()) {
+        const std::string_view before = utf8;
+        const auto character = static_cast<int>(take_character(utf8));
+        if (stbtt_FindGlyphIndex(&face_->info(), character) == 0)
+            return before.substr(0, before.size() - utf8.size());
+    }
+    return {};
+}
+
 float Font::ascent(float size) const {
     if (!drawable(size)) return 0.0f;
     int ascent = 0;

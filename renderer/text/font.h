@@ -28,6 +28,9 @@ class Font {
     // Advance of the text: from its start to where following text would start.
     float width(std::string_view utf8, float size) const;
 
+    // The first character of the text that the font lacks; empty if it has all.
+    std::string_view lacks(std::string_view utf8) const;
+
     // Extent of letters above and below the baseline, both positive.
     float ascent(float size) const;
     float descent(float size) const;

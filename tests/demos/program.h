@@ -49,6 +49,9 @@ struct Ended {
     std::string out, err;
 };
 
+// The program for a command that ends in "&": a shell starts those with SIGINT ignored, which the program respects.
+#define PUSHFACTOR_IN_BACKGROUND "env --default-signal=INT '" PUSHFACTOR_PROGRAM "'"
+
 // Runs a shell command with `pushfactor` as the program, in `folder`.
 inline Ended shell(const Folder& folder, const std::string& command) {
     const Folder streams;
@@ -87,7 +90,7 @@ inline void check_refused(const std::string& arguments, const std::string& words
 inline void check_interrupted(const std::string& report) {
     const Folder folder;
     const Ended ended =
-        shell(folder, "'" PUSHFACTOR_PROGRAM "' report " + report + " --out . & sleep 0.5; kill -INT $!; wait $!");
+        shell(folder, PUSHFACTOR_IN_BACKGROUND " report " + report + " --out . & sleep 0.5; kill -INT $!; wait $!");
     CHECK(ended.status == 1);
     CHECK(ended.err.find("interrupted: ") != std::string::npos);
     for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);

@@ -186,6 +186,6 @@ TEST_CASE("A picture that was drawn already is not drawn again, and after a refu
     CHECK(other.render(crowd()) == first);
     CHECK(renderer.render(crowd()) == first);
     CHECK(counter.drawn() == 1);
-    CHECK_THROWS(renderer.render(Picture{}));
+    CHECK_THROWS(renderer.render({.camera = {}, .spheres = {{.radius = -1.0f}}}));
     CHECK(renderer.render(crowd()) == first);
 }

@@ -22,7 +22,7 @@ enum class Background { plain, none };
 
 struct FigureFormat {
     int width = 1600;                           // pixels
-    int samples = 8;                            // renderings averaged per picture
+    int samples = 32;                           // renderings averaged per picture
     std::optional<Print> print{};               // then width is its pixels
     Theme theme = Theme::light;                 // dark: for talks
     Background background = Background::plain;  // none: transparent

@@ -77,8 +77,11 @@ std::string latex_figure(const std::string& name, const std::string& file, const
                          const std::string& caption) {
     const std::string environment = print.width_mm > column_mm ? "figure*" : "figure";
     return fmt::format(
-        "% \\usepackage{{graphicx}} above, \\bibliography{{pushfactor}} below\n"
-        "\\begin{{{0}}}\n  \\centering\n  \\includegraphics{{{1}}}\n"
+        "% \\usepackage{{graphicx}} above, \\bibliography{{pushfactor}} below; in a document of another folder "
+        "also\n"
+        "% \\newcommand{{\\pushfactorfolder}}{{THIS FOLDER/}} above\n"
+        "\\providecommand{{\\pushfactorfolder}}{{}}\n"
+        "\\begin{{{0}}}\n  \\centering\n  \\includegraphics{{\\pushfactorfolder {1}}}\n"
         "  \\caption{{{2} Made with Pushfactor~\\cite{{pushfactor}}, after~\\cite{{tamis2015constraint}}.}}\n"
         "  \\label{{fig:{3}}}\n\\end{{{0}}}\n",
         environment, file, latex_text(caption), name);

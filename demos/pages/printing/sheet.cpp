@@ -33,21 +33,22 @@ void Sheet::paste(pictures::Studio& studio, renderer::Picture picture, const pic
     }
 }
 
-std::vector<std::uint8_t> png_of(const Sheet& sheet) {
+std::vector<std::uint8_t> png_of(const Sheet& sheet, double dots_per_inch) {
+    const renderer::PngNotes notes{.dots_per_inch = dots_per_inch, .film = {}};
     const SheetLayer &first = sheet.layers.front(), &last = sheet.layers.back();
     return sheet.layers.size() == 1
-               ? renderer::encode_png(first.image)
-               : renderer::encode_png(renderer::cut_out(first.image, first.paper, last.image, last.paper));
+               ? renderer::encode_png(first.image, notes)
+               : renderer::encode_png(renderer::cut_out(first.image, first.paper, last.image, last.paper), notes);
 }
 
-std::vector<std::uint8_t> png_of(Sheet sheet, const pictures::Lettering& lettering, Theme theme) {
-    const glm::vec3 ink = theme == Theme::dark ? glm::vec3(0.91f) : pictures::Lettering::ink_colour;
+std::vector<std::uint8_t> png_of(Sheet sheet, const pictures::Lettering& lettering, const FigureFormat& format) {
+    const glm::vec3 ink = format.theme == Theme::dark ? glm::vec3(0.91f) : pictures::Lettering::ink_colour;
     for (SheetLayer& layer : sheet.layers) {
         for (const SheetText& text : sheet.texts) {
             lettering.text(layer.image, text.text, text.at, text.size, text.centred, ink);
         }
     }
-    return png_of(sheet);
+    return png_of(sheet, format.print ? format.print->dpi : 0.0);
 }
 
 std::vector<std::string> wrapped(const std::string& text, float size, float width,

@@ -31,7 +31,7 @@ double round_number(double value) {
 }  // namespace
 
 Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-           const std::vector<std::vector<Frame>>& frames, const GoTo& go_to)
+           const std::vector<Frames>& frames, const GoTo& go_to)
     : studio_(studio),
       choices_(panels.front().choices.frames),
       runs_(std::move(runs)),

@@ -23,7 +23,7 @@ class Film {
     // `runs` are those of the panels, in the same order, at their start; they must outlive the film. `frames` are
     // the frames of each; `go_to` as for survey(). Throws UsageError for an overlay of parts that the scene lacks.
     Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-         const std::vector<std::vector<Frame>>& frames, const GoTo& go_to = {});
+         const std::vector<Frames>& frames, const GoTo& go_to = {});
 
     // Called after each step of a run, and before the first.
     void note(std::size_t panel);

@@ -8,11 +8,12 @@
 namespace pushfactor::demos::pictures {
 
 FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
-                         const Rational& fps, StageTimes* times)
+                         const Rational& fps, StageTimes* times, std::string film)
     : folder_(std::move(folder)),
       png_(png),
       video_name_(video),
       fps_(fps),
+      film_(std::move(film)),
       queue_([this](const std::string& name, const renderer::Image& image,
                     StageWatch& watch) { return encode(name, image, watch); },
              times) {}
@@ -24,7 +25,7 @@ void FrameWriter::finish() {
 
 FrameQueue::End FrameWriter::encode(const std::string& name, const renderer::Image& image, StageWatch& watch) {
     std::vector<std::uint8_t> png;
-    if (png_) png = renderer::encode_png(image);
+    if (png_) png = renderer::encode_png(image, {.dots_per_inch = 0.0, .film = film_});
     watch.end("encode");
     return [this, &name, &image, png = std::move(png)](StageWatch& own) {
         put(name, png, image);

@@ -18,10 +18,10 @@ namespace pushfactor::demos::pictures {
 // A video needs ffmpeg (require_ffmpeg()).
 class FrameWriter {
   public:
-    // PNG files go to `folder` when `png`. `video` must have a name that check_video_name() accepts. `times`, if
-    // not null, is told how long encoding and writing take.
+    // PNG files go to `folder` when `png`, with the mark of their `film` (film_mark()). `video` must have a name
+    // that check_video_name() accepts. `times`, if not null, is told how long encoding and writing take.
     FrameWriter(std::filesystem::path folder, bool png, const std::optional<std::string>& video,
-                const Rational& fps, StageTimes* times = nullptr);
+                const Rational& fps, StageTimes* times = nullptr, std::string film = {});
 
     // Throws OutputError, also in the name of a frame that was sent before, that says which file and why.
     FrameQueue& queue() { return queue_; }
@@ -37,6 +37,7 @@ class FrameWriter {
     bool png_;
     std::optional<std::string> video_name_;
     Rational fps_;
+    std::string film_;
     // Made with the first frame, which has its size; used by the thread whose turn it is.
     std::unique_ptr<Video> video_;
     FrameQueue queue_;

@@ -23,7 +23,7 @@ class Shooting {
 
     void operator()(Channel<Snapshot>& moments) {
         const ThreadWatch thread(times_);
-        const std::vector<Frame>& frames = sequence_.frames.front();
+        const Frames& frames = sequence_.frames.front();
         for (std::size_t i = 0; takers_.film && i < runs_.size(); ++i) takers_.film->note(i);
         for (std::size_t frame = 0; frame < frames.size(); ++frame) {
             StageWatch watch(times_);
@@ -95,7 +95,7 @@ void require_poses_only(const Sequence& sequence, const std::string& file) {
 void draw_frames(const Sequence& sequence, Simulation& simulation, Trajectory& trajectory, const Film& film,
                  FrameQueue& queue, const std::function<void(long)>& progress) {
     long drawn = 0;
-    const std::vector<Frame>& frames = sequence.frames.front();
+    const Frames& frames = sequence.frames.front();
     trajectory.place(simulation, 0);  // is it of this run?
     for (std::size_t i = 0; i < frames.size() && !interrupted(); ++i) {
         if (!sequence.shard.takes(i)) continue;
@@ -147,7 +147,7 @@ std::string finish(const Sequence& sequence, std::vector<ObservedRun>& runs, con
     }
     summary["made_with"] = {{"program", version_text()}};
     if (!driver.empty()) summary["made_with"]["driver"] = driver;
-    return summary.dump(2) + "\n";
+    return json_text(summary);
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -18,9 +18,9 @@
 namespace pushfactor::demos::pictures {
 
 struct Sequence {
-    std::vector<ComparedRun> panels;         // one, or those of a comparison
-    std::vector<std::vector<Frame>> frames;  // per panel, equally many in each
-    Shard shard{};                           // the frames that are drawn: every `count`-th
+    std::vector<ComparedRun> panels;  // one, or those of a comparison
+    std::vector<Frames> frames;       // per panel, equally many in each
+    Shard shard{};                    // the frames that are drawn: every `count`-th
 
     const std::string& scene() const { return panels.front().choices.description.name; }
     std::size_t frame_count() const { return frames.front().size(); }

@@ -5,9 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <sstream>
 #include <string_view>
@@ -25,13 +22,10 @@ std::string extension(const fs::path& file) {
     return name.substr(std::min(name.rfind('.'), name.size()));
 }
 
-// ffmpeg takes the format from the extension, so that stays last. It reads a name that begins with '-' as an option
-// and text before a ':' as a protocol; a leading folder prevents both.
-fs::path temporary_name(const fs::path& file) {
-    std::string name = file.filename();
-    name.insert(name.size() - extension(file).size(), ".partial");
-    const fs::path folder = file.parent_path();
-    return (folder.is_absolute() ? folder : "." / folder) / name;
+// ffmpeg reads a name that begins with '-' as an option and text before a ':' as a protocol; a leading folder
+// prevents both.
+fs::path for_ffmpeg(const fs::path& file) {
+    return file.is_absolute() ? file : "." / file;
 }
 
 // The functions below return ffmpeg options separated by single spaces.
@@ -99,40 +93,26 @@ void require_ffmpeg(const fs::path& file) {
 Video::Video(fs::path file, int width, int height, const Rational& fps)
     : file_(std::move(file)), width_(width), height_(height) {
     check_video_name(file_);
-    make_temporary();
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file_, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail("is there already and is no regular file");
+    // Created here and not by ffmpeg, which takes the format from the extension, so that a missing or read-only
+    // folder is reported before the first frame.
+    staged_.emplace(file_, extension(file_));
     try {
-        ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg", arguments(temporary_, width, height, fps));
+        ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg",
+                                                 arguments(for_ffmpeg(staged_->path()), width, height, fps));
     } catch (const ChildProcessError& error) {
-        remove_temporary();
         fail(error.what());
     }
 }
 
 Video::~Video() {
-    ffmpeg_.reset();
-    remove_temporary();
+    ffmpeg_.reset();  // before the file is removed
 }
 
 void Video::fail(const std::string& why) const {
     throw OutputError(file_.string() + ": " + why);
-}
-
-// Created here and not by ffmpeg, so that a missing or read-only folder is reported before the first frame.
-void Video::make_temporary() {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(file_, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status)) fail("is there already and is no regular file");
-    const fs::path name = temporary_name(file_);
-    std::FILE* const made = std::fopen(name.c_str(), "wb");
-    if (!made) fail(std::strerror(errno));
-    std::fclose(made);
-    temporary_ = name;
-}
-
-void Video::remove_temporary() {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
-    temporary_.clear();
 }
 
 void Video::add(const renderer::Image& image) {
@@ -150,10 +130,7 @@ void Video::finish() {
     } catch (const ChildProcessError& error) {
         fail(error.what());
     }
-    std::error_code error;
-    fs::rename(temporary_, file_, error);
-    if (error) fail(error.message());
-    temporary_.clear();
+    staged_->commit();
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "demos/platform/child_process.h"
+#include "demos/platform/output_file.h"
 #include "demos/text/rational.h"
 #include "renderer/images/image.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pushfactor::demos::pictures {
@@ -17,7 +19,7 @@ void check_video_name(const std::filesystem::path& file);
 // Throws OutputError that says what to install if ffmpeg is missing. To be called before rendering.
 void require_ffmpeg(const std::filesystem::path& file);
 
-// A video that is written whole or not at all: ffmpeg writes to a temporary file next to `file` (name.partial.mp4),
+// A video that is written whole or not at all: ffmpeg writes to a temporary file next to `file`,
 // and finish() renames it. Without finish(), or after an error, ffmpeg is stopped, the temporary file is removed
 // and an existing video stays. Every member throws OutputError that names the file and the reason, with ffmpeg's
 // last messages if it failed; after that only the destructor may be called.
@@ -43,12 +45,10 @@ class Video {
     void finish();
 
   private:
-    void make_temporary();
-    void remove_temporary();
     [[noreturn]] void fail(const std::string& why) const;
 
     std::filesystem::path file_;
-    std::filesystem::path temporary_;  // empty if it does not exist
+    std::optional<StagedFile> staged_;
     int width_;
     int height_;
     std::unique_ptr<ChildProcess> ffmpeg_;

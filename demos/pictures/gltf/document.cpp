@@ -218,7 +218,7 @@ void Document::write(OutputFile& file) {
     if (!accessors_.empty()) root_["accessors"] = accessors_;
     if (!channels_.empty())
         root_["animations"] = Json::array({Json{{"channels", channels_}, {"samplers", samplers_}}});
-    std::string text = root_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = json_text(root_, -1);
     pad(text, ' ');
 
     const std::size_t binary = vertices_.size() + indices_.size() + times_.size() + animation_;

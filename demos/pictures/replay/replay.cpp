@@ -67,7 +67,7 @@ std::vector<double> units_of(const std::vector<double>& sizes) {
 
 long steps_a_replay_frame(const Choices& choices) {
     const Rational& dt = choices.settings.dt;
-    if (choices.frames.fps) return steps_a_frame(*choices.frames.fps, dt);
+    if (choices.frames.fps) return steps_a_frame(*choices.frames.fps, dt, choices.frames.play_speed);
     const Rational sixtieth = Rational{1, 60} / dt;
     return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace pushfactor::demos::reports::atlas {
@@ -55,10 +56,11 @@ std::vector<std::string> equal_steps(const std::string& field, const std::string
     }
     std::vector<std::string> values;
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
-        const Rational way = *step * Rational{i, 1};
-        values.push_back(
-            to_text(make_rational(from->numerator * way.denominator + way.numerator * from->denominator,
-                                  from->denominator * way.denominator)));
+        try {
+            values.push_back(to_text(*from + *step * Rational{i, 1}));
+        } catch (const std::overflow_error& error) {
+            refuse(field, text, error.what());
+        }
     }
     return values;
 }
@@ -137,6 +139,7 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
     if (axis.values.size() < 2 || std::ranges::adjacent_find(axis.values, same) != axis.values.end()) {
         refuse(field, text, "must have at least two values, and none twice");
     }
+    if (words.size() == 1) axis.names = true;     // a list has equal cells, whatever its numbers are
     for (const std::string& one : axis.values) {  // the message of a value that no run accepts
         OptionTexts options = set;
         options.emplace_back(name, one);

@@ -19,14 +19,14 @@ struct OutcomeLook {
 
 // All outcomes of a run, from good to bad. The greys differ in lightness from all colours of the palette.
 inline constexpr std::array outcome_looks{
-    OutcomeLook{"rest", "rest", "green", "#ffffff"},
+    OutcomeLook{"rest", "rest", "green", "#111111"},
     OutcomeLook{"jitter", "jitter: shakes in place", "ivory", "#222222"},
     OutcomeLook{"creep", "creep: drifts slowly", "blue", "#ffffff"},
     OutcomeLook{"moving", "moving", "orange", "#222222"},
-    OutcomeLook{"fall", "fall: came down", "vermilion", "#ffffff"},
+    OutcomeLook{"fall", "fall: came down", "vermilion", "#111111"},
     OutcomeLook{"torn", "torn: bars gave way", "#555555", "#ffffff"},
     OutcomeLook{"fly", "fly: was thrown away", "violet", "#ffffff"},
-    OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#ffffff"},
+    OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#111111"},
     OutcomeLook{non_finite, "non-finite numbers", "#111111", "#ffffff"},
 };
 

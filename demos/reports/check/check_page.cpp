@@ -40,12 +40,18 @@ std::string folder_table(std::span<const FolderVerdict> folders) {
     for (const FolderVerdict& folder : folders) {
         const auto differ = std::count_if(folder.pictures.begin(), folder.pictures.end(),
                                           [](const PictureVerdict& picture) { return !picture.holds(); });
-        std::string run = folder.runs.empty() ? "not compared" : "as expected";
+        std::string run;
         for (const RunVerdict& one : folder.runs) {
-            if (!one.holds) run = (run == "as expected" ? "" : run + "; ") + one.subject + ": " + one.text;
+            if (one.holds && one.compared) continue;
+            run += fmt::format("{}{}: {}{}", run.empty() ? "" : "; ", one.subject,
+                               one.compared ? "" : "not compared: ", one.text);
         }
-        table.push_back({std::string(word_of(folder.failures() == 0 ? Mark::holds : Mark::fails)), folder.name,
-                         std::to_string(folder.pictures.size()), std::to_string(differ), run, folder.how});
+        if (run.empty()) run = folder.runs.empty() ? "none" : "as expected";
+        const Mark mark = folder.failures() > 0       ? Mark::fails
+                          : folder.not_compared() > 0 ? Mark::not_compared
+                                                      : Mark::holds;
+        table.push_back({std::string(word_of(mark)), folder.name, std::to_string(folder.pictures.size()),
+                         std::to_string(differ), run, folder.how});
     }
     return "<section>\n<h2>Folders</h2>\n" + table_html(table, "Folders") + "</section>\n";
 }
@@ -103,26 +109,28 @@ std::string plural(long count, const char* word) {
 }  // namespace
 
 std::string headline(std::span<const FolderVerdict> folders) {
-    long pictures = 0, differ = 0, runs = 0, wrong_runs = 0;
+    long pictures = 0, differ = 0, runs = 0, wrong_runs = 0, skipped = 0;
     for (const FolderVerdict& folder : folders) {
         pictures += std::ssize(folder.pictures);
         for (const PictureVerdict& picture : folder.pictures) differ += picture.holds() ? 0 : 1;
-        runs += folder.runs.empty() ? 0 : 1;
+        skipped += folder.not_compared() > 0 ? 1 : 0;
+        runs += folder.runs.size() > static_cast<std::size_t>(folder.not_compared()) ? 1 : 0;
         wrong_runs +=
             std::any_of(folder.runs.begin(), folder.runs.end(), [](const auto& run) { return !run.holds; });
     }
     const auto of = [](long some, long all, const char* word) {
         return fmt::format("{} of {}", some, plural(all, word));
     };
+    const std::string apart = skipped > 0 ? "; " + plural(skipped, "run") + " not compared, or not wholly" : "";
     if (differ + wrong_runs == 0) {
         const std::string tail = runs > 0 ? " and " + plural(runs, "run") : "";
-        return fmt::format("{}{} {} as expected", plural(pictures, "picture"), tail,
-                           pictures + runs == 1 ? "is" : "are");
+        return fmt::format("{}{} {} as expected{}", plural(pictures, "picture"), tail,
+                           pictures + runs == 1 ? "is" : "are", apart);
     }
     std::string text;
     if (differ > 0) text = of(differ, pictures, "picture");
     if (wrong_runs > 0) text += (text.empty() ? "" : " and ") + of(wrong_runs, runs, "run");
-    return text + (differ + wrong_runs == 1 ? " differs" : " differ");
+    return text + (differ + wrong_runs == 1 ? " differs" : " differ") + apart;
 }
 
 std::string page_of(std::span<const FolderVerdict> folders, const std::string& made_with) {
@@ -147,11 +155,16 @@ std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {
     for (const FolderVerdict& folder : folders) {
         SuiteVerdict& suite = suites.emplace_back(SuiteVerdict{.name = folder.name, .seconds = folder.seconds});
         for (const RunVerdict& run : folder.runs) {
-            suite.cases.push_back({.name = run.subject, .failure = run.holds ? "" : run.text, .badness = 3.0});
+            suite.cases.push_back({.name = run.subject,
+                                   .failure = run.holds ? "" : run.text,
+                                   .skipped = run.compared ? "" : run.text,
+                                   .badness = 3.0});
         }
         for (const PictureVerdict& picture : folder.pictures) {
-            suite.cases.push_back(
-                {.name = picture.name, .failure = picture.holds() ? "" : picture.text, .badness = picture.badness});
+            suite.cases.push_back({.name = picture.name,
+                                   .failure = picture.holds() ? "" : picture.text,
+                                   .seconds = picture.seconds,
+                                   .badness = picture.badness});
         }
     }
     return suites;

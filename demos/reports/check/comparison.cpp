@@ -48,11 +48,15 @@ void look(const Tolerance& tolerance, const renderer::Image& expected, const ren
 
 }  // namespace
 
-Compared compare(const Comparison& how, const std::filesystem::path& expected, const renderer::Image& actual) {
+Compared compare(const Comparison& how, const std::filesystem::path& expected, const renderer::Image& actual,
+                 const Bytes& file) {
     Compared compared;
+    compared.actual = file;
     compared.verdict.name = expected.filename();
     const std::optional<Bytes> bytes = read_bytes(expected);
-    if (how.same_bytes || !bytes) compared.actual = renderer::encode_png(actual);
+    if (compared.actual.empty() && (how.same_bytes || !bytes)) {
+        compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
+    }
     if (!bytes) {
         refuse(compared, Finding::missing, "missing");
         return compared;
@@ -62,6 +66,14 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
         const renderer::Image image = renderer::decode_png(*bytes);
         if (image.width == actual.width && image.height == actual.height) {
             look(how.tolerance, image, actual, compared);
+            if (compared.verdict.holds() && (renderer::has_opacity(*bytes) || renderer::has_opacity(file))) {
+                const renderer::Image opaque{.width = actual.width,
+                                             .height = actual.height,
+                                             .rgb = std::vector<std::uint8_t>(actual.rgb.size(), 255)};
+                look(how.tolerance, renderer::decode_opacity(*bytes),
+                     file.empty() ? opaque : renderer::decode_opacity(file), compared);
+                if (!compared.verdict.holds()) compared.verdict.text = "opacity: " + compared.verdict.text;
+            }
         } else {
             refuse(compared, Finding::other_size,
                    fmt::format("another size: {}x{} instead of {}x{} pixels", actual.width, actual.height,
@@ -72,7 +84,9 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
     } catch (const renderer::RendererError& error) {
         refuse(compared, Finding::unreadable, error.what());
     }
-    if (compared.actual.empty()) compared.actual = renderer::encode_png(actual);
+    if (compared.actual.empty()) {
+        compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
+    }
     return compared;
 }
 

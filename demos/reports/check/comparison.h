@@ -22,11 +22,14 @@ struct Compared {
 
 struct Comparison {
     Tolerance tolerance;
+    std::string film{};       // mark of the frames
     bool same_bytes = false;  // equal pictures are expected to be equal files: a quick look before decoding
 };
 
 // Thread-safe. Throws renderer::RendererError for an image that cannot be encoded.
-Compared compare(const Comparison& how, const std::filesystem::path& expected, const renderer::Image& actual);
+// `file` is the actual PNG file where there is one, whose opacity counts.
+Compared compare(const Comparison& how, const std::filesystem::path& expected, const renderer::Image& actual,
+                 const Bytes& file = {});
 
 // The bytes of a file; none if there is no such file. Throws OutputError if it cannot be read.
 std::optional<Bytes> read_bytes(const std::filesystem::path& file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "demos/reports/check/comparison.h"
+#include "demos/text/text_hash.h"
 
 #include <filesystem>
 #include <string>
@@ -10,15 +11,23 @@
 
 namespace pushfactor::demos::reports::check {
 
+// A picture's name without what would make a file name too long.
+inline std::string exhibit_name(const std::string& name) {
+    constexpr std::size_t longest = 200;
+    const std::size_t slash = name.rfind('/'), begin = slash == std::string::npos ? 0 : slash + 1;
+    if (name.size() - begin <= longest) return name;
+    return name.substr(0, begin + longest - 17) + "-" + std::to_string(text_hash(name) % 1000000000000000u);
+}
+
 // Names of the files in the folder of the page.
 inline std::string expected_file(const std::string& name) {
-    return name + ".expected.png";
+    return exhibit_name(name) + ".expected.png";
 }
 inline std::string actual_file(const std::string& name) {
-    return name + ".actual.png";
+    return exhibit_name(name) + ".actual.png";
 }
 inline std::string difference_file(const std::string& name) {
-    return name + ".difference.png";
+    return exhibit_name(name) + ".difference.png";
 }
 
 class Exhibits {

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
+#include <functional>
+#include <set>
 
 namespace pushfactor::demos::reports::check {
 
@@ -76,6 +79,9 @@ void compare_panel(const Json& before, const Json& now, const std::string& label
     if (before.contains("options") && now.contains("options")) {
         const std::string changed = changed_options(before["options"], now["options"]);
         verdicts.push_back({.subject = "options" + label, .holds = changed.empty(), .text = changed});
+    } else {
+        verdicts.push_back(
+            {.subject = "options" + label, .text = "summary.json does not say them", .compared = false});
     }
     if (!hash) return;
     const std::string expected = text_at(before, "state_hash"), found = text_at(now, "state_hash");
@@ -99,10 +105,7 @@ bool Expectation::was_made_with(const std::string& driver) const {
 
 std::vector<std::string> Expectation::unexpected() const {
     std::vector<std::string> names = pictures_in(folder);
-    std::erase_if(names, [this](const std::string& name) {
-        const auto& frames = sequence.frames.front();
-        return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) { return frame.name == name; });
-    });
+    std::erase_if(names, [this](const std::string& name) { return sequence.frames.front().has(name); });
     return names;
 }
 
@@ -111,10 +114,10 @@ std::vector<fs::path> folders_of_runs(const fs::path& folder) {
     std::vector<fs::path> found;
     if (fs::exists(folder / "config.json")) found.push_back(folder);
     std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-        if (entry.is_directory() && fs::exists(entry.path() / "config.json")) found.push_back(entry.path());
+    for (const fs::path& below : files_below(folder)) {
+        if (below.filename() == "config.json" && below.parent_path() != folder)
+            found.push_back(below.parent_path());
     }
-    if (error) throw UsageError(fmt::format("check {}: {}", folder.string(), error.message()));
     if (found.empty()) {
         throw UsageError(
             fmt::format("check {}: must have a config.json, as `render` writes it, in it or below; "
@@ -138,10 +141,39 @@ Expectation read_expectation(const fs::path& folder, const GivenOptions& given) 
     return expected;
 }
 
+bool is_png(const fs::path& file) {
+    std::string extension = file.extension();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension == ".png";
+}
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::set<fs::path> seen;  // links may lead in a circle
+    const std::function<void(const fs::path&)> look = [&](const fs::path& here) {
+        std::error_code error;
+        if (!seen.insert(fs::canonical(here, error)).second) return;
+        std::vector<fs::path> entries;
+        auto at = fs::directory_iterator(here, error);
+        for (; !error && at != fs::end(at); at.increment(error)) entries.push_back(at->path());
+        if (error) throw UsageError(fmt::format("check {}: {}", here.string(), error.message()));
+        std::sort(entries.begin(), entries.end());
+        for (const fs::path& entry : entries) {
+            if (fs::is_directory(entry, error)) {
+                look(entry);
+            } else {
+                files.push_back(entry);
+            }
+        }
+    };
+    look(folder);
+    return files;
+}
+
 std::vector<std::string> pictures_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() == ".png") names.push_back(entry.path().filename());
+        if (is_png(entry.path())) names.push_back(entry.path().filename());
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -149,7 +181,10 @@ std::vector<std::string> pictures_in(const fs::path& folder) {
 
 std::vector<RunVerdict> compare_runs(const Expectation& expected, const Json& summary, bool hash) {
     if (!expected.summary) {
-        return {{.subject = "physics", .holds = true, .text = "not compared: there is no summary.json"}};
+        const std::string why = "there is no summary.json";
+        std::vector<RunVerdict> verdicts{{.subject = "options", .text = why, .compared = false}};
+        if (hash) verdicts.push_back({.subject = "physics", .text = why, .compared = false});
+        return verdicts;
     }
     const std::vector<Json> before = panels_of(*expected.summary), now = panels_of(summary);
     std::vector<RunVerdict> verdicts;

@@ -33,6 +33,12 @@ std::vector<std::filesystem::path> folders_of_runs(const std::filesystem::path& 
 // UsageError, one line, also for a folder that a newer version of the program wrote.
 Expectation read_expectation(const std::filesystem::path& folder, const GivenOptions& given);
 
+bool is_png(const std::filesystem::path& file);
+
+// All files of a folder and those below it, through links, in order. Throws UsageError for a folder that cannot be
+// read.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+
 // Names of the PNG files in a folder, without those below it, in order.
 std::vector<std::string> pictures_in(const std::filesystem::path& folder);
 

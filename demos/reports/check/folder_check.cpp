@@ -41,7 +41,9 @@ class Jury {
         : folder_(folder), comparison_(comparison), exhibits_(job.pages / job.anchor), update_(update) {}
 
     FrameQueue::End look(const std::string& name, const renderer::Image& image, StageWatch&) {
+        const Stopwatch own;
         auto compared = std::make_shared<Compared>(compare(comparison_, folder_ / name, image));
+        compared->verdict.seconds = own.seconds();
         return [this, compared](StageWatch&) { take(*compared); };
     }
 
@@ -91,7 +93,8 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     pictures::add_overview(sequence.panels, sequence.frames);
     std::vector<ObservedRun> runs = start_runs(sequence, job, rules, update);
     std::shared_ptr<TrajectoryCheck> trajectory;
-    if (rules.physics && rules.trajectory) {
+    const bool has_trajectory = fs::exists(expected.folder / "trajectory.csv");
+    if (rules.physics && rules.trajectory && has_trajectory) {
         trajectory = std::make_shared<TrajectoryCheck>(expected.folder / "trajectory.csv", *rules.trajectory);
         trajectory->observe(runs.front().simulation());
         runs.front().add(std::make_unique<TrajectoryRecord>(trajectory));
@@ -104,7 +107,11 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     const bool same = expected.was_made_with(studio.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());
     FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
-    Jury jury(expected.folder, {.tolerance = tolerance, .same_bytes = same}, job, update);
+    Jury jury(expected.folder,
+              {.tolerance = tolerance,
+               .film = film_mark(sequence.panels.front().choices, expected.given),
+               .same_bytes = same},
+              job, update);
     try {
         FrameQueue queue([&](const std::string& name, const renderer::Image& image,
                              StageWatch& watch) { return jury.look(name, image, watch); },
@@ -118,11 +125,22 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
     const std::string summary = finish(sequence, runs, studio.driver());
-    for (RunVerdict& one : compare_runs(expected, Json::parse(summary), rules.physics && !trajectory)) {
+    for (RunVerdict& one : compare_runs(expected, Json::parse(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }
     if (trajectory) verdict.runs.push_back(trajectory->verdict());
-    if (update && verdict.failures() > 0) update->stage("summary.json", summary);
+    if (rules.physics && rules.trajectory && !has_trajectory) {
+        verdict.runs.push_back(
+            {.subject = "physics",
+             .text = fmt::format("there is no trajectory.csv, as `render --trajectory {}` writes it",
+                                 (expected.folder / "trajectory.csv").string()),
+             .compared = false});
+    }
+    if (update && verdict.failures() + verdict.not_compared() > 0) {
+        update->stage("summary.json", summary);
+    } else if (update) {
+        update->drop("trajectory.csv");
+    }
     verdict.seconds = stopwatch.seconds();
     return verdict;
 }

@@ -4,6 +4,7 @@
 #include "demos/platform/progress.h"
 #include "demos/reports/check/comparison.h"
 #include "demos/reports/check/exhibits.h"
+#include "demos/reports/check/expectation.h"
 #include "demos/reports/check/stopwatch.h"
 #include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
@@ -26,10 +27,8 @@ namespace {
 std::set<std::string> pictures_below(const fs::path& folder) {
     std::set<std::string> names;
     if (!fs::is_directory(folder)) throw UsageError(fmt::format("check {}: must be a folder", folder.string()));
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".png") {
-            names.insert(entry.path().lexically_relative(folder).generic_string());
-        }
+    for (const fs::path& file : files_below(folder)) {
+        if (is_png(file)) names.insert(file.lexically_relative(folder).generic_string());
     }
     return names;
 }
@@ -38,9 +37,10 @@ std::set<std::string> pictures_below(const fs::path& folder) {
 Compared compare_files(const Comparison& comparison, const fs::path& expected, const fs::path& actual) {
     const std::optional<Bytes> before = read_bytes(expected), now = read_bytes(actual);
     Compared compared;
-    if (before == now) return compared;
     try {
-        return compare(comparison, expected, renderer::decode_png(now.value_or(Bytes{})));
+        const renderer::Image image = renderer::decode_png(now.value_or(Bytes{}));
+        if (before == now) return compared;
+        return compare(comparison, expected, image, *now);
     } catch (const renderer::RendererError& error) {
         compared.verdict = {.name = {}, .finding = Finding::unreadable, .badness = 2.0, .text = error.what()};
         compared.expected = before.value_or(Bytes{});
@@ -64,6 +64,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
     Exhibits exhibits(job.pages / job.anchor);
     FrameQueue queue(
         [&](const std::string& name, const renderer::Image&, StageWatch&) -> FrameQueue::End {
+            const Stopwatch own;
             auto compared = std::make_shared<Compared>();
             if (others.count(name) == 0) {
                 compared->verdict = without(name, "missing");
@@ -71,6 +72,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
                 *compared = compare_files({.tolerance = tolerance}, expected / name, actual / name);
                 compared->verdict.name = name;
             }
+            compared->verdict.seconds = own.seconds();
             return [&, compared](StageWatch&) {
                 exhibits.offer(*compared);
                 verdict.pictures.push_back(compared->verdict);

@@ -19,6 +19,7 @@ void TrajectoryCheck::observe(const Simulation& simulation) {
 }
 
 void TrajectoryCheck::compare(const Simulation& simulation) {
+    ++lines_;
     const auto& [time, pose] = *next_;
     const auto& bodies = simulation.scene().world.bodies;
     const auto& described = simulation.scene().bodies;
@@ -37,6 +38,9 @@ void TrajectoryCheck::compare(const Simulation& simulation) {
 }
 
 RunVerdict TrajectoryCheck::verdict() const {
+    if (lines_ == 0) {
+        return {.subject = "physics", .text = "trajectory.csv has no line of this run", .compared = false};
+    }
     RunVerdict verdict{.subject = "physics", .holds = first_.empty() && !next_, .text = {}};
     if (!first_.empty()) {
         verdict.text = fmt::format("{} ({} allowed), at most {:.3g}", first_, tolerance_, largest_);

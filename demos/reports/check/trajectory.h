@@ -28,6 +28,7 @@ class TrajectoryCheck {
     double tolerance_;
     PoseReader reader_;
     std::optional<PoseLine> next_;
+    long lines_ = 0;        // that were compared
     double largest_ = 0.0;  // m or rad
     std::string first_;     // the first difference beyond the tolerance
 };

@@ -28,13 +28,22 @@ void Update::stage(const std::string& name, std::string_view text) const {
     write_file(staged(name), text);
 }
 
+void Update::drop(const std::string& name) const {
+    std::error_code ignored;
+    fs::remove(staged(name), ignored);
+}
+
 long Update::apply() {
     long count = 0;
     for (const auto& entry : fs::directory_iterator(staging_)) {
         std::error_code error;
         const fs::path target = folder_ / entry.path().filename();
-        fs::rename(entry.path(), target, error);
-        if (error) throw OutputError(fmt::format("{}: {}", target.string(), error.message()));
+        if (fs::is_symlink(target, error)) {
+            write_file(target, read_bytes_of(entry.path()).value_or(""));
+        } else {
+            fs::rename(entry.path(), target, error);
+            if (error) throw OutputError(fmt::format("{}: {}", target.string(), error.message()));
+        }
         ++count;
     }
     return count;

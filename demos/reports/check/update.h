@@ -22,6 +22,8 @@ class Update {
     void stage(const std::string& name, const Bytes& bytes) const;
     void stage(const std::string& name, std::string_view text) const;
 
+    void drop(const std::string& name) const;
+
     // Replaces the files of the folder by the new ones. Returns their number. Throws OutputError.
     long apply();
 

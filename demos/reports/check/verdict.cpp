@@ -9,6 +9,10 @@ std::vector<std::string> lines_of(const FolderVerdict& folder) {
     for (const RunVerdict& run : folder.runs) {
         if (!run.holds) lines.push_back(fmt::format("{}: {}: {}", folder.name, run.subject, run.text));
     }
+    for (const RunVerdict& run : folder.runs) {
+        if (!run.compared)
+            lines.push_back(fmt::format("{}: {}: not compared: {}", folder.name, run.subject, run.text));
+    }
     for (const PictureVerdict& picture : folder.pictures) {
         if (!picture.holds()) lines.push_back(fmt::format("{}/{}: {}", folder.name, picture.name, picture.text));
     }

@@ -16,6 +16,7 @@ struct PictureVerdict {
     double badness = 0.0;  // by which the worst come first
     std::string text{};    // what differs, in numbers; empty if nothing does
     bool shown = false;    // the folder of the page has its pictures
+    double seconds = 0.0;  // that the comparison took
 
     bool holds() const { return finding == Finding::same || finding == Finding::within_tolerance; }
 };
@@ -25,6 +26,7 @@ struct RunVerdict {
     std::string subject;  // "physics", "options", "run"
     bool holds = true;
     std::string text;
+    bool compared = true;  // otherwise the text says why not
 };
 
 struct FolderVerdict {
@@ -36,6 +38,9 @@ struct FolderVerdict {
     std::vector<std::string> unexpected{};  // names of pictures that are not of this run; no failure
     double seconds = 0.0;                   // that the check took
 
+    long not_compared() const {
+        return std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.compared; });
+    }
     long failures() const {
         return std::count_if(pictures.begin(), pictures.end(), [](const auto& one) { return !one.holds(); }) +
                std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.holds; });

@@ -184,7 +184,7 @@ std::string FrozenProblem::text() const {
         entry["guess_n"] = numbers_of(guess_.row(j));
         json["rows"].push_back(entry);
     }
-    return json.dump(1) + "\n";
+    return json_text(json, 1);
 }
 
 }  // namespace pushfactor::demos::reports::error

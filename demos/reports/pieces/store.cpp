@@ -5,10 +5,8 @@
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -52,19 +50,6 @@ fs::path folder_of_version(const fs::path& folder) {
     return folder / "pieces" / folder_name(version_of_pieces());
 }
 
-// Unlike other output files these have names that no other process on any machine uses, because two may make the
-// same file at once.
-void write_alone(const fs::path& path, const std::string& text) {
-    std::array<char, 256> host{};
-    gethostname(host.data(), host.size() - 1);
-    const fs::path own =
-        path.string() + fmt::format(".{}-{}-{}", host.data(), getpid(), static_cast<int>(gettid()));
-    write_file(own, text);
-    std::error_code error;
-    fs::rename(own, path, error);
-    if (error) throw OutputError(path.string() + ": " + error.message());
-}
-
 }  // namespace
 
 const std::string& version_of_pieces() {
@@ -98,7 +83,7 @@ void PieceStore::put(const std::string& key, const Json& result) const {
     fs::create_directories(path.parent_path(), error);
     if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
     const Json json{{"key", key}, {"made_with", version_of_pieces()}, {"machine", machine_}, {"result", result}};
-    write_alone(path, json.dump() + "\n");
+    write_file(path, json_text(json, -1) + "\n");
 }
 
 void PieceStore::put_note(const std::string& text) const {
@@ -107,7 +92,7 @@ void PieceStore::put_note(const std::string& text) const {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
-    write_alone(path, text);
+    write_file(path, text);
 }
 
 std::optional<std::string> PieceStore::note_of(const fs::path& folder) {

@@ -69,6 +69,8 @@ class WaveMeasure : public SceneMeasure {
                 {"energy_loss_of_swing", samples_ > 0.0 ? (initial_energy_ - energy_) / swing_energy_ : 0.0}};
     }
 
+    bool is_costly() const override { return true; }
+
   private:
     Vector3 gravity_;
     MomentaAt momenta_;

@@ -124,8 +124,8 @@ TEST_CASE("a frame that falls between two steps is refused with the rates and ti
 }
 
 TEST_CASE("outputs that cannot be written end with status 4 and name the path") {
-    check_refusal("run stack --seconds 1 --csv /no/such/folder/x.csv", 4,
-                  {"/no/such/folder/x.csv", "No such file"});
+    check_refusal("run stack --seconds 1 --csv /proc/no/x.csv", 4, {"/proc/no", "No such file"});
+    check_refusal("run stack --seconds 1 --junit /proc/no/x.xml", 2, {"--junit"});
     check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"/dev/full", "No space left"});
     check_refusal("run stack --seconds 1 --summary .", 4, {".", "directory"});
     check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});

@@ -1,18 +1,14 @@
 // The commands and links of all pages: the program accepts each command, and each link has a target. Nothing is
 // run.
 #include "demos/commands/command_line.h"
-#include "demos/figures/figure.h"
 #include "demos/options/comparison.h"
-#include "demos/scenes/families/family.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/commands/markdown.h"
 #include "tests/texts.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
-#include <sstream>
+#include <variant>
 
 using namespace pushfactor;
 using namespace pushfactor::tests;
@@ -38,60 +34,47 @@ Sources pages() {
     return found;
 }
 
-bool is_scene(const std::string& name) {
-    const auto scenes = demos::catalogue();
-    return std::ranges::any_of(scenes, [&](const demos::SceneEntry& entry) { return entry.name == name; });
+// What commands find out only when they begin.
+void understand(const auto&) {}
+void understand(const demos::commands::Run& run) {
+    demos::understand(run.scene, run.given);
+}
+void understand(const demos::commands::Scene& scene) {
+    demos::understand(scene.scene, scene.given);
+}
+void understand(const demos::commands::Render& render) {
+    for (const std::string& scene : render.scenes) demos::compared_runs(scene, render.given);
 }
 
-// The program's objections to the scenes, options and names of a command. Scenes that are neither in the catalogue
-// nor in the repository (SCENE, my.json) are left out, and with `values` off the values of options (N, NAME).
-void understand(const demos::Request& request, bool values) {
-    for (const std::string& name : request.families) {
-        if (!demos::families::find_family(name) && values) throw demos::UsageError("family " + name);
+// Empty when the program accepts the command; with `values` off only its options are looked at, not what they say
+// (N, NAME). Files of the pages do not exist: a scene file of the project stands for them.
+std::string refusal(Words words, bool values) {
+    const auto config = std::ranges::find(words, "--config");
+    if (config != words.end() && config + 1 != words.end()) {
+        words.erase(config, config + 2);
+        words.emplace_back("stack");
     }
-    for (const std::string& name : request.figures) {
-        const auto figures = demos::figures::all_figures();
-        if (std::ranges::none_of(figures, [&](const demos::figures::Figure& f) { return f.name == name; })) {
-            throw demos::UsageError("figure " + name);
-        }
-    }
-    for (const std::string& scene : request.scenes) {
-        const bool file = scene.find('/') != std::string::npos && fs::exists(root / scene);
-        if (values && (file || is_scene(scene))) {
-            demos::compared_runs(file ? (root / scene).string() : scene, request.given);
-        }
-    }
-}
-
-// Keeps the output of --help out of the tests' output.
-class Silence {
-  public:
-    Silence() : before_(std::cout.rdbuf(text_.rdbuf())) {}
-    ~Silence() { std::cout.rdbuf(before_); }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
-
-  private:
-    std::ostringstream text_;
-    std::streambuf* before_;
-};
-
-// Empty when the program accepts the command.
-std::string refusal(const Words& words, bool values) {
-    Words with_program = words;
-    with_program.insert(with_program.begin(), "pushfactor");
-    // A configuration file that a run writes does not exist yet.
-    const auto config = std::ranges::find(with_program, "--config");
-    if (config != with_program.end() && config + 1 != with_program.end()) {
-        with_program.erase(config, config + 2);
-        with_program.push_back("stack");
-    }
-    std::vector<char*> arguments;
-    for (std::string& word : with_program) arguments.push_back(word.data());
-    const Silence silence;
     try {
-        const auto request = demos::parse_command_line(static_cast<int>(arguments.size()), arguments.data());
-        if (request) understand(*request, values);
+        const auto entries = demos::command_entries();
+        const auto entry =
+            std::ranges::find(entries, words.empty() ? "" : words.front(), &demos::commands::Entry::name);
+        if (!values && entry != entries.end()) {
+            if (std::ranges::find(words, "--help") == words.end()) {
+                demos::Words(entry->name, entry->options(), {words.begin() + 1, words.end()});
+            }
+            return "";
+        }
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const bool is_scene = words[i].ends_with(".json") && !words[i - 1].starts_with("--");
+            if (is_scene)
+                words[i] = (root / (fs::exists(root / words[i]) ? words[i] : "assets/scenes/bridge.json")).string();
+        }
+        if (std::ranges::any_of(words,
+                                [](const std::string& word) { return word == "--help" || word == "--version"; })) {
+            return "";
+        }
+        const auto line = demos::parse_command_line(words);
+        if (line) std::visit([](const auto& command) { understand(command); }, line->command);
     } catch (const std::exception& error) {
         return error.what();
     }
@@ -158,7 +141,7 @@ TEST_CASE("commands are found in code blocks, and refused when the program does 
     CHECK_THAT(refusal(commands[3], false), Catch::Contains("did you mean run?"));
     CHECK(commands_of(page, true).back() == Words{"run", "stack", "--foo"});
     CHECK_THAT(refusal(commands_of(page, true).back(), false), Catch::Contains("--foo"));
-    CHECK_THAT(refusal({"figures", "figure_99"}, false), Catch::Contains("figure_99"));
+    CHECK_THAT(refusal({"figures", "figure_99"}, true), Catch::Contains("figure_99"));
     CHECK_THAT(refusal({"render", "assets/scenes/bridge.json", "--overlay", "x"}, true),
                Catch::Contains("--overlay"));
 }

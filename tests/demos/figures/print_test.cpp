@@ -1,7 +1,7 @@
 // Figures for print: sizes on paper, letters, LaTeX, and colours that stay apart in grey.
 #include "demos/pages/printing/latex.h"
 #include "demos/pages/printing/sheet.h"
-#include "demos/text/lengths.h"
+#include "demos/text/numbers.h"
 #include "demos/text/palette.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
@@ -140,13 +140,14 @@ TEST_CASE("plots for print have the font embedded, and those for talks a dark or
         0);
     CHECK(header_of(folder.read("figure_11.png")).alpha);
     CHECK(folder.read("pendulum_energy.pdf").find("/FontFile2") != std::string::npos);
-    CHECK(folder.read("pendulum_energy.tex").find("\\includegraphics{pendulum_energy.pdf}") != std::string::npos);
+    CHECK(folder.read("pendulum_energy.tex").find("\\includegraphics{\\pushfactorfolder pendulum_energy.pdf}") !=
+          std::string::npos);
 }
 
 TEST_CASE("a size on paper that cannot be is refused") {
     check_refused("figures figure_07 --width 85ft", "must be a number of pixels or a length on paper");
     check_refused("figures figure_07 --width 10mm", "--width 10mm at 300 dpi: 118 pixels, must be 400 to 4096");
-    check_refused("figures figure_07 --dpi 300", "must be a length on paper, say 85mm, with --dpi and --font-size");
+    check_refused("figures figure_07 --dpi 300", "--dpi 300: must be with a --width on paper, say 85mm");
     check_refused("figures figure_07 --width 85mm --font-size 2pt",
                   "--font-size 2pt: must be a length of 4pt to 24pt");
     check_refused("figures figure_07 --theme blue", "--theme blue: must be light or dark");

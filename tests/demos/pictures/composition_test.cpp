@@ -28,7 +28,7 @@ Still still_of(const std::string& scene, const std::string& at) {
     const std::vector<ComparedRun> runs = compared_runs(scene, given);
     const Choices& choices = runs.front().choices;
     CHECK(choices.frames.camera.fit);
-    const std::vector<std::vector<Frame>> frames{
+    const std::vector<Frames> frames{
         plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings))};
     return {.view = choices.description.view, .subject = survey(runs, frames).subject};
 }

@@ -25,7 +25,7 @@ std::string thrown(const std::string& camera = "", const std::string& velocity =
 
 struct Shown {
     std::vector<ComparedRun> panels;
-    std::vector<std::vector<Frame>> frames;
+    std::vector<Frames> frames;
 };
 
 Shown shown(const std::string& text, const std::string& compare = "") {

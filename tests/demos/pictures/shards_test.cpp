@@ -77,7 +77,8 @@ TEST_CASE("a video joined from folders of frames is the one that is made while t
     check_refused(folder, path + "pushfactor render --join . --video other.mp4",
                   "--join .: must have a config.json");
     check_refused(folder, path + "pushfactor render --join a", "--join: must be with --video");
-    check_refused(folder, path + "pushfactor render stack --join a --video x.mp4", "must not be with --join");
+    check_refused(folder, path + "pushfactor render stack --join a --video x.mp4",
+                  "--join stack: must have a config.json");
 }
 
 TEST_CASE("what poses do not tell, and a trajectory of another run, are refused in one line") {
@@ -93,8 +94,8 @@ TEST_CASE("what poses do not tell, and a trajectory of another run, are refused 
     check_refused(folder, render + "t.csv --ghosts 0.05", "--ghosts: must not be with --from-trajectory");
     check_refused(folder, render + "t.csv --samples 4 --shutter 0.5",
                   "--shutter: must not be with --from-trajectory");
-    check_refused(folder, render + "t.csv --csv x.csv", "--csv x.csv: must not be with --from-trajectory");
-    check_refused(folder, render + "t.csv --compare beta=0.1,0.2", "must be of one run, not with --compare");
+    check_refused(folder, render + "t.csv --csv x.csv", "--csv x.csv: must be without --from-trajectory");
+    check_refused(folder, render + "t.csv --compare beta=0.1,0.2", "must be for one run, not with --compare");
     check_refused(folder, render + "t.csv --count 4",
                   "must have one line for each body that moves, 4 at 0 s, not 5");
     check_refused(folder, render + "t.csv --gap 0.05", "must be of the same scene and options: body ");

@@ -120,7 +120,8 @@ TEST_CASE("the frames of a video arrive in order, byte for byte, and the file ha
         video.add(picture(i));
         expected += bytes(picture(i));
     }
-    CHECK(folder.files() == Names{"film.partial.mp4"});
+    CHECK(folder.files().size() == 1);
+    CHECK(folder.files().front() != "film.mp4");
     video.finish();
     CHECK(folder.files() == Names{"film.mp4"});
     CHECK((folder.read("film.mp4") == expected));

@@ -64,24 +64,24 @@ TEST_CASE("a replay asks for nothing from elsewhere") {
 }
 
 TEST_CASE("a replay must have a name and frames that it can have") {
-    check_refused("run stack --overlay forces", "--overlay forces: must come with --glb or --replay");
+    check_refused("run stack --overlay forces", "--overlay forces: must be with --glb or --replay");
     check_refused("run stack --replay run.mp4", "--replay run.mp4: must end in .html");
     check_refused("render stack --replay run.htm", "must end in .html");
     check_refused("run stack --replay run.html --replay-data forces", "--replay-data forces: must be all or poses");
     check_refused("render stack --replay run.html --at 1", "not of stills");
     check_refused("render stack funnel --replay run.html", "one scene at a time");
-    check_refused("render stack --frames off", "must come with --video or --replay");
+    check_refused("render stack --frames off", "must be with --video or --replay");
     check_refused("run stack --replay run.html --dt 1/50 --fps 60", "rates that fit are 50");
-    const Ended ended = run_program("run stack --replay /nowhere/run.html");
+    const Ended ended = run_program("run stack --replay /proc/no/run.html");
     CHECK(ended.status == 4);
-    CHECK(ended.err.find("/nowhere/run.html") != std::string::npos);
+    CHECK(ended.err.find("/proc/no") != std::string::npos);
 }
 
 TEST_CASE("a run that stops early keeps its replay up to there, and a run that fails to write keeps the old one") {
     const Folder folder;
-    const Ended ended = shell(folder, "'" PUSHFACTOR_PROGRAM
-                                      "' run stack --seconds 100000 --replay run.html & sleep 0.5; "
-                                      "kill -INT $!; wait $!");
+    const Ended ended = shell(folder, PUSHFACTOR_IN_BACKGROUND
+                              " run stack --seconds 100000 --replay run.html & sleep 0.5; "
+                              "kill -INT $!; wait $!");
     CHECK(ended.status == 1);
     CHECK(ended.err.find("run.html holds the run up to frame ") != std::string::npos);
     const std::string page = folder.read("run.html");

@@ -202,7 +202,7 @@ TEST_CASE("check --update shows what it replaces, and then the folder is as expe
     CHECK(ended.status == 0);
     CHECK(has_line(ended.out, "gold/intersecting-stack: options: beta 0.6 instead of 0.2"));
     CHECK(has_line(ended.out, "gold/stack/frame_000002.png: missing"));
-    CHECK(has_line(ended.out, "gold/stack: 2 files are new"));
+    CHECK(has_line(ended.out, "gold/stack: 2 files updated"));
     CHECK(shell(folder, "pushfactor check gold").status == 0);
 
     const auto after = contents(folder, "gold");
@@ -218,9 +218,9 @@ TEST_CASE("a check that is interrupted, or cannot write, leaves what was expecte
     for (int i = 0; i < 9; ++i) fs::remove(folder / ("gold/frame_00000" + std::to_string(i) + ".png"));
     const auto before = contents(folder, "gold");
 
-    const Ended stopped = shell(folder, "'" PUSHFACTOR_PROGRAM
-                                        "' check gold --update & until [ -e gold/.new/frame_000001.png ]; do sleep "
-                                        "0.01; done; kill -INT $!; wait $!");
+    const Ended stopped = shell(folder, PUSHFACTOR_IN_BACKGROUND
+                                " check gold --update & until [ -e gold/.new/frame_000001.png ]; do sleep "
+                                "0.01; done; kill -INT $!; wait $!");
     CHECK(stopped.status == 1);
     CHECK(stopped.err == "pushfactor: interrupted: no expected file was changed\n");
     CHECK(contents(folder, "gold") == before);
@@ -290,14 +290,109 @@ TEST_CASE("check refuses what it cannot check by name") {
     refused("gold --flip 2", "--flip 2: must be from 0 to 1");
     refused("gold --flip 0.1 --tolerance 2", "--flip: must be given without --tolerance");
     refused("gold --physics near", "--physics near: must be hash, off, or metres");
-    refused("gold --physics 1e-6", "must have a trajectory.csv");
     refused("gold empty --against gold", "--against gold: must be with one folder");
     refused("gold --against gold --update", "--update: must be without --against");
     refused("empty --against gold", "check empty: must have PNG files");
 
     replace(folder, "gold/stack/summary.json", "\"program\": \"", "\"program\": \"99.");
-    refused("gold", "summary.json: made_with.program 99.0.1.0");
+    const Ended newer = shell(folder, "pushfactor check gold");
+    CHECK(newer.status == 3);
+    CHECK(newer.out.find("summary.json: made_with.program 99.0.1.0") != std::string::npos);
     const Ended report = shell(folder, "pushfactor report cost --quick --junit verdicts.xml");
     CHECK(report.status == 2);
     CHECK(report.err == "pushfactor: --junit verdicts.xml: must be with report stability, which judges\n");
+}
+
+TEST_CASE("check finds each of forty planted differences, and passes nothing that it did not compare") {
+    const Folder folder;
+    render_gold(folder);
+    // A picture with opacity: white, which becomes transparent.
+    const std::string opaque =
+        std::string("import struct, zlib\n") +
+        "def png(name, alpha, n=4, c=255):\n"
+        "    part = lambda t, d: struct.pack('>I', len(d)) + t + d + struct.pack('>I', zlib.crc32(t + d))\n"
+        "    rows = (b'\\0' + bytes([c, c, c, alpha]) * n) * n\n"
+        "    open(name, 'wb').write(b'\\x89PNG\\r\\n\\x1a\\n' + part(b'IHDR', struct.pack('>IIBBBBB', n, n, 8, 6, "
+        "0, 0, 0))"
+        " + part(b'IDAT', zlib.compress(rows)) + part(b'IEND', b''))\n";
+    folder.write("png.py", opaque);
+    const auto status = [&](const std::string& change, const std::string& options) {
+        const Ended ended =
+            shell(folder, "rm -rf now && cp -r gold now && { " + change + "; } && pushfactor check " + options);
+        return ended;
+    };
+    struct Planted {
+        std::string change, said;
+        int status = 3;
+    };
+    const std::string frame = "now/stack/frame_000001.png", python = "python3 -c \"exec(open('png.py').read()); ";
+    std::vector<Planted> planted{
+        {"rm " + frame, "frame_000001.png: missing"},
+        {": > " + frame, "frame_000001.png: an empty file"},
+        {"head -c 500 gold/stack/frame_000001.png > " + frame, "not a whole PNG file"},
+        {"printf 'version https://git-lfs.github.com/spec/v1\\n' > " + frame, "git lfs pull"},
+        {"echo text > " + frame, "not a whole PNG file"},
+        {"cp gold/stack/frame_000002.png " + frame, "frame_000001.png: "},
+        {"cp gold/stack/frame_000003.png " + frame, "frame_000001.png: "},
+        {"cp gold/intersecting-stack/frame_000001.png " + frame, "frame_000001.png: "},
+        {"mv " + frame + " now/stack/other.png", "frame_000001.png: missing"},
+        {"mv " + frame + " now/stack/frame_000001.PNG", "frame_000001.png: missing"},
+        {"rm " + frame + "; ln -s nowhere " + frame, "frame_000001.png: missing"},
+        {"ln -sf frame_000002.png " + frame, "frame_000001.png: "},
+        {python + "png('" + frame + "', 255)\"", "another size"},
+        {python + "png('" + frame + "', 0)\"", "another size"},
+        {"rm now/stack/summary.json", "stack: physics: not compared"},
+        {"echo '{}' > now/stack/summary.json", "stack: "},
+        {"echo nonsense > now/stack/summary.json", "is not JSON"},
+        {"sed -i 's/\"state_hash\": \"./\"state_hash\": \"x/' now/stack/summary.json", "physics: state hash"},
+        {"sed -i '/state_hash/d' now/stack/summary.json", "physics: state hash"},
+        {"sed -i 's/\"beta\": 0.2/\"beta\": 0.6/' now/stack/config.json", "options: beta"},
+        {"sed -i 's/\"beta\": 0.2/\"beta\": 0.6/' now/stack/summary.json", "options: beta"},
+        {"sed -i 's/\"dt\": \"1.60\"/\"dt\": \"1\\/120\"/' now/stack/config.json", "physics: state hash"},
+        {"sed -i 's/\"solver\": \"auto\"/\"solver\": \"pgs\"/' now/stack/config.json", "options: solver"},
+        {"sed -i 's/\"caption\"/\"kaption\"/; s/\"size\"/\"sise\"/' now/stack/config.json", "unknown option"},
+        {"sed -i 's/160x90/160x92/' now/stack/config.json", "another size"},
+        {"sed -i 's/\"fps\": 10/\"fps\": 20/' now/stack/config.json", "missing"},
+        {"sed -i 's/\"seconds\": 0.4/\"seconds\": 0.6/' now/stack/config.json", "missing"},
+        {"echo '{' > now/stack/config.json", "stack: folder: "},
+        {"echo '{\"scene\": \"nosuch\"}' > now/stack/config.json", "stack: folder: "},
+        {"echo '{}' > now/stack/config.json", "stack: folder: "},
+    };
+    for (const Planted& one : planted) {
+        const Ended ended = status(one.change, "now --tolerance 0");
+        INFO(one.change << ": " << ended.out << ended.err);
+        CHECK(ended.status == one.status);
+        CHECK(ended.out.find(one.said) != std::string::npos);
+        CHECK(ended.err.find("intersecting-stack: ") == std::string::npos);
+    }
+    const std::string two = "rm -rf a b; mkdir a b; ";
+    const std::vector<Planted> against{
+        {two + python + "png('a/p.png', 255); png('b/p.png', 0)\"", "p.png: opacity"},
+        {two + python + "png('a/p.png', 255); png('b/p.png', 254)\"", "p.png: opacity"},
+        {two + python + "png('a/p.png', 128, c=0); png('b/p.png', 255, c=127)\"", "p.png: "},
+        {two + python + "png('a/p.png', 255, c=0); png('b/p.png', 255, c=1)\"", "p.png: "},
+        {two + python + "png('a/p.png', 255); png('b/p.png', 255, 5)\"", "another size"},
+        {two + ": > a/p.png; : > b/p.png", "p.png: an empty file"},
+        {two + "echo x > a/p.png; echo x > b/p.png", "not a whole PNG file"},
+        {two + python + "png('a/p.png', 255)\"", "p.png: missing"},
+        {two + python + "png('a/p.PNG', 255); png('b/p.PNG', 255, c=9)\"", "p.PNG: "},
+        {two + "mkdir c d; ln -s ../c a/l; ln -s ../d b/l; " + python +
+             "png('c/p.png', 255); png('d/p.png', 255, c=9)\"",
+         "l/p.png: "},
+    };
+    for (const Planted& one : against) {
+        const Ended ended = status(one.change, "a --against b --tolerance 0");
+        INFO(one.change << ": " << ended.out << ended.err);
+        CHECK(ended.status == 3);
+        CHECK(ended.out.find(one.said) != std::string::npos);
+    }
+    CHECK(planted.size() + against.size() == 40);
+    CHECK(status(":", "now").status == 0);
+    CHECK(status("rm now/stack/summary.json", "now --allow-not-compared").status == 0);
+    CHECK(status("rm now/stack/summary.json", "now --physics 1e-6").status == 3);
+    CHECK(status("mkdir -p " + std::string(100, 'a') + "/" + std::string(100, 'b') + "/" + std::string(100, 'c') +
+                     " && mv now " + std::string(100, 'a') + "/" + std::string(100, 'b') + "/" +
+                     std::string(100, 'c'),
+                 std::string(100, 'a'))
+              .status == 0);
 }

@@ -88,9 +88,9 @@ TEST_CASE("an interrupted report ends with status 1 and leaves whole files only"
 }
 
 TEST_CASE("reports refuse what they do not know in one line") {
-    check_refused("report", "must be one of error, stability, cost, atlas");
+    check_refused("report", "a report is missing: one of error, stability, cost, atlas");
     check_refused("report eror", "did you mean error?");
-    check_refused("report error atlas", "must be one of error, stability, cost, atlas");
+    check_refused("report error atlas", "report error atlas: must be one report at a time");
     check_refused("report error --only stak", "did you mean stack?");
     check_refused("report error --fast", "unknown option");
     CHECK(run_program("report error --quick --out /dev/null/x").status == 4);

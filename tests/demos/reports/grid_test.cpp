@@ -77,7 +77,7 @@ TEST_CASE("a grid that no run accepts is refused in one line") {
     check_refused("report atlas --grid stak " + axes, "stack");
     check_refused("report atlas --grid stack --x count=2:4:1",
                   "must be with --x OPTION=VALUES and --y OPTION=VALUES");
-    check_refused("report atlas --x count=2:4:1", "--x: must be with --grid SCENE");
+    check_refused("report atlas --x count=2:4:1", "--x count=2:4:1: must be with --grid SCENE");
     check_refused("report error --grid stack " + axes, "--grid stack: must be with report atlas");
     check_refused("report atlas --grid stack --x coun=2:4:1 --y beta=0.1,0.2", "did you mean count?");
     check_refused("report atlas --grid stack --x count=2:4 --y beta=0.1,0.2", "must be OPTION=FROM:TO:STEP");
@@ -90,5 +90,5 @@ TEST_CASE("a grid that no run accepts is refused in one line") {
     check_refused("report atlas --grid stack --replays 9:0.1 " + axes, "--replays 9:0.1: must be all, or X:Y");
     check_refused("report atlas --grid stack --set nonsense=1 " + axes,
                   "--set nonsense=1: nonsense must be one of");
-    check_refused("report atlas --grid stack --quick " + axes, "must be without --quick and --only");
+    check_refused("report atlas --grid stack --quick " + axes, "--quick: must be without --grid");
 }

@@ -61,7 +61,7 @@ TEST_CASE("an atlas in 2, 7 and 64 shards, in any order, one killed and started 
         };
         if (count == 2) {
             const Ended killed =
-                shell(folder, "'" PUSHFACTOR_PROGRAM "'" + shard(2) + " --jobs 1 & until ls " + out +
+                shell(folder, PUSHFACTOR_IN_BACKGROUND + shard(2) + " --jobs 1 & until ls " + out +
                                   "/pieces/*/*/*.json >list 2>/dev/null || ! kill -0 $!; do sleep 0.01; done; kill "
                                   "-KILL $!; wait $!");
             CHECK(killed.status == 128 + 9);
@@ -142,7 +142,7 @@ TEST_CASE("pieces of several versions, of another one or of several reports are 
     check_refused(folder, "pushfactor report merge c", "must be of the version of this program, ");
     check_refused(folder, "pushfactor report merge nowhere", "merge nowhere: must have pieces");
     check_refused(folder, "pushfactor report merge", "must have the folders of shards");
-    check_refused(folder, "pushfactor report merge a --quick", "--quick: must not be with merge");
+    check_refused(folder, "pushfactor report merge a --quick", "--quick: must not be with report merge");
     require_success(folder, "pushfactor report atlas --quick --only height_iterations --out d --shard 1/2");
     check_refused(folder, "pushfactor report merge a d",
                   "merge: must be of one report, not `pushfactor report atlas");

@@ -1,5 +1,6 @@
 #include "demos/reports/error/contact_problems/fclib_file.h"
 
+#include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -176,15 +177,13 @@ class Stored {
 template <typename Write>
 void write_whole(const fs::path& file, const Write& write) {
     const QuietHdf5 quiet;
-    const fs::path partial = file.string() + ".partial";
-    std::error_code error;
-    fs::remove(partial, error);
-    if (write(partial.c_str()) == 0) {
-        fs::remove(partial, error);
+    StagedFile staged(file, ".hdf5");
+    std::error_code ignored;
+    fs::remove(staged.path(), ignored);
+    if (write(staged.path().c_str()) == 0) {
         throw OutputError(fmt::format("{}: HDF5 cannot write it", file.string()));
     }
-    fs::rename(partial, file, error);
-    if (error) throw OutputError(fmt::format("{}: {}", file.string(), error.message()));
+    staged.commit();
 }
 
 }  // namespace

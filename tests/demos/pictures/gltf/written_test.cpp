@@ -64,14 +64,15 @@ TEST_CASE("a run that stops early leaves a glTF file of the frames so far, and a
     const std::size_t keys = glb.count((*glb.sampler(glb.node("ball"), "translation"))["input"]);
     CHECK(keys > 3);
     CHECK(keys < 60);
-    CHECK(shell(folder, "pushfactor run stack --seconds 0.1 --glb no/such/a.glb").status == 4);
+    CHECK(shell(folder, "pushfactor run stack --seconds 0.1 --glb /proc/no/a.glb").status == 4);
     for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);
 }
 
 TEST_CASE("what a glTF file cannot hold is refused in one line") {
     check_refused("run stack --glb a.gltf", "--glb a.gltf: must end in .glb");
     check_refused("run stack --glb -", "--glb -: must end in .glb");
-    check_refused("run stack --glb a.glb --overlay islands", "--glb a.glb: must be without --overlay islands");
+    check_refused("run stack --glb a.glb --overlay islands",
+                  "--overlay islands: must be of pictures; a glTF file does not show it");
     check_refused("run pendulum-wave --glb a.glb --overlay contacts", "--overlay contacts: scene pendulum-wave");
     check_refused("run stack --glb a.glb --fps 7", "--fps 7: a frame must be a whole number of steps");
     check_refused("run stack --glb a.glb --seconds 1e6", "must have at most 4194304 frames, not 60000001");

@@ -1,0 +1,178 @@
+#include "demos/commands/run_options.h"
+
+#include "demos/options/simulation_options.h"
+#include "demos/platform/messages.h"
+#include "demos/runs/simulation.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushfactor::demos::commands {
+
+namespace {
+
+const char* const output_group = "Output (FILE - is standard output)";
+
+std::string preset_help() {
+    std::string help = "preset that the options start from";
+    for (const Preset& preset : presets()) help += fmt::format("; {}: {}", preset.name, preset.description);
+    return help + "; overrides what files say about them [default]";
+}
+
+// Names of the parameters of all scenes, each once.
+std::vector<std::string> parameter_names() {
+    std::vector<std::string> names;
+    for (const SceneEntry& scene : catalogue()) {
+        for (const Parameter& parameter : scene.parameters) {
+            if (std::ranges::find(names, parameter.name) == names.end()) names.emplace_back(parameter.name);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<Option> simulation_option_table() {
+    const std::string group = "Simulation";
+    std::vector<Option> table{{"preset", "NAME", preset_help(), group}};
+    for (const SimulationOption& option : simulation_options()) {
+        table.push_back({std::string(option.name), std::string(option.placeholder), option.help, group});
+    }
+    table.push_back({"config", "FILE", "read options from this JSON file; the command line takes precedence", group,
+                     OptionKind::reads});
+    for (const std::string& name : parameter_names()) table.push_back({name, "N", "", ""});
+    return table;
+}
+
+std::vector<Option> output_option_table() {
+    const auto file = [](const char* name, const char* help) {
+        return Option{name, "FILE", help, output_group, OptionKind::writes};
+    };
+    return {
+        file("csv", "one line per step: energies, speeds, penetration, residual, counts"),
+        file("trajectory", "one line per body and step (per body and frame with --fps)"),
+        file("rows", "one line per constraint row and step, with its force"),
+        file("summary", "the summary as JSON [run: standard output]"),
+        file("replay", "a page (.html) that plays the run in a browser; at most 60 frames per second, or --fps"),
+        {"replay-data", "all|poses", "poses: the replay without velocities and forces, for a smaller file [all]",
+         output_group},
+        file("glb", "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps"),
+        {"measure", "NAME",
+         "a number of the summary that compares with the exact motion, which takes longer than the run: "
+         "angle_error_rms_deg of pendulum-wave; may be repeated [null]",
+         output_group, OptionKind::list},
+        file("save-state", "the final state, as a scene file that resumes the run"),
+        {"timing", "", "CPU time of the steps in the CSV and the summary; the run uses one thread", output_group,
+         OptionKind::flag},
+    };
+}
+
+std::vector<Option> frame_option_table(unsigned uses, const std::string& group) {
+    std::vector<Option> table;
+    for (const FrameOption& option : frame_options()) {
+        if ((option.uses & uses) == 0) continue;
+        table.push_back(
+            {std::string(option.name), std::string(option.placeholder), std::string(option.help), group});
+    }
+    return table;
+}
+
+GivenOptions take_simulation(Words& words, std::vector<std::string>& scenes, bool has_threads) {
+    GivenOptions given;
+    std::vector<std::string> names = simulation_option_names();
+    const std::vector<std::string> parameters = parameter_names();
+    names.insert(names.end(), parameters.begin(), parameters.end());
+    for (const std::string& name : names) {
+        const bool counts = has_threads || name != "threads";
+        const auto text = words.take(name, counts, "without --timing, which takes one thread");
+        if (text) given.add(name, *text, "--" + name);
+    }
+    for (const FrameOption& option : frame_options()) {
+        const std::string name(option.name);
+        if (const auto text = words.peek(name)) given.add(name, *text, "--" + name);
+    }
+    if (const auto config = words.take("config")) add_config(*config, given);
+    if (const auto* named = given.find("scene"); named && scenes.empty()) scenes.push_back(named->text);
+    if (scenes.empty()) throw UsageError("a scene is missing (see `pushfactor list`)");
+    for (const std::string& scene : scenes) {
+        if (!find_scene(scene)) words.reads(scene);
+        require_parameters(scene, given);
+    }
+    return given;
+}
+
+void take_frames(Words& words, unsigned uses) {
+    for (const FrameOption& option : frame_options()) {
+        if ((option.uses & uses) != 0 && words.given(option.name)) words.take(option.name);
+    }
+}
+
+bool take_switch(Words& words, const std::string& name, bool otherwise) {
+    const auto text = words.take(name);
+    if (text && *text != "on" && *text != "off") {
+        throw UsageError(fmt::format("--{} {}: must be on or off", name, *text));
+    }
+    return text ? *text == "on" : otherwise;
+}
+
+bool take_poses_only(Words& words, bool has_replay) {
+    const auto text = words.take("replay-data", has_replay, "with --replay");
+    if (text && *text != "all" && *text != "poses") {
+        throw UsageError(fmt::format("--replay-data {}: must be all or poses", *text));
+    }
+    return text && *text == "poses";
+}
+
+RunFiles take_files(Words& words) {
+    return {.csv = words.take("csv"),
+            .trajectory = words.take("trajectory"),
+            .rows = words.take("rows"),
+            .save_state = words.take("save-state"),
+            .measures = words.take_all("measure")};
+}
+
+void require_shown_overlays(const Words& words, const Shown& outputs) {
+    const auto text = words.peek("overlay");
+    const auto overlay = text ? parse_overlay(*text) : std::nullopt;
+    if (!overlay || outputs.pictures) return;
+    for (const OverlayItem& item : *overlay) {
+        const bool glb = outputs.glb && !colours_bodies(item.kind) && item.kind != OverlayKind::trails;
+        if (glb || (outputs.replay && is_in_replays(item.kind))) continue;
+        throw UsageError(fmt::format("--overlay {}: must be of pictures; {} does not show it", name_of(item.kind),
+                                     outputs.glb ? "a glTF file" : "a replay"));
+    }
+}
+
+void note_cut_time(const Choices& choices) {
+    const Settings& settings = choices.settings;
+    const long steps = whole_steps(settings);
+    const double time = static_cast<double>(steps) * settings.dt.value();
+    if (std::abs(time - settings.seconds) <= 1e-9 * std::max(1.0, settings.seconds)) return;
+    note(fmt::format("seconds {}: cut to {} steps of {} s, {:.6g} s", to_text(settings.seconds), steps,
+                     to_text(settings.dt), time));
+}
+
+std::string scene_parameters_help() {
+    std::string text = "\nScene parameters:\n";
+    for (const SceneEntry& scene : catalogue()) {
+        if (scene.parameters.empty()) continue;
+        text += fmt::format("  {}\n", scene.name);
+        for (const Parameter& parameter : scene.parameters) {
+            text += fmt::format("    {:<25} {}\n", fmt::format("--{} {}", parameter.name, parameter.placeholder),
+                                parameter.help);
+        }
+    }
+    return text;
+}
+
+const std::string& only_scene(const std::vector<std::string>& scenes) {
+    if (scenes.size() == 1) return scenes.front();
+    throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(scenes, " ")));
+}
+
+}  // namespace pushfactor::demos::commands

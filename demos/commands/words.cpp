@@ -1,0 +1,204 @@
+#include "demos/commands/words.h"
+
+#include "demos/platform/output_file.h"
+#include "demos/platform/shell_words.h"
+#include "demos/text/errors.h"
+#include "demos/text/suggest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace pushfactor::demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where a name leads to, through links; the folder need not exist yet.
+fs::path place_of(const std::string& name) {
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(followed(name)), error);
+    return error ? fs::path(name) : place;
+}
+
+bool are_one_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    if (a == "-" || b == "-") return a == b;
+    // Devices such as /dev/null take any number of outputs.
+    if (fs::is_character_file(a, ignored)) return false;
+    return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
+}
+
+// Lines of at most 100 characters, all but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+    constexpr std::size_t width = 100;
+    std::string lines;
+    std::size_t column = indent;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        if (column > indent && column + 1 + word.size() > width) {
+            lines += "\n" + std::string(indent, ' ');
+            column = indent;
+        }
+        if (column > indent) lines += ' ';
+        column += word.size() + (column > indent ? 1 : 0);
+        lines += word;
+        begin = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace
+
+Words::Words(std::string command, std::vector<Option> known, std::vector<std::string> arguments)
+    : known_(std::move(known)) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.begin(), std::move(command));
+    line_ = command_of(all);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& word = arguments[i];
+        if (word == "--") {
+            names_.insert(names_.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
+            break;
+        }
+        if (word == "-" || !word.starts_with('-')) {
+            names_.push_back(word);
+            continue;
+        }
+        const std::size_t equals = word.find('=');
+        const std::string name = word.starts_with("--") ? word.substr(2, equals - 2) : "";
+        const auto found = std::ranges::find(known_, name, &Option::name);
+        if (found == known_.end()) refuse_unknown(word.substr(0, equals));
+        std::string value;
+        if (found->kind == OptionKind::flag) {
+            if (equals != std::string::npos) throw UsageError(word + ": must be without a value");
+        } else if (equals != std::string::npos) {
+            value = word.substr(equals + 1);
+        } else {
+            if (i + 1 == arguments.size() || arguments[i + 1].starts_with("--")) {
+                throw UsageError(fmt::format("--{}: must have a value, {}", name, found->placeholder));
+            }
+            value = arguments[++i];
+        }
+        std::vector<std::string>& texts = given_[name];
+        if (!texts.empty() && found->kind != OptionKind::list) {
+            throw UsageError(fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
+        }
+        texts.push_back(value);
+    }
+}
+
+void Words::refuse_unknown(const std::string& word) const {
+    std::vector<std::string> names;
+    for (const Option& option : known_) names.push_back("--" + option.name);
+    throw UsageError(word + ": unknown option" + suggestion(word, names));
+}
+
+const Option& Words::known(std::string_view option) const {
+    const auto found = std::ranges::find(known_, option, &Option::name);
+    if (found == known_.end()) throw std::logic_error(fmt::format("--{} is in no table of options", option));
+    return *found;
+}
+
+bool Words::given(std::string_view option) const {
+    return given_.contains(option);
+}
+
+std::optional<std::string> Words::peek(std::string_view option) const {
+    const auto found = given_.find(option);
+    return found == given_.end() ? std::nullopt : std::optional(found->second.front());
+}
+
+std::string Words::field(const std::string& option) const {
+    const std::string& text = given_.find(option)->second.front();
+    return "--" + option + (text.empty() ? "" : " " + text);
+}
+
+std::vector<std::string> Words::take_all(std::string_view option) {
+    const Option& one = known(option);
+    const auto found = given_.find(option);
+    if (found == given_.end()) return {};
+    if (taken_.insert(one.name).second) {
+        for (const std::string& text : found->second) {
+            if (one.kind == OptionKind::reads) reads_.push_back({field(one.name), text});
+            if (one.kind == OptionKind::writes) writes_.push_back({field(one.name), text});
+        }
+    }
+    return found->second;
+}
+
+std::optional<std::string> Words::take(std::string_view option) {
+    const std::vector<std::string> texts = take_all(option);
+    if (texts.empty()) return std::nullopt;
+    return texts.front();
+}
+
+std::optional<std::string> Words::take(std::string_view option, bool has_effect, std::string_view must) {
+    if (!has_effect && given(option)) {
+        throw UsageError(fmt::format("{}: must be {}", field(std::string(option)), must));
+    }
+    return take(option);
+}
+
+std::vector<std::string> Words::take_names() {
+    names_taken_ = true;
+    return names_;
+}
+
+void Words::refuse_rest(std::string_view command) const {
+    for (const auto& [option, texts] : given_) {
+        if (!taken_.contains(option)) {
+            throw UsageError(fmt::format("{}: must not be with {}", field(option), command));
+        }
+    }
+    if (!names_taken_ && !names_.empty()) {
+        throw UsageError(fmt::format("{}: must not be with {}", names_.front(), command));
+    }
+    for (std::size_t i = 0; i < writes_.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (are_one_file(writes_[i].name, writes_[k].name)) {
+                throw UsageError(fmt::format("{}: must not be the file of {}", writes_[i].field, writes_[k].field));
+            }
+        }
+        for (const File& input : reads_) {
+            if (input.name != "-" && are_one_file(writes_[i].name, input.name)) {
+                throw UsageError(
+                    fmt::format("{}: must not be a file that is read, {}", writes_[i].field, input.field));
+            }
+        }
+    }
+}
+
+std::vector<std::string> Words::outputs() const {
+    std::vector<std::string> files;
+    for (const File& file : writes_) files.push_back(file.name);
+    return files;
+}
+
+std::string help_of(const std::vector<Option>& options) {
+    constexpr std::size_t indent = 30;
+    std::vector<std::string> groups;
+    for (const Option& option : options) {
+        if (!option.group.empty() && std::ranges::find(groups, option.group) == groups.end()) {
+            groups.push_back(option.group);
+        }
+    }
+    std::string text;
+    for (const std::string& group : groups) {
+        text += "\n" + group + ":\n";
+        for (const Option& option : options) {
+            if (option.group != group) continue;
+            std::string head = "  --" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
+            const std::string gap =
+                head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ');
+            text += head + gap + wrapped(option.help, indent) + "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,84 @@
+// The words after a command. A command takes the options that it reads in the given combination; what is left is
+// refused, so that nothing is ignored.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pushfactor::demos {
+
+enum class OptionKind {
+    value,
+    flag,    // without a value
+    list,    // may be repeated
+    reads,   // a file that is read
+    writes,  // a file that is written
+};
+
+struct Option {
+    std::string name;         // without the leading dashes
+    std::string placeholder;  // of the value, in help texts
+    std::string help;
+    std::string group = "Options";  // heading in the help text; options without one are not listed
+    OptionKind kind = OptionKind::value;
+};
+
+class Words {
+  public:
+    // Throws UsageError for an option that is not in the table, a missing value, or an option given twice.
+    Words(std::string command, std::vector<Option> known, std::vector<std::string> arguments);
+
+    bool given(std::string_view option) const;
+
+    std::optional<std::string> peek(std::string_view option) const;  // the value, not taken
+
+    // The value; none if the option was not given. Throws std::logic_error for an option that is not in the table.
+    std::optional<std::string> take(std::string_view option);
+    // The same where the option has an effect only if `has_effect`; otherwise it is refused, because it `must` be
+    // "with --replay".
+    std::optional<std::string> take(std::string_view option, bool has_effect, std::string_view must);
+    bool take_flag(std::string_view option) { return take(option).has_value(); }
+    std::vector<std::string> take_all(std::string_view option);
+
+    // The words that are no options: scenes, figures, folders.
+    std::vector<std::string> take_names();
+    // A file that is read or written without an option for it.
+    void reads(const std::string& file) { reads_.push_back({file, file}); }
+    void writes(const std::string& file) { writes_.push_back({file, file}); }
+
+    // Throws UsageError for what was not taken, and for a file that is written twice, or read and written.
+    // `command` says in which combination: "render --join".
+    void refuse_rest(std::string_view command) const;
+
+    // Files of the options that were taken.
+    std::vector<std::string> outputs() const;
+
+    const std::string& line() const { return line_; }  // as typed, quoted where a shell needs it
+
+  private:
+    struct File {
+        std::string field;  // "--csv a.csv"
+        std::string name;
+    };
+
+    const Option& known(std::string_view option) const;
+    [[noreturn]] void refuse_unknown(const std::string& word) const;
+    std::string field(const std::string& option) const;  // "--csv a.csv"
+
+    std::vector<Option> known_;
+    std::map<std::string, std::vector<std::string>, std::less<>> given_;
+    std::vector<std::string> names_;
+    std::set<std::string, std::less<>> taken_;
+    bool names_taken_ = false;
+    std::vector<File> reads_, writes_;
+    std::string line_;
+};
+
+// The options as a help text, by group.
+std::string help_of(const std::vector<Option>& options);
+
+}  // namespace pushfactor::demos

@@ -1,0 +1,258 @@
+// Every option of every command in every combination of two: it is read, or it is refused. Nothing is ignored, and
+// nothing runs.
+#include "demos/commands/command_line.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/scenes/families/family.h"
+#include "demos/text/errors.h"
+#include "demos/text/numbers.h"
+#include "tests/catch.h"
+#include "tests/demos/program.h"
+
+#include <map>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using tests::check_refused;
+using tests::Folder;
+using tests::shell;
+
+namespace {
+
+using Line = std::vector<std::string>;
+
+// Commands in the combinations that decide what they read.
+const std::vector<Line> bases{
+    {"list"},
+    {"scene", "stack"},
+    {"family"},
+    {"family", "wall"},
+    {"run", "stack"},
+    {"run", "pendulum-grid"},
+    {"render", "stack"},
+    {"render", "stack", "funnel"},
+    {"render", "stack", "--at", "0"},
+    {"render", "stack", "--compare", "beta=0.1,0.2"},
+    {"render", "stack", "--frames", "off", "--replay", "r.html"},
+    {"render", "stack", "--from-trajectory", "t.csv"},
+    {"render", "--join", "d", "--video", "v.mp4"},
+    {"figures"},
+    {"figures", "--width", "85mm"},
+    {"report", "error"},
+    {"report", "stability"},
+    {"report", "cost"},
+    {"report", "atlas"},
+    {"report", "atlas", "--grid", "stack", "--x", "beta=0.1,0.2", "--y", "iterations=1,2"},
+    {"report", "merge", "d"},
+    {"check", "d"},
+    {"check", "d", "--against", "e"},
+    {"doctor"},
+};
+
+// A value that each option accepts somewhere, and that is not its default.
+const std::map<std::string, std::string> values{
+    {"preset", "paper"},
+    {"seconds", "3"},
+    {"dt", "1/120"},
+    {"substeps", "2"},
+    {"solver", "pgs"},
+    {"tolerance", "1e-3"},
+    {"scheme", "whole"},
+    {"small-steps", "2x2"},
+    {"push", "none"},
+    {"distance-push", "none"},
+    {"warm-start", "off"},
+    {"row-order", "creation"},
+    {"manifold-points", "8"},
+    {"friction-model", "paper"},
+    {"restitution-model", "sum"},
+    {"start-kick", "off"},
+    {"rotation", "paper"},
+    {"rest", "on"},
+    {"config", "PLACE/config.json"},
+    {"csv", "a.csv"},
+    {"trajectory", "b.csv"},
+    {"rows", "c.csv"},
+    {"summary", "s.json"},
+    {"replay", "p.html"},
+    {"replay-data", "poses"},
+    {"glb", "g.glb"},
+    {"save-state", "z.json"},
+    {"measure", "angle_error_rms_deg"},
+    {"size", "64x64"},
+    {"fps", "30"},
+    {"play-speed", "1/2"},
+    {"at", "1"},
+    {"ghosts", "0"},
+    {"shutter", "0.5"},
+    {"camera", "fit"},
+    {"caption", "off"},
+    {"overlay", "forces"},
+    {"compare", "beta=0.3,0.4"},
+    {"gl", "egl"},
+    {"out", "o.png"},
+    {"video", "w.mp4"},
+    {"frames", "off"},
+    {"shard", "1/2"},
+    {"from-trajectory", "u.csv"},
+    {"join", "f"},
+    {"width", "170mm"},
+    {"font-size", "9pt"},
+    {"theme", "dark"},
+    {"background", "none"},
+    {"only", "frozen"},
+    {"problems", "q"},
+    {"beside", "h.csv"},
+    {"export", "k"},
+    {"junit", "j.xml"},
+    {"markdown", "m.md"},
+    {"grid", "funnel"},
+    {"x", "beta=0.5,0.6"},
+    {"y", "iterations=3,4"},
+    {"set", "beta=0.2"},
+    {"replays", "all"},
+    {"against", "l"},
+    {"flip", "0.1"},
+    {"physics", "off"},
+    {"dpi", "200"},
+    {"samples", "4"},
+};
+
+std::vector<Option> all_options() {
+    std::vector<Option> all;
+    for (const commands::Entry& entry : command_entries()) {
+        for (const Option& option : entry.options()) {
+            if (std::ranges::find(all, option.name, &Option::name) == all.end()) all.push_back(option);
+        }
+    }
+    return all;
+}
+
+Line with(Line line, const Option& option, const std::string& place) {
+    line.push_back("--" + option.name);
+    if (option.kind == OptionKind::flag) return line;
+    const auto found = values.find(option.name);
+    std::string value = found == values.end() ? "1" : found->second;
+    // A parameter of a family has a range of its own.
+    const auto* const family = line.front() == "family" && line.size() > 2 ? families::find_family(line[1]) : nullptr;
+    for (std::size_t i = 0; family && i < family->parameters.size(); ++i) {
+        const Parameter& range = family->parameters[i].range;
+        if (range.name == option.name) value = to_text(range.low);
+    }
+    if (value.starts_with("PLACE")) value.replace(0, 5, place);
+    line.push_back(value);
+    return line;
+}
+
+// None if the program refuses it. Without the text of the command line, which always differs.
+std::optional<commands::AnyCommand> read(const Line& line) {
+    try {
+        auto parsed = parse_command_line(line);
+        const auto forget = [](auto& command) {
+            if constexpr (requires { command.line; }) command.line.clear();
+        };
+        std::visit(forget, parsed->command);
+        return parsed->command;
+    } catch (const UsageError&) {
+        return std::nullopt;
+    }
+}
+
+std::string joined(const Line& line) {
+    std::string text;
+    for (const std::string& word : line) text += word + " ";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("every option alone and in pairs, with every command, changes what is read or is refused") {
+    const Folder folder;
+    folder.write("config.json", R"({"scene": "stack", "beta": 0.15})");
+    const std::string place = folder.path().string();
+    const std::vector<Option> options = all_options();
+    std::map<std::string, int> accepted;
+    std::vector<std::string> ignored;
+    std::vector<Line> all_bases = bases;
+    for (const SceneEntry& scene : catalogue()) all_bases.push_back({"scene", std::string(scene.name)});
+    for (const families::Family& family : families::families()) all_bases.push_back({"family", std::string(family.name)});
+    for (const Line& base : all_bases) {
+        for (const std::string& word : base) ++accepted[word.substr(std::min<std::size_t>(2, word.size()))];
+        const auto alone = read(base);
+        REQUIRE(alone);
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            const Line one = with(base, options[i], place);
+            const auto first = read(one);
+            if (first && *first == *alone) ignored.push_back(joined(one));
+            if (first) ++accepted[options[i].name];
+            for (std::size_t k = 0; k < options.size(); ++k) {
+                if (k == i) continue;
+                const auto second = read(with(one, options[k], place));
+                if (!second) continue;
+                ++accepted[options[k].name];
+                ++accepted[options[i].name];
+                if (first && *second == *first) ignored.push_back(joined(with(one, options[k], place)));
+            }
+        }
+    }
+    INFO((ignored.empty() ? "" : ignored.front()) << " and " << ignored.size() << " in all");
+    CHECK(ignored.empty());
+    for (const Option& option : options) {
+        INFO(option.name);
+        CHECK(accepted[option.name] > 0);
+    }
+}
+
+TEST_CASE("options before the command are refused, -- ends the options, and a value is never an option") {
+    check_refused("--seconds 1 run stack", "--seconds: must come after the command");
+    check_refused("--junit x.xml check g", "--junit: must come after the command");
+    check_refused("run stack --dt --seconds 1", "--dt: must have a value");
+    check_refused("run stack --dt 1/60 --dt 1/30", "--dt 1/30: must be given once");
+    check_refused("run stack --timing=yes", "--timing=yes: must be without a value");
+    check_refused("run -- --seconds", "scene --seconds: must be one of");
+    check_refused("family --seed 3", "--seed 3: must not be with family");
+    check_refused("run stack --timing --threads 2", "--threads 2: must be without --timing");
+    CHECK(shell(Folder(), "pushfactor run --seconds=0 -- stack").status == 0);
+}
+
+TEST_CASE("two outputs with one file, and an output that is read, are refused before the run") {
+    const Folder folder;
+    folder.write("in.json", R"({"version": 1, "bodies": []})");
+    std::filesystem::create_symlink("a.csv", folder / "link.csv");
+    const auto refused = [&](const std::string& arguments, const std::string& words) {
+        check_refused(folder, "pushfactor run " + arguments, words);
+    };
+    refused("stack --csv a.csv --trajectory a.csv", "--trajectory a.csv: must not be the file of --csv a.csv");
+    refused("stack --csv a.csv --trajectory ./b/../a.csv", "must not be the file of --csv a.csv");
+    refused("stack --csv a.csv --rows link.csv", "must not be the file of --csv a.csv");
+    refused("stack --csv - --trajectory -", "--trajectory -: must not be the file of --csv -");
+    refused("stack --csv s --summary s", "--summary s: must not be the file of --csv s");
+    refused("in.json --csv in.json", "--csv in.json: must not be a file that is read");
+    CHECK(folder.files() == std::vector<std::string>{"in.json"});
+    CHECK(shell(folder, "pushfactor run stack --seconds 0 --csv /dev/null --rows /dev/null").status == 0);
+}
+
+TEST_CASE("the help of run shows the parameters of each scene in its own words, and a full disk is status 4") {
+    const std::string help = shell(Folder(), "pushfactor run --help").out;
+    for (const char* const text :
+         {"number of cubes [5]", "number of balls, above 20", "number of pendulums [50]"}) {
+        INFO(text);
+        CHECK(help.find(text) != std::string::npos);
+    }
+    for (const char* const command : {"list", "--help", "--version", "run --help", "doctor", "family"}) {
+        INFO(command);
+        CHECK(shell(Folder(), std::string("pushfactor ") + command + " >/dev/full").status == 4);
+    }
+}
+
+TEST_CASE("standard error that is closed or full changes neither status nor outputs") {
+    const Folder folder;
+    const std::string still = "pushfactor render stack --at 0 --size 64x64 --out r";
+    CHECK(shell(folder, "mkdir r; touch r/other.png; " + still + " 2>/dev/full").status == 0);
+    CHECK(std::filesystem::exists(folder / "r/at_0s.png"));
+    CHECK(shell(folder, "pushfactor render nosuch 2>/dev/full").status == 2);
+    CHECK(shell(folder, "pushfactor render nosuch 2>&-").status == 2);
+    CHECK(shell(folder, "pushfactor run stack --seconds 0 --csv a.csv 2>&- <&-").status == 0);
+    CHECK(shell(folder, "pushfactor run stack --seconds 0 --csv b.csv --summary s >&- 2>&-").status == 0);
+    CHECK(folder.read("a.csv") == folder.read("b.csv"));
+    CHECK(shell(folder, "pushfactor run stack --seconds 0 >&-").status == 4);
+}
