@@ -1,18 +1,29 @@
-// Broad phase: pairs of colliders that may touch. Candidates are found for boxes somewhat wider than the shapes
-// and stay valid while each shape is within its wide box; new ones are found only for shapes that have left
-// theirs, so bodies that hold still cost nothing.
+// Broad phase: pairs of colliders that may touch. The bounding boxes are put into the columns of a square grid, and
+// in each column those that overlap are found along their order from the bottom up.
 #pragma once
 
 #include "engine/base/threads.h"
 #include "engine/bodies/awake.h"
 #include "engine/bodies/motion.h"
-#include "engine/collision/box_grid.h"
 #include "engine/collision/collider.h"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
 namespace pushfactor::engine::collision {
+
+// Axis-aligned, world frame.
+struct BoundingBox {
+    Vector3 centre, reach;  // m; reach is half the edge lengths
+};
+
+inline bool overlap(const BoundingBox& a, const BoundingBox& b) {
+    const auto near = [&](int axis) {
+        return std::abs(a.centre[axis] - b.centre[axis]) < a.reach[axis] + b.reach[axis];
+    };
+    return near(0) && near(1) && near(2);
+}
 
 struct Pair {
     int a = 0;  // collider indices, a < b
@@ -43,9 +54,9 @@ class BroadPhase {
 
     // All pairs, in ascending order, whose bounding boxes come closer than `margin` (a fraction of each shape's
     // size) now or, with `step`, along their free motions. Never two colliders of one body, never two that are
-    // static or not `awake`: their rows could move nothing. `poses` are those of the bodies. Only the colliders
-    // `moved` (ascending) are updated; the others are where they were in the last call. `threads` share the work;
-    // null: one thread.
+    // static or not `awake`: their rows could move nothing. Non-finite boxes make no pairs. `poses` are those of
+    // the bodies. Only the colliders `moved` (ascending) are updated; the others are where they were in the last
+    // call. `threads` share the work; null: one thread.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin, const StepMotions* step,
                                      const Awake& awake, std::span<const int> moved, Threads* threads = nullptr);
@@ -64,56 +75,49 @@ class BroadPhase {
   private:
     // Bounding box of one finite shape.
     struct Bounds : BoundingBox {
-        double slack = 0.0;  // m, extra reach of the wide box
+        Vector3 low, high;  // m, its corners, with room for the rounding in overlap()
         int collider = 0;
         int body = 0;
-        bool idle = false;  // static or at rest
+        bool idle = false;    // static or at rest
+        bool finite = false;  // the box
+        bool wanted = false;  // in the current search
+        bool wide = false;    // too wide for the columns
     };
     struct Plane {
         Vector3 point, up;  // m; unit normal
         int collider = 0;
     };
-    // Two boxes, or a box and a plane (`other` = -1 - index of the plane).
-    struct Candidate {
-        Pair pair;
+    // A box in one of the columns that it reaches into.
+    struct Entry {
+        double low = 0.0, high = 0.0;  // m
+        int x = 0, z = 0;              // of the column
         int box = 0;
-        int other = 0;
+        unsigned first = 0;  // bits for x and z: its first column in this direction
     };
 
-    void bound(std::span<const Collider> colliders, std::span<const Body> bodies, std::span<const Pose> poses,
-               double margin, const StepMotions* step, const Awake& awake, std::span<const int> moved,
-               Threads* threads);
+    static void set(Bounds& bounds, const BoundingBox& box);
     void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const StepMotions* step,
                      std::span<const int> moved);
-    bool has_same_shapes() const;
-    bool uses_grid() const;
-    void update_candidates(Threads* threads);
-    bool find_left(Threads* threads);
-    void find_all_candidates(Threads* threads);
-    void find_candidates_of_left(Threads* threads);
-    void widen(std::size_t index);
-    void add_with_planes(int index, std::vector<Candidate>& found) const;
-    void add_if_near(int index, int other, std::vector<Candidate>& found) const;
-    bool is_near(const Candidate& candidate) const;
-    bool can_move(const Candidate& candidate) const;  // at least one of the two can
+    void search(Threads* threads);
+    void choose_boxes();
+    double column_width();
+    void fill_columns();
+    void sweep(std::span<Entry> entries, std::vector<Pair>& found) const;
+    void add_with_planes_and_wide(int box, std::vector<Pair>& found) const;
+    void add_if_near(const Bounds& one, const Bounds& other, std::vector<Pair>& found) const;
+    void add(int one, int other, std::vector<Pair>& found) const;
 
     const PairFilter* filter_ = nullptr;
-    std::vector<Bounds> bounds_;  // of the finite shapes, current
+    std::vector<Bounds> bounds_;  // of the finite shapes
     std::vector<int> place_;      // in bounds_, by collider; -1 for a plane
     std::vector<Plane> planes_;
+    std::vector<Pair> pairs_, pairs_before_;
 
-    // State when the candidates were found.
-    std::vector<Bounds> wide_;  // with the extra reach
-    std::vector<Plane> wide_planes_;
-    std::vector<Candidate> candidates_;  // in ascending order of the pair
-    BoxGrid grid_;                       // of wide_, if there are many
-    std::size_t put_again_ = 0;          // boxes re-inserted since the grid was filled
-
-    std::vector<int> looked_at_;  // boxes in the last find_pairs() that may have moved
-    std::vector<int> left_;       // boxes that have left their wide box, or have woken
-    std::vector<char> has_left_;  // by box
-    std::vector<Pair> pairs_;
-    Search<Candidate> candidate_search_;
+    // Of the current search.
+    std::vector<int> chosen_, wide_;  // boxes
+    std::vector<double> widths_;      // m, of the chosen ones
+    std::vector<Entry> entries_, entries_before_;
+    std::vector<int> begins_;  // of what is sorted last by counting
     Search<Pair> pair_search_;
 };
 
