@@ -118,7 +118,9 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
         touch.points = points_.emplace_back(manifold_.points().begin(), manifold_.points().end());
         unforeseen_.push_back(touch);
     }
-    for (const Touch& touch : unforeseen_) {
+    if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
+    for (Touch& touch : unforeseen_) {
+        touch.points = points_.emplace_back(touch.points.begin(), touch.points.end());  // seams may have new ones
         const auto place = std::lower_bound(found_.begin(), found_.end(), touch.pair, comes_before);
         if (!known(touch.pair)) found_.insert(place, touch);
     }

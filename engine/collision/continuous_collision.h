@@ -8,7 +8,7 @@
 // Not from the paper, which has no continuous collision detection.
 #pragma once
 
-#include "engine/collision/detector.h"
+#include "engine/collision/seams.h"
 
 #include <deque>
 #include <span>
@@ -41,7 +41,8 @@ class ContinuousCollision {
     std::vector<Touch> found_;       // the first ones of pairs that look() has found in the step, ascending
     std::vector<Touch> unforeseen_;  // of the last look()
     std::deque<std::vector<ContactPoint>> points_;  // of the step
-    Manifold manifold_;                             // scratch
+    Seams seams_;
+    Manifold manifold_;  // scratch
 };
 
 }  // namespace pushfactor::engine::collision

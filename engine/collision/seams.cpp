@@ -12,18 +12,27 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-constexpr double noise = 1e-6;  // of the permitted overlap: motion per step of a body at rest
+constexpr double same_normal = 1.0 - 1e-9;  // cosine above which two normals differ by rounding alone
+constexpr double noise = 1e-6;              // of the permitted overlap: motion per step of a body at rest
 
 Moving moving(int collider, const StepScene& step) {
     const Collider& own = step.colliders[static_cast<std::size_t>(collider)];
     return {own.shape, step.poses[static_cast<std::size_t>(own.body)], step.motions->path_of(own.body)};
 }
 
-// Speed at which the bodies of a touch approach each other along `normal` (from a to b) at `point`, m/s.
+// Speed at which the shapes of a touch approach each other along `normal` (from a to b) at `point`, m/s. What turns in
+// itself does not come closer by turning.
 double closing(const Touch& touch, std::span<const Motion> motions, const Vector3& point, const Vector3& normal,
                const StepScene& step) {
     const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
-    return closing_speed(motions[a], step.poses[a].position, motions[b], step.poses[b].position, point, normal);
+    const auto motion_of = [&](int collider, std::size_t body) {
+        Motion motion = motions[body];
+        const Shape& shape = step.colliders[static_cast<std::size_t>(collider)].shape;
+        if (turns_in_itself(shape)) motion.angular_velocity.setZero();
+        return motion;
+    };
+    return closing_speed(motion_of(touch.pair.a, a), step.poses[a].position, motion_of(touch.pair.b, b),
+                         step.poses[b].position, point, normal);
 }
 
 double gap_along(const Touch& touch, const Vector3& normal, const StepScene& step) {
@@ -55,7 +64,7 @@ const ContactPoint& nearest_to(const Vector3& where, std::span<const ContactPoin
 // `touch` than is permitted.
 bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch, const StepScene& step) {
     const Vector3 along = seen_from(touch, body, out);
-    if (along.dot(touch.normal) > same_direction) return false;
+    if (along.dot(touch.normal) > same_normal) return false;
     const double permitted = step.detection.permitted * touch.size, dt = step.motions->dt;
     const double gap = gap_along(touch, along, step);
     if (gap < -permitted) return false;
@@ -127,13 +136,13 @@ void Seams::list(std::span<const Touch> touches, std::size_t bodies) {
 }
 
 // The normal of what holds the pair, from a to b, if anything does.
-std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Touch> touches,
+std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Touch> holders,
                                          const StepScene& step) const {
     for (const int body : {touch.body_a, touch.body_b}) {
         if (step.bodies[static_cast<std::size_t>(body)].is_static()) continue;
         for (int place = first_[static_cast<std::size_t>(body)]; place >= 0;
              place = next_[static_cast<std::size_t>(place)]) {
-            const Touch& holder = touches[static_cast<std::size_t>(place / 2)];
+            const Touch& holder = holders[static_cast<std::size_t>(place / 2)];
             if (&holder == &touch || (holder.time > 0.0 && holder.time >= touch.time)) continue;
             const Vector3 out = seen_from(holder, body, holder.normal);
             if (holds(holder, body, out, touch, step)) return seen_from(touch, body, out);
@@ -142,16 +151,18 @@ std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Tou
     return std::nullopt;
 }
 
-void Seams::put_right(const StepScene& step, std::vector<Touch>& touches) {
+void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches) {
     found_.clear();
     points_.clear();
     bool is_listed = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
-        if ((!touch.doubtful && touch.time == 0.0) || has_plane(touch, step) || !closes(touch, step)) continue;
-        if (!is_listed) list(touches, step.bodies.size());
+        if ((!touch.doubtful && touch.time == 0.0) || touch.ends_deep || has_plane(touch, step) ||
+            !closes(touch, step))
+            continue;
+        if (!is_listed) list(holders, step.bodies.size());
         is_listed = true;
-        const std::optional<Vector3> normal = held_along(touch, touches, step);
+        const std::optional<Vector3> normal = held_along(touch, holders, step);
         if (!normal) continue;
         collide_along(touch, *normal, step, manifold_);
         found_.push_back({i, manifold_.points().size(), *normal});

@@ -23,9 +23,10 @@ namespace pushfactor::engine::collision {
 
 class Seams {
   public:
-    // Gives those of `touches` (ascending order of the pair) that cannot meet as found the points along the normal
-    // of what holds them, and removes those without points there. The new points are valid until the next call.
-    void put_right(const StepScene& step, std::vector<Touch>& touches);
+    // Gives those of `touches` that cannot meet as found the points along the normal of what holds them, and removes
+    // those without points there. The new points are valid until the next call. `holders`: the touches that may hold.
+    void put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches);
+    void put_right(const StepScene& step, std::vector<Touch>& touches) { put_right(step, touches, touches); }
 
   private:
     // A new manifold of a touch.
@@ -35,7 +36,7 @@ class Seams {
     };
 
     void list(std::span<const Touch> touches, std::size_t bodies);
-    std::optional<Vector3> held_along(const Touch& touch, std::span<const Touch> touches,
+    std::optional<Vector3> held_along(const Touch& touch, std::span<const Touch> holders,
                                       const StepScene& step) const;
 
     // Touches of each body as linked lists: by body, and two per touch, indices into `next_` or -1.
