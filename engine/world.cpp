@@ -13,7 +13,7 @@ namespace pushfactor::engine {
 namespace {
 
 // Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
-// body of a chain of collisions each time; one of them finishes what was left unsolved.
+// body of a chain of collisions each time; before and after what was left unsolved is finished.
 constexpr int most_looks = 9;
 
 // Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
@@ -160,14 +160,15 @@ void World::carry_rows(double dt) {
 SolveWork World::solve_and_look(double dt) {
     SolveWork work = step_solver_.solve(problem());
     bool finished = false;
-    for (int look = 0; look < most_looks; ++look) {
+    for (int look = 0;; ++look) {
         const std::size_t known = rows_.size();
-        if (append_unforeseen(dt)) {
+        if (look < most_looks && append_unforeseen(dt)) {
             extend_system(rows_.all(), system_);
             work += step_solver_.solve_again(problem(), known);
         } else if (!finished) {
             work += step_solver_.finish(problem());
             finished = true;
+            look = -1;
         } else {
             break;
         }

@@ -166,9 +166,11 @@ std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescrip
     return memory;
 }
 
+// A ball at rest may go on turning in place (rest.h).
 bool moves(const BodyDescription& body) {
+    const bool turns = !body.angular_momentum.value_or(body.angular_velocity).isZero(0.0);
     return !body.linear_momentum.value_or(body.velocity).isZero(0.0) ||
-           !body.angular_momentum.value_or(body.angular_velocity).isZero(0.0);
+           (turns && !std::holds_alternative<SphereShape>(body.shape));
 }
 
 // Groups of bodies that came to rest together.

@@ -13,6 +13,9 @@ namespace {
 // Share of its size by which small steps may move a body differently than predicted.
 constexpr double loose = 0.1;
 
+// How often a pair is looked at in a step: each look is a step of Newton's method, and turns by less than the last.
+constexpr int most_looks_at_a_pair = 4;
+
 // Extra depth that a pair with rows may end the step with, as a fraction of the size.
 constexpr double deep = 0.02;
 
@@ -21,18 +24,22 @@ double path_of(const Shape& shape, double speed, double rate, double dt) {
     return dt * (speed + rate * std::sqrt(squared_turning_radius(shape)));
 }
 
-// Whether the constraint force moves the body fast and differently than predicted: by more than its margin, or
-// by more than `loose` of its size if the force comes from small steps.
+// Whether the body moves fast and otherwise than its rows know: because the constraint force moves it by more than
+// its margin, or by more than `loose` of its size if the force comes from small steps, or because it turns by as
+// much, in which no row follows it.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
                const StepScene& scene) {
     const double dt = scene.motions->dt;
-    const double speed = dt * body.inverse_mass * force.head<3>().norm();
-    const double rate = dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const double limit =
         size_of(collider.shape) * (kind == NewForce::of_small_steps ? loose : scene.detection.margin);
-    if (path_of(collider.shape, speed, rate, dt) <= limit) return false;
+    const double speed = dt * body.inverse_mass * force.head<3>().norm();
+    const double rate = dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const Motion& motion = scene.motions->path_of(collider.body);
-    return path_of(collider.shape, motion.velocity.norm(), motion.angular_velocity.norm(), dt) > limit;
+    const double turning = motion.angular_velocity.norm();
+    if (path_of(collider.shape, speed, rate, dt) <= limit && path_of(collider.shape, 0.0, turning, dt) <= limit) {
+        return false;
+    }
+    return path_of(collider.shape, motion.velocity.norm(), turning, dt) > limit;
 }
 
 double smallest_gap(std::span<const ContactPoint> points) {
@@ -43,6 +50,9 @@ double smallest_gap(std::span<const ContactPoint> points) {
 
 bool comes_before(const Touch& touch, const Pair& pair) {
     return touch.pair < pair;
+}
+bool comes_first(const Touch& a, const Touch& b) {
+    return a.pair < b.pair;
 }
 
 Moving moving(int collider, const StepScene& scene) {
@@ -86,6 +96,13 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
     return nullptr;
 }
 
+int ContinuousCollision::looks_at(const Pair& pair) const {
+    Touch of_pair;
+    of_pair.pair = pair;
+    const auto [first, last] = std::equal_range(found_.begin(), found_.end(), of_pair, comes_first);
+    return static_cast<int>(last - first);
+}
+
 // Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
@@ -114,6 +131,7 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     for (const Pair& pair : broad_phase.find_pairs_of(thrown_)) {
         Touch touch;
         const Touch* const first = known(pair);
+        if (looks_at(pair) >= most_looks_at_a_pair) continue;
         if (!(first ? ends_deep(*first, scene, touch) : find_touch(pair, scene, manifold_, touch))) continue;
         touch.points = points_.emplace_back(manifold_.points().begin(), manifold_.points().end());
         unforeseen_.push_back(touch);
@@ -121,8 +139,7 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
         touch.points = points_.emplace_back(touch.points.begin(), touch.points.end());  // seams may have new ones
-        const auto place = std::lower_bound(found_.begin(), found_.end(), touch.pair, comes_before);
-        if (!known(touch.pair)) found_.insert(place, touch);
+        found_.insert(std::upper_bound(found_.begin(), found_.end(), touch, comes_first), touch);
     }
     return unforeseen_;
 }

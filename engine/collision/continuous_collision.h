@@ -34,6 +34,7 @@ class ContinuousCollision {
     bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const NewForce> changed,
                     std::span<const int> awake, BroadPhase& broad_phase);
     const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
+    int looks_at(const Pair& pair) const;        // in this step
     bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);
 
     std::vector<bool> thrown_;  // by collider

@@ -101,7 +101,7 @@ void keep_carrying(const Turning& turning, const Matrix3& reference, int least, 
     if (manifold.count <= directions) return;
     const std::span<ContactPoint> points = manifold.points();
     const Outwards outwards = outwards_of(points, manifold.normal, reference);
-    const double slope = slope_of(turning, points);
+    const double slope = manifold.rounded ? slope_of(turning, points) : 1.0;
 
     std::array<bool, Manifold::most_points> kept;
     std::fill_n(kept.begin(), points.size(), false);

@@ -28,6 +28,10 @@ struct Manifold {
     // if the overlap along all of them is deep.
     double other_gap = -infinity;
 
+    // Whether the points are corners of a rounded surface, of which those farther out lie higher; otherwise they
+    // are in one plane.
+    bool rounded = false;
+
     Manifold() {}  // NOLINT(modernize-use-equals-default): the points stay uninitialised
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }
     std::span<ContactPoint> points() & { return {storage.data(), static_cast<std::size_t>(count)}; }
@@ -44,10 +48,10 @@ struct Turning {
 };
 
 // Keeps the points that may carry the shapes: the deepest ones at the end of the step after a turn about any axis
-// across the normal, of which the ends of the manifold move by `path` and `room`. A corner between two that are
-// kept sinks when the shapes roll from one to the other; so few directions of turning, from `least` to `most`, are
-// tried as keep that `allowed`. They are fixed in `reference` (a rotation that moves with one of the shapes) and
-// lie off the diagonals of a face, so that rounding does not choose between two points at one corner; for an
+// across the normal, of which the ends of a rounded manifold move by `path` and `room`. A corner between two that
+// are kept sinks when the shapes roll from one to the other; so few directions of turning, from `least` to `most`,
+// are tried as keep that `allowed`. They are fixed in `reference` (a rotation that moves with one of the shapes)
+// and lie off the diagonals of a face, so that rounding does not choose between two points at one corner; for an
 // elongated manifold they follow its long direction.
 void keep_carrying(const Turning& turning, const Matrix3& reference, int least, int most, Manifold& manifold);
 

@@ -20,8 +20,8 @@ Moving moving(int collider, const StepScene& step) {
     return {own.shape, step.poses[static_cast<std::size_t>(own.body)], step.motions->path_of(own.body)};
 }
 
-// Speed at which the shapes of a touch approach each other along `normal` (from a to b) at `point`, m/s. What turns in
-// itself does not come closer by turning.
+// Speed at which the shapes of a touch approach each other along `normal` (from a to b) at `point`, m/s. What turns
+// in itself does not come closer by turning.
 double closing(const Touch& touch, std::span<const Motion> motions, const Vector3& point, const Vector3& normal,
                const StepScene& step) {
     const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);

@@ -23,8 +23,9 @@ namespace pushfactor::engine::collision {
 
 class Seams {
   public:
-    // Gives those of `touches` that cannot meet as found the points along the normal of what holds them, and removes
-    // those without points there. The new points are valid until the next call. `holders`: the touches that may hold.
+    // Gives those of `touches` that cannot meet as found the points along the normal of what holds them, and
+    // removes those without points there. The new points are valid until the next call. `holders`: the touches that
+    // may hold.
     void put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches);
     void put_right(const StepScene& step, std::vector<Touch>& touches) { put_right(step, touches, touches); }
 

@@ -71,6 +71,7 @@ void collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pos
     manifold.count = 0;
     manifold.other_gap = -infinity;
     manifold.separation = infinity;
+    manifold.rounded = false;
     if (const Collide function = pair_table[a.index()][b.index()]) {
         function(a, pose_a, b, pose_b, margin, manifold);
     }

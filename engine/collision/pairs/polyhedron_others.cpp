@@ -50,6 +50,7 @@ void collide_polyhedron_plane(const Polyhedron& polyhedron, const Pose& pose, co
     const Vector3 up = plane_pose.rotation.col(1);
     const Hull& hull = polyhedron.mesh->hull();
     manifold.normal = -up;
+    manifold.rounded = true;
     for (std::size_t k = 0; k < hull.vertices.size(); ++k) {
         const Vector3 point = pose.position + pose.rotation * hull.vertices[k];
         const double gap = up.dot(point - plane_pose.position);
