@@ -133,7 +133,8 @@ Line with(Line line, const Option& option, const std::string& place) {
     const auto found = values.find(option.name);
     std::string value = found == values.end() ? "1" : found->second;
     // A parameter of a family has a range of its own.
-    const auto* const family = line.front() == "family" && line.size() > 2 ? families::find_family(line[1]) : nullptr;
+    const auto* const family =
+        line.front() == "family" && line.size() > 2 ? families::find_family(line[1]) : nullptr;
     for (std::size_t i = 0; family && i < family->parameters.size(); ++i) {
         const Parameter& range = family->parameters[i].range;
         if (range.name == option.name) value = to_text(range.low);
@@ -174,7 +175,8 @@ TEST_CASE("every option alone and in pairs, with every command, changes what is 
     std::vector<std::string> ignored;
     std::vector<Line> all_bases = bases;
     for (const SceneEntry& scene : catalogue()) all_bases.push_back({"scene", std::string(scene.name)});
-    for (const families::Family& family : families::families()) all_bases.push_back({"family", std::string(family.name)});
+    for (const families::Family& family : families::families())
+        all_bases.push_back({"family", std::string(family.name)});
     for (const Line& base : all_bases) {
         for (const std::string& word : base) ++accepted[word.substr(std::min<std::size_t>(2, word.size()))];
         const auto alone = read(base);
