@@ -279,10 +279,11 @@ std::vector<Option> check_options() {
 }
 
 AnyCommand read_check(Words& words) {
-    Check command{.folders = words.take_names(),
-                  .against = words.take("against"),
-                  .tolerance = words.take("tolerance"),
-                  .flip = words.take("flip")};
+    Check command;
+    command.folders = words.take_names();
+    command.against = words.take("against");
+    command.tolerance = words.take("tolerance");
+    command.flip = words.take("flip");
     if (command.folders.empty()) throw UsageError("check: a folder of expected pictures is missing");
     if (command.against && command.folders.size() != 1) {
         throw UsageError(fmt::format("--against {}: must be with one folder", *command.against));

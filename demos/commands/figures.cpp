@@ -111,7 +111,10 @@ std::vector<Option> figures_options() {
 }
 
 AnyCommand read_figures(Words& words) {
-    Figures command{.names = words.take_names(), .out = words.take("out"), .width = words.take("width")};
+    Figures command;
+    command.names = words.take_names();
+    command.out = words.take("out");
+    command.width = words.take("width");
     const bool on_paper = command.width && parse_length_mm(*command.width);
     const char* const must = "with a --width on paper, say 85mm";
     command.dpi = words.take("dpi", on_paper, must);

@@ -180,7 +180,9 @@ AnyCommand read_any_report(Words& words) {
 
 Report read_report(Words& words, const std::string& name) {
     const reports::Study study = find_study(name);
-    Report command{.name = name, .out = words.take("out")};
+    Report command;
+    command.name = name;
+    command.out = words.take("out");
     const auto take = [&words](const char* option, bool has_effect, const std::string& must) {
         return words.take(option, has_effect, must);
     };

@@ -61,12 +61,13 @@ std::vector<Option> run_options() {
 }
 
 AnyCommand read_run(Words& words) {
-    Run command{.files = take_files(words),
-                .summary = words.take("summary"),
-                .glb = words.take("glb"),
-                .replay = words.take("replay"),
-                .timing = words.take_flag("timing"),
-                .line = words.line()};
+    Run command;
+    command.files = take_files(words);
+    command.summary = words.take("summary");
+    command.glb = words.take("glb");
+    command.replay = words.take("replay");
+    command.timing = words.take_flag("timing");
+    command.line = words.line();
     command.replay_poses_only = take_poses_only(words, command.replay.has_value());
     std::vector<std::string> scenes = words.take_names();
     command.given = take_simulation(words, scenes, !command.timing);

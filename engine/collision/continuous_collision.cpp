@@ -35,7 +35,7 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     const double speed = dt * body.inverse_mass * force.head<3>().norm();
     const double rate = dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const Motion& motion = scene.motions->path_of(collider.body);
-    const double turning = motion.angular_velocity.norm();
+    const double turning = turns_in_itself(collider.shape) ? 0.0 : motion.angular_velocity.norm();
     if (path_of(collider.shape, speed, rate, dt) <= limit && path_of(collider.shape, 0.0, turning, dt) <= limit) {
         return false;
     }
@@ -65,7 +65,14 @@ Moving moving(int collider, const StepScene& scene) {
 void ContinuousCollision::begin(std::span<const Touch> touches) {
     known_ = touches;
     found_.clear();
-    points_.clear();
+    points_in_use_ = 0;
+}
+
+std::span<const ContactPoint> ContinuousCollision::keep(std::span<const ContactPoint> points) {
+    if (points_in_use_ == points_.size()) points_.emplace_back();
+    std::vector<ContactPoint>& kept = points_[points_in_use_++];
+    kept.assign(points.begin(), points.end());
+    return kept;
 }
 
 // Puts the boxes of the thrown ones along their new motion.
@@ -133,12 +140,12 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
         const Touch* const first = known(pair);
         if (looks_at(pair) >= most_looks_at_a_pair) continue;
         if (!(first ? ends_deep(*first, scene, touch) : find_touch(pair, scene, manifold_, touch))) continue;
-        touch.points = points_.emplace_back(manifold_.points().begin(), manifold_.points().end());
+        touch.points = keep(manifold_.points());
         unforeseen_.push_back(touch);
     }
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
-        touch.points = points_.emplace_back(touch.points.begin(), touch.points.end());  // seams may have new ones
+        touch.points = keep(touch.points);  // seams may have new ones
         found_.insert(std::upper_bound(found_.begin(), found_.end(), touch, comes_first), touch);
     }
     return unforeseen_;

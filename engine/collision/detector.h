@@ -26,13 +26,9 @@ struct Touch {
     std::span<const ContactPoint> points;
     // s, until the bodies meet; the lever arms of the rows belong to that time. 0: they touch, or are near.
     double time = 0.0;
-    bool ends_deep =
-        false;  // by the solution so far (continuous_collision.h): gaps are what is left of them to push out
-    bool doubtful = false;  // also overlaps by no more than `permitted` along another axis (seams.h)
+    bool ends_deep = false;  // by the solution so far: gaps are what is left to push out (continuous_collision.h)
+    bool doubtful = false;   // also overlaps by no more than `permitted` along another axis (seams.h)
 };
-
-// Sets colliders, bodies and size of the touch.
-void name_pair(const Pair& pair, std::span<const Collider> colliders, std::span<const Body> bodies, Touch& touch);
 
 // Friction and restitution of pairs of materials, in place of what their colliders would give. Symmetric.
 class MaterialPairs {
@@ -64,9 +60,6 @@ class MaterialPairs {
     std::size_t materials_;
     std::vector<Surface> surfaces_;
 };
-
-// Sets friction and restitution of the touch from its colliders, and `materials` unless null.
-void combine_surfaces(std::span<const Collider> colliders, const MaterialPairs* materials, Touch& touch);
 
 struct Detection {
     double margin = 0.0;     // fraction of the size; points with a smaller gap count

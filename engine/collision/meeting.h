@@ -5,9 +5,8 @@
 //   meets    at a time within the step: the contact has the normal and the points of that moment. The gap of such a
 //            point is the rest of its path along the normal, so its row aims at -gap/dt like that of every
 //            separated point, and the bodies end the step touching;
-//   is near  if it does not meet, but ends the step in the margin: the contact is that of the end, or of the start
-//   if
-//            nothing closes the gap. Its rows do nothing unless another body pushes it there;
+//   is near  if it does not meet, but ends the step in the margin: the contact is that of the end, or that of the
+//            start if nothing closes the gap. Its rows do nothing unless another body pushes it there;
 //   passes   if it has come and gone: no contact, however close or fast.
 // Points farther than the margin take part only if the pair touches or meets, and the rest of the step closes them.
 // A margin as wide as the path would instead stop bodies at faces that they pass ("ghost collisions").

@@ -68,8 +68,8 @@ bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch
     const double permitted = step.detection.permitted * touch.size, dt = step.motions->dt;
     const double gap = gap_along(touch, along, step);
     if (gap < -permitted) return false;
-    // Two that touch now may hold each other apart: then neither does.
-    if (touch.time == 0.0 &&
+    // Two in doubt that touch now may hold each other apart: then neither does.
+    if (touch.time == 0.0 && holder.doubtful &&
         gap_along(holder, seen_from(holder, body, seen_from(touch, body, touch.normal)), step) >= -permitted) {
         return false;
     }
@@ -143,7 +143,8 @@ std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Tou
         for (int place = first_[static_cast<std::size_t>(body)]; place >= 0;
              place = next_[static_cast<std::size_t>(place)]) {
             const Touch& holder = holders[static_cast<std::size_t>(place / 2)];
-            if (&holder == &touch || (holder.time > 0.0 && holder.time >= touch.time)) continue;
+            if (&holder == &touch || holder.points.empty()) continue;
+            if (holder.time > 0.0 && holder.time >= touch.time) continue;
             const Vector3 out = seen_from(holder, body, holder.normal);
             if (holds(holder, body, out, touch, step)) return seen_from(touch, body, out);
         }
@@ -154,26 +155,34 @@ std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Tou
 void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches) {
     found_.clear();
     points_.clear();
-    bool is_listed = false;
+    in_doubt_.clear();
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
-        if ((!touch.doubtful && touch.time == 0.0) || touch.ends_deep || has_plane(touch, step) ||
-            !closes(touch, step))
-            continue;
-        if (!is_listed) list(holders, step.bodies.size());
-        is_listed = true;
+        if ((touch.doubtful || touch.time > 0.0) && !touch.ends_deep && !has_plane(touch, step) &&
+            closes(touch, step)) {
+            in_doubt_.push_back(i);
+        }
+    }
+    if (in_doubt_.empty()) return;
+    list(holders, step.bodies.size());
+    // In order of time: what does not meet as found holds nothing.
+    std::sort(in_doubt_.begin(), in_doubt_.end(), [&](std::size_t i, std::size_t j) {
+        return std::pair(touches[i].time, i) < std::pair(touches[j].time, j);
+    });
+    for (const std::size_t i : in_doubt_) {
+        Touch& touch = touches[i];
         const std::optional<Vector3> normal = held_along(touch, holders, step);
         if (!normal) continue;
         collide_along(touch, *normal, step, manifold_);
-        found_.push_back({i, manifold_.points().size(), *normal});
+        found_.push_back({i, manifold_.points().size()});
         points_.insert(points_.end(), manifold_.points().begin(), manifold_.points().end());
+        touch.normal = *normal;
+        touch.time = 0.0;
+        touch.points = {};
     }
     std::span<const ContactPoint> left = points_;
     for (const Found& found : found_) {
-        Touch& touch = touches[found.touch];
-        touch.normal = found.normal;
-        touch.points = left.first(found.points);
-        touch.time = 0.0;
+        touches[found.touch].points = left.first(found.points);
         left = left.subspan(found.points);
     }
     if (!found_.empty()) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });

@@ -33,7 +33,6 @@ class Seams {
     // A new manifold of a touch.
     struct Found {
         std::size_t touch = 0, points = 0;  // index, number of points
-        Vector3 normal;
     };
 
     void list(std::span<const Touch> touches, std::size_t bodies);
@@ -42,6 +41,7 @@ class Seams {
 
     // Touches of each body as linked lists: by body, and two per touch, indices into `next_` or -1.
     std::vector<int> first_, next_;
+    std::vector<std::size_t> in_doubt_;
     std::vector<Found> found_;
     std::vector<ContactPoint> points_;  // of all touches with new ones
     Manifold manifold_;                 // scratch

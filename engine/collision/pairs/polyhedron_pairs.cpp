@@ -196,7 +196,7 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
 
 void collide_hulls_along(const Vector3& normal, const PlacedHull& a, const PlacedHull& b, double margin,
                          Manifold& manifold) {
-    Separation along;
+    Separation along{.normal = normal};
     double best = same_axis;
     const auto consider = [&](const PlacedHull& hull, double way, int& of_hull) {
         const Vector3 direction = way * (hull.pose().rotation.transpose() * normal);
@@ -204,7 +204,7 @@ void collide_hulls_along(const Vector3& normal, const PlacedHull& a, const Place
             const double cosine = hull.hull().face(f).normal.dot(direction);
             if (cosine <= best) continue;
             best = cosine;
-            along = {};
+            along = {.normal = normal};
             of_hull = f;
         }
     };
