@@ -441,31 +441,24 @@ void ContactConstraints::store_forces() {
         const collision::Touch* touch;
         std::size_t force;  // into forces_
     };
+    std::vector<Known> known;
     std::size_t force = 0;
-    for (const collision::Touch& touch : touches_) force += touch.points.size();
-    std::vector<Known> unforeseen;
-    for (const collision::Touch& touch : unforeseen_) {
-        unforeseen.push_back({&touch, force});
+    const auto add = [&](const collision::Touch& touch) {
+        known.push_back({&touch, force});
         force += touch.points.size();
-    }
-    std::sort(unforeseen.begin(), unforeseen.end(),
-              [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
-
-    const std::span<const ContactForce> forces(forces_);
-    const auto store = [&](const Known& known) {
-        cache_->store(*known.touch, forces.subspan(known.force, known.touch->points.size()));
     };
+    for (const collision::Touch& touch : touches_) add(touch);
+    for (const collision::Touch& touch : unforeseen_) add(touch);
+    std::stable_sort(known.begin(), known.end(),
+                     [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
+    // Of a pair that was found again the points of the start of the step stay.
+    const auto again = std::unique(known.begin(), known.end(),
+                                   [](const Known& a, const Known& b) { return a.touch->pair == b.touch->pair; });
     cache_->clear();
-    force = 0;
-    auto next = unforeseen.begin();
-    for (const collision::Touch& touch : touches_) {
-        for (; next != unforeseen.end() && next->touch->pair < touch.pair; ++next) store(*next);
-        store({&touch, force});
-        // For a pair found twice, keep the points of the start of the step.
-        if (next != unforeseen.end() && next->touch->pair == touch.pair) ++next;
-        force += touch.points.size();
+    const std::span<const ContactForce> forces(forces_);
+    for (const Known& own : std::span(known.begin(), again)) {
+        cache_->store(*own.touch, forces.subspan(own.force, own.touch->points.size()));
     }
-    for (; next != unforeseen.end(); ++next) store(*next);
 }
 
 }  // namespace pushfactor::engine

@@ -58,12 +58,9 @@ TEST_CASE("a settled step allocates nothing") {
         const MeasuredState moment = moment_at(choices, one.start, [] {});
         const Counts counts = count_steps(moment);
         Walk walk(moment);
+        walk.go(Walk::steps_counted);  // until what is solved now and then is planned too
         const Allocations taken = taken_by([&] { walk.go(Walk::steps_counted); });
         INFO(one.name);
-        // Kept forces allocate nothing; the first exact solve after a rest allocates once.
-        double exact = 0.0;
-        for (const auto& islands : counts.islands) exact += islands.exact;
-        if (exact > 0.0 && exact < 0.1) continue;
         // Pendulums that hold bodies by friction never settle: rows come and go, and their buffers grow now and
         // then.
         const double most = counts.sweeps > 0.0 ? 6.0 * Walk::steps_counted : 0.0;
