@@ -14,7 +14,7 @@ namespace {
 
 // Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
 // body of a chain of collisions each time; before and after what was left unsolved is finished.
-constexpr int most_looks = 9;
+constexpr int most_looks = 4;
 
 // Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
 // of a millisecond, while waking them takes some hundredths. Rows and bodies count as that many in addition to the

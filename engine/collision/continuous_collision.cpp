@@ -13,10 +13,8 @@ namespace {
 // Share of its size by which small steps may move a body differently than predicted.
 constexpr double loose = 0.1;
 
-// How often a pair is looked at in a step: each look is a step of Newton's method, and turns by less than the last.
-constexpr int most_looks_at_a_pair = 4;
-
-// Extra depth that a pair with rows may end the step with, as a fraction of the size.
+// Extra depth that a pair with rows may end the step with, as a fraction of the size: as the slop, what is seen of
+// no body.
 constexpr double deep = 0.02;
 
 // Upper bound on the path of a point of the shape [m].
@@ -103,13 +101,6 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
     return nullptr;
 }
 
-int ContinuousCollision::looks_at(const Pair& pair) const {
-    Touch of_pair;
-    of_pair.pair = pair;
-    const auto [first, last] = std::equal_range(found_.begin(), found_.end(), of_pair, comes_first);
-    return static_cast<int>(last - first);
-}
-
 // Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
@@ -138,7 +129,6 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     for (const Pair& pair : broad_phase.find_pairs_of(thrown_)) {
         Touch touch;
         const Touch* const first = known(pair);
-        if (looks_at(pair) >= most_looks_at_a_pair) continue;
         if (!(first ? ends_deep(*first, scene, touch) : find_touch(pair, scene, manifold_, touch))) continue;
         touch.points = keep(manifold_.points());
         unforeseen_.push_back(touch);

@@ -3,7 +3,8 @@
 // Contacts of bodies that move by themselves are found before the step is solved (meeting.h). Bodies thrown by a
 // collision of the same step are swept with their new motion once it is: if they would meet something without rows,
 // rows are added and the affected islands are solved again. If its own rows turn a body deep into what it touches,
-// the pair also gets the points of the end of the step.
+// the pair also gets the points of the end of the step; solved with them it ends elsewhere, so each look is a step
+// of Newton's method.
 //
 // Not from the paper, which has no continuous collision detection.
 #pragma once
@@ -21,10 +22,10 @@ class ContinuousCollision {
     void begin(std::span<const Touch> touches);
 
     // Touches that are missing once constraint forces act: with `scene.motions` under all forces, of pairs that
-    // have none, or that end the step deeper although they have; each pair at most once per step. `forces` [N and N
-    // m] are those of the constraints, one per body; only bodies marked in `changed` (one per body) have others
-    // than in the last of these calls. `awake`: colliders that are not at rest. Ascending order of the pair; valid
-    // until the next call, except for the points, which stay valid until the next begin().
+    // have none, or that end the step deeper although they have. `forces` [N and N m] are those of the constraints,
+    // one per body; only bodies marked in `changed` (one per body) have others than in the last of these calls.
+    // `awake`: colliders that are not at rest. Ascending order of the pair; valid until the next call, except for
+    // the points, which stay valid until the next begin().
     std::span<const Touch> look(const StepScene& scene, std::span<const Vector6> forces,
                                 std::span<const NewForce> changed, std::span<const int> awake,
                                 BroadPhase& broad_phase);
@@ -33,7 +34,6 @@ class ContinuousCollision {
     bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const NewForce> changed,
                     std::span<const int> awake, BroadPhase& broad_phase);
     const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
-    int looks_at(const Pair& pair) const;        // in this step
     bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);
     std::span<const ContactPoint> keep(std::span<const ContactPoint> points);  // until the step ends
 

@@ -4,10 +4,19 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// The largest of n . w over the unit vectors n of the arc between the normals of an edge's faces, given the larger
-// of the two ends: n is a sum of the ends with weights that add up to 1 at least and `bulge` at most.
-double most_on_arc(double larger_end, double bulge) {
-    return larger_end > 0.0 ? larger_end * bulge : larger_end;
+const Vector3& support_vertex(const Hull& hull, const Vector3& direction) {
+    return *std::max_element(hull.vertices.begin(), hull.vertices.end(), [&](const Vector3& p, const Vector3& q) {
+        return direction.dot(p) < direction.dot(q);
+    });
+}
+
+// The largest of n . w over the unit vectors n of the arc between the normals of an edge's faces. Inside the arc n
+// is a sum of its ends with weights that add up to `bulge` at most.
+double most_on_arc(const Hull& hull, const HullEdge& edge, const Vector3& w) {
+    const double left = hull.face(edge.left).normal.dot(w), right = hull.face(edge.right).normal.dot(w);
+    const auto [smaller, larger] = std::minmax(left, right);
+    const double cosine = 2.0 / (edge.bulge * edge.bulge) - 1.0;  // between the ends
+    return larger > 0.0 && smaller > cosine * larger ? larger * edge.bulge : larger;
 }
 
 }  // namespace
@@ -53,25 +62,15 @@ double HullAxes::large_face_gap() const {
     return of_b < 0 ? along_face_of_a(of_a) : along_face_of_b(of_b);
 }
 
-void HullAxes::list_edges_of_a(double least, EdgeList& list) const {
-    const Hull& hull = a_.hull();
-    const double ball = b_.hull().inner_radius;
-    for (int number = 0; number < static_cast<int>(hull.edges.size()); ++number) {
-        const HullEdge& edge = hull.edge(number);
-        const Vector3 way = offset_ - hull.vertex(edge.from);
-        const double end = std::max(hull.face(edge.left).normal.dot(way), hull.face(edge.right).normal.dot(way));
-        if (most_on_arc(end, edge.bulge) - ball > least) list.add(number);
-    }
-}
-
-void HullAxes::list_edges_of_b(double least, EdgeList& list) const {
-    const Hull& hull = b_.hull();
-    const double ball = a_.hull().inner_radius;
-    for (int number = 0; number < static_cast<int>(hull.edges.size()); ++number) {
-        const HullEdge& edge = hull.edge(number);
-        const Vector3 way = back_ - hull.vertex(edge.from);
-        const double end = std::max(hull.face(edge.left).normal.dot(way), hull.face(edge.right).normal.dot(way));
-        if (most_on_arc(end, edge.bulge) - ball > least) list.add(number);
+void HullAxes::list_edges(const Hull& own, const Hull& other, const Matrix3& turn, const Vector3& offset,
+                          double least, EdgeList& list) {
+    for (int number = 0; number < static_cast<int>(own.edges.size()); ++number) {
+        const HullEdge& edge = own.edge(number);
+        const Vector3 way = offset - own.vertex(edge.from);
+        if (most_on_arc(own, edge, way) - other.inner_radius <= least) continue;
+        const Vector3 middle = own.face(edge.left).normal + own.face(edge.right).normal;
+        const Vector3 deepest = turn * support_vertex(other, -(turn.transpose() * middle));
+        if (most_on_arc(own, edge, way + deepest) > least) list.add(number);
     }
 }
 

@@ -2,7 +2,8 @@
 // edges whose arcs cross on the Gauss map. The other pairs of edges do not support the polyhedra on both sides of
 // their common plane (Gregorius 2013, "The separating axis test between convex polyhedra").
 //
-// Axes that cannot matter are left out by a bound: b reaches at least as far as the ball in it.
+// Axes that cannot matter are left out by bounds: a polyhedron reaches at least as far as the ball in it, and as
+// any point of it.
 #pragma once
 
 #include "engine/collision/pairs/placed_hull.h"
@@ -48,9 +49,9 @@ class HullAxes {
     template <typename Visit>
     void visit_edges(double least, const Visit& visit) const {
         EdgeList of_a, of_b;
-        list_edges_of_a(least, of_a);
+        list_edges(a_.hull(), b_.hull(), turn_, offset_, least, of_a);
         if (of_a.count == 0) return;
-        list_edges_of_b(least, of_b);
+        list_edges(b_.hull(), a_.hull(), turn_.transpose(), back_, least, of_b);
         for (int j = 0; j < of_b.count; ++j) {
             const int number_b = of_b.numbers[static_cast<std::size_t>(j)];
             const EdgeOfB edge_b = edge_of_b(number_b);
@@ -78,8 +79,10 @@ class HullAxes {
         Vector3 against_left, against_right;  // normals of its faces, reversed
     };
 
-    void list_edges_of_a(double least, EdgeList& list) const;
-    void list_edges_of_b(double least, EdgeList& list) const;
+    // Those of `own` of which an axis may have more than `least` [m]. `turn`: from the frame of the other to its
+    // own; `offset` [m]: origin of the other in its own frame.
+    static void list_edges(const Hull& own, const Hull& other, const Matrix3& turn, const Vector3& offset,
+                           double least, EdgeList& list);
     EdgeOfB edge_of_b(int number) const;
     // Whether the arcs of the two edges cross; then the axis from a to b and the gap along it.
     bool cross(int number_a, const EdgeOfB& edge_b, Vector3& normal, double& gap) const;

@@ -39,7 +39,7 @@ Axes separate(const HullAxes& axes, double rounding, double much, double margin,
         if (separation.gap > group.gap + rounding) group = separation;
     });
     if (best.largest() >= margin) return best;
-    axes.visit_edges(best.largest_face(), [&](const Separation& separation) {
+    axes.visit_edges(best.largest_face() + rounding, [&](const Separation& separation) {
         if (separation.gap > best.edges.gap + rounding) best.edges = separation;
     });
     return best;
