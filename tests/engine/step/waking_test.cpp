@@ -186,26 +186,34 @@ TEST_CASE(
 }
 
 TEST_CASE("to come to rest and to be woken brings no energy, over and over") {
-    ContactScene scene;
-    scene.add_ground();
-    for (int i = 0; i < 12; ++i) {
-        scene.add_box({1.0, 0.5 + 0.05 * i, 1.0}, {0.1 * (i % 3), 0.6 + 0.9 * i, 0.08 * (i % 4)});
-    }
-    build(scene);
-    // They fall and settle first.
-    while (scene.world.step(dt).at_rest < 12) REQUIRE(scene.world.time() < 30.0);
-    double highest = 0.0;
-    const double start = energy(scene.world);
-    int rested = 0;
-    for (int round = 0; round < 20; ++round) {
-        scene.world.rest->wake_all();
-        for (int i = 0; i < 60; ++i) {
-            rested += scene.world.step(dt).at_rest == 12;
-            highest = std::max(highest, energy(scene.world) - start);
+    for (const double gap : {0.9, 0.905, 0.915, 0.92, 0.929}) {
+        ContactScene scene;
+        scene.add_ground();
+        for (int i = 0; i < 12; ++i) {
+            scene.add_box({1.0, 0.5 + 0.05 * i, 1.0}, {0.1 * (i % 3), 0.6 + gap * i, 0.08 * (i % 4)});
         }
+        build(scene);
+        // They fall and settle first.
+        while (scene.world.step(dt).at_rest < 12) REQUIRE(scene.world.time() < 30.0);
+        int rested = 0;
+        const auto highest_in = [&](int rounds) {
+            const double start = energy(scene.world);
+            double highest = 0.0;
+            for (int round = 0; round < rounds; ++round) {
+                scene.world.rest->wake_all();
+                for (int i = 0; i < 60; ++i) {
+                    rested += scene.world.step(dt).at_rest == 12;
+                    highest = std::max(highest, energy(scene.world) - start);
+                }
+            }
+            return highest / start;
+        };
+        INFO("gap " << gap);
+        // The first time takes away what the solver had left of overlaps when they came to rest: nanometres.
+        CHECK(highest_in(1) < 1e-7);
+        CHECK(highest_in(19) < 1e-9);
+        CHECK(rested > 20);
     }
-    CHECK(rested > 20);
-    CHECK(highest < 1e-9 * start);
 }
 
 TEST_CASE("a heap that rests and is hit at 20 m/s spends the energy that it got, and comes to rest anew") {
