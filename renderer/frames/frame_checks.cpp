@@ -2,8 +2,6 @@
 
 #include "renderer/base/renderer_error.h"
 
-#include <glm/gtc/color_space.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -50,12 +48,6 @@ std::string status_name(GLenum status) {
         default:
             return hexadecimal(status);
     }
-}
-
-std::string text_of(const glm::vec3& point) {
-    std::ostringstream text;
-    text << '(' << point.x << ", " << point.y << ", " << point.z << ')';
-    return text.str();
 }
 
 }  // namespace
