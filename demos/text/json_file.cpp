@@ -125,12 +125,12 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
             fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
     }
     try {
-        if (sound) return Json::parse(text);
-        static_cast<void>(Json::parse(text));
-        throw UsageError(fmt::format("{}: is not JSON", label));
+        Json json = Json::parse(text);
+        if (sound) return json;
     } catch (const Json::exception& problem) {
         refuse(label, text, place, problem);
     }
+    throw UsageError(fmt::format("{}: is not JSON", label));
 }
 
 }  // namespace pushfactor::demos
