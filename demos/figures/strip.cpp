@@ -5,6 +5,7 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/overlay.h"
+#include "demos/pictures/overlays/scale.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
@@ -53,7 +54,8 @@ View camera_of(const Strip& strip, double aspect, double label) {
     });
     const BuiltScene scene = build_scene(strip.runs.front());
     pictures::add_support(scene, outline);
-    const pictures::Subject subject = pictures::with_room(pictures::subject_of(scene, outline), label, 0.0);
+    pictures::Subject subject = pictures::with_room(pictures::subject_of(scene, outline), label, 0.0);
+    subject.shadow.clear();  // cells are compared: the bodies are in the middle of each
     return pictures::composed(view, subject, aspect);
 }
 
@@ -201,6 +203,12 @@ Sheet draw_strip(FigureOutput& output, const Strip& strip) {
             for (SheetLayer& layer : sheet.layers)
                 lettering.name(layer.image, cells[i], strip.cells[i].label, room.size);
         }
+    }
+    if (strip.overlay) {
+        const pictures::Scale scale{strip.overlay->kind, *strip.overlay->units_a_metre};
+        const pictures::LegendLine line =
+            legend_line(pictures::entries_of(scale.kind).front(), scale, view, layout.cell.height);
+        for (SheetLayer& layer : sheet.layers) lettering.legend(layer.image, cells.back(), {line}, room.size);
     }
     return sheet;
 }

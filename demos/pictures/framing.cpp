@@ -42,6 +42,10 @@ struct Edges {
 
 }  // namespace
 
+double distance_of(const View& view) {
+    return (view.target - view.eye).norm();
+}
+
 double half_tangent(const View& view) {
     return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
 }

@@ -27,6 +27,9 @@ Place place_in_picture(const engine::Vector3& point, const View& view, double as
 // Half the height of what is seen at a distance of 1.
 double half_tangent(const View& view);
 
+// From the eye to the target [m].
+double distance_of(const View& view);
+
 // The view from the same direction, as close as possible with all balls in the picture and some space around them.
 // `aspect` is width over height.
 View fitted(const View& view, std::span<const Ball> balls, double aspect);

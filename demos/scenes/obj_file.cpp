@@ -1,6 +1,5 @@
 #include "demos/scenes/obj_file.h"
 
-#include "demos/text/errors.h"
 #include "demos/text/input.h"
 #include "demos/text/numbers.h"
 #include "engine/base/invalid_input.h"
@@ -35,12 +34,7 @@ engine::Vector3 vertex_of(std::istringstream& words, const std::string& where) {
 }  // namespace
 
 std::vector<engine::Vector3> read_obj_points(const std::filesystem::path& file) {
-    std::istringstream lines;
-    try {
-        lines.str(read_input(file, file.string()));
-    } catch (const UsageError&) {
-        throw engine::InvalidInput("file", file.string(), "a Wavefront OBJ file with vertices");
-    }
+    std::istringstream lines(read_input(file, file.string()));
     std::vector<engine::Vector3> points;
     int number = 1;
     for (std::string line; std::getline(lines, line); ++number) {

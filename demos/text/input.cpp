@@ -56,6 +56,10 @@ std::string read_input(const std::filesystem::path& file, const std::string& lab
         }
     }
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    if (text.starts_with("version https://git-lfs")) {
+        throw UsageError(
+            fmt::format("{}: is a Git LFS pointer and not the file, which `git lfs pull` brings", label));
+    }
     if (!S_ISREG(about.st_mode)) kept.emplace(file, text);
     return text;
 }

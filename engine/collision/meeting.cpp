@@ -12,7 +12,7 @@ namespace {
 
 // Distance at which two bodies have met, as a fraction of the size: the gap up to which rows with the default slop
 // count a point as touching (contact_row.cpp).
-constexpr double met = 2e-6;
+constexpr double meeting_gap = 2e-6;
 
 // By how much a corner may sink that the manifold leaves out, as a fraction of the size: as the slop, what is seen
 // of no body.
@@ -116,7 +116,7 @@ double closing_speed(const Motion& a, const Vector3& centre_a, const Motion& b, 
 bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time) {
     time = 0.0;
     collide(a.shape, a.start, b.shape, b.start, encounter.margin, manifold);
-    const double gap = smallest_gap(manifold), tolerance = met * encounter.size;
+    const double gap = smallest_gap(manifold), tolerance = meeting_gap * encounter.size;
     if (gap > tolerance) {
         const double reach = approach(a, b, manifold.normal, encounter.dt);
         Course course;

@@ -8,25 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace pushfactor::demos::pictures {
 
 namespace {
 
 constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' views are made
-
-double distance_of(const View& view) {
-    return (view.target - view.eye).norm();
-}
-
-// 1, 2 or 5 times a power of ten, at most `value`.
-double round_number(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    const double digit = value / power;
-    return power * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
-}
 
 }  // namespace
 
@@ -129,19 +116,11 @@ Snapshot Film::look(const std::string& name) const {
 
 std::vector<LegendLine> Film::legend(const View& view) const {
     std::vector<LegendLine> lines;
-    const double distance = distance_of(view);
-    const double pixels_a_metre = 0.5 * layout_.cell.height / (distance * half_tangent(view));
     for (const Scale& scale : scales_) {
         const std::vector<LegendEntry> entries = entries_of(scale.kind);
-        const double example = round_number(1.3 * typical_arrow * distance * scale.units_a_metre);
         for (std::size_t i = 0; i < entries.size(); ++i) {
             if (!survey_.shown.contains({scale.kind, i})) continue;
-            const bool points = entries[i].unit.empty();
-            lines.push_back(
-                {.colour = entries[i].colour,
-                 .text = points ? entries[i].name
-                                : fmt::format("{}, {:g} {}", entries[i].name, example, entries[i].unit),
-                 .arrow = points ? 0.0f : static_cast<float>(example / scale.units_a_metre * pixels_a_metre)});
+            lines.push_back(legend_line(entries[i], scale, view, layout_.cell.height));
         }
     }
     return lines;

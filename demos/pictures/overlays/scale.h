@@ -1,6 +1,8 @@
 // Scales of arrows, one for a whole run.
 #pragma once
 
+#include "demos/pictures/lettering.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/survey.h"
 
 #include <vector>
@@ -17,5 +19,9 @@ inline constexpr double typical_arrow = 0.11;
 
 // As given, or such that a typical value of the survey makes a typical arrow in `view`.
 std::vector<Scale> scales_of(const std::vector<OverlayItem>& overlay, const Survey& survey, const View& view);
+
+// With an arrow as long as a round number of the entry's unit is at the target of `view`, in a picture of `height`
+// pixels; points have none.
+LegendLine legend_line(const LegendEntry& entry, const Scale& scale, const View& view, int height);
 
 }  // namespace pushfactor::demos::pictures

@@ -2,6 +2,7 @@
 
 #include "demos/scenes/convex_hull.h"
 #include "demos/scenes/obj_file.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -31,11 +32,15 @@ std::vector<Vector3> read_points(const JsonReader& json) {
 }
 
 std::vector<Vector3> read_obj(const JsonReader& json, const std::filesystem::path& folder) {
+    std::string fault;
     try {
         return read_obj_points(folder / json.string());
-    } catch (const engine::InvalidInput&) {
-        json.refuse("a Wavefront OBJ file with vertices, by its path from the folder of this file");
+    } catch (const engine::InvalidInput& problem) {
+        fault = problem.what();
+    } catch (const UsageError& problem) {
+        fault = problem.what();
     }
+    json.refuse("a Wavefront OBJ file with vertices, by its path from the folder of this file; " + fault);
 }
 
 }  // namespace

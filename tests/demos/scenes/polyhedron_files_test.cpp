@@ -231,6 +231,25 @@ TEST_CASE("the hull of an OBJ file is taken, whose path begins at the scene file
         Catch::Contains("bodies[0].obj_file \"none.obj\": must be a Wavefront OBJ file with vertices"));
 }
 
+TEST_CASE("what is wrong with an OBJ file is named with its line and its word") {
+    const Folder folder;
+    folder.write("my.json",
+                 scene_of(R"({"name": "a", "shape": "polyhedron", "obj_file": "it.obj", "mass_kg": 1})"));
+    const std::vector<std::pair<const char*, const char*>> cases = {
+        {"v 0 0 0\nv 1,5 0,0 0,0\n", "line 2 \"1,5\": must be a vertex of three numbers with decimal points"},
+        {"v 0 0 nan\n", "line 1 \"nan\""},
+        {"v 0 0\n", "line 1 a vertex with too few words"},
+        {"v 0 0 0 red\n", "line 1 \"red\": must be a number"},
+        {"f 1 2 3\n", "with vertices"},
+        {"version https://git-lfs.github.com/spec/v1\n", "is a Git LFS pointer and not the file"},
+    };
+    for (const auto& [text, fault] : cases) {
+        folder.write("it.obj", text);
+        CHECK_THROWS_WITH(read_scene_file(folder / "my.json"),
+                          Catch::Contains("bodies[0].obj_file \"it.obj\"") && Catch::Contains(fault));
+    }
+}
+
 TEST_CASE("density times volume is the mass of boxes, balls and polyhedra") {
     const SceneDescription scene = read(scene_of(R"(
         {"name": "box", "shape": "box", "size_m": [1, 2, 3], "density_kg_per_m3": 10},
