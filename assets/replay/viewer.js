@@ -1,7 +1,7 @@
 // The page: clock, camera, what is shown, and what other programs may ask (window.pushfactor, see the README of demos).
 const $ = (id) => document.getElementById(id);
 const about = JSON.parse($("run").textContent);
-const end = $("end") ? JSON.parse($("end").textContent) : {frames: 0, runs: [], note: "The file ends before the run does."};
+const end = JSON.parse($("end").textContent);
 const kinds = ["contacts", "forces", "push", "velocities"];
 const measures = [
     {title: "Energy", unit: "J", of: [["kinetic", (m) => m[0]], ["potential", (m) => m[1]], ["sum", (m) => m[0].map((x, i) => x + m[1][i])]]},
@@ -187,13 +187,15 @@ const drawMarks = (marks, run) => {
     }
 };
 
-// Stored velocities if the file has them, else those between frames.
+// Stored velocities if the file has them, else those between frames: this one and the one before, or at the beginning of
+// a block the one after.
 const velocityOf = (run, i) => {
     const stored = tracks[run].velocity(state.frame, i);
     if (stored) return {...stored, isStored: true};
-    const body = tracks[run].stage.recorded[i], frame = Math.min(Math.max(state.frame, 1), lastFrame);
-    const block = tracks[run].block(frame), values = tracks[run].part("poses", frame);
-    if (frame <= block.first || values instanceof Promise) return {linear: [0, 0, 0], angular: [0, 0, 0]};
+    const body = tracks[run].stage.recorded[i];
+    const block = tracks[run].block(state.frame), values = tracks[run].part("poses", state.frame);
+    if (block.count < 2 || values instanceof Promise) return {linear: [0, 0, 0], angular: [0, 0, 0]};
+    const frame = Math.max(state.frame, block.first + 1);
     const number = (k, at) => values[(7 * i + k) * block.count + at - block.first] * tracks[run].units[body];
     return {linear: [0, 1, 2].map((k) => (number(k, frame) - number(k, frame - 1)) / seconds), angular: [0, 0, 0]};
 };

@@ -12,8 +12,11 @@ namespace pushfactor::demos {
 std::vector<std::string> csv_cells(const std::string& line) {
     std::vector<std::string> cells(1);
     bool quoted = false;
-    for (const char c : line) {
-        if (c == '"') {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+            cells.back() += line[++i];  // doubled: one of the text
+        } else if (c == '"') {
             quoted = !quoted;
         } else if (c == ',' && !quoted) {
             cells.emplace_back();

@@ -23,6 +23,7 @@ Rows read(const std::string& text) {
 TEST_CASE("cells may be in quotes, comments are left out, and joined files have several headings") {
     CHECK(read("# made by hand\nname,value\n\"a, b\",1\n# no\nname,value\nc,\n") == Rows{{"a, b", "1"}, {"c", ""}});
     CHECK(read("name,value\n").empty());
+    CHECK(read("name,value\n\"a \"\"b\"\", c\",\"\"\n") == Rows{{"a \"b\", c", ""}});
 }
 
 TEST_CASE("a CSV file that is none names the line and what it must be") {
