@@ -60,7 +60,7 @@ std::string figure_of(const Section& section) {
     const Plate& plate = section.plate;
     const std::string caption = plate.caption.empty() ? "" : shown(plate.caption);
     if (plate.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
-    std::string text = "<figure>\n";
+    std::string text = plate.pictures.size() == 2 ? "<figure class=\"pair\">\n" : "<figure>\n";
     for (const std::string& picture : plate.pictures) {
         text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", html::link_to(picture),
                             html::escaped(section.heading));

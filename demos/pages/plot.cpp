@@ -111,7 +111,7 @@ void add_plot(const Plot& plot, const std::string& text, const fs::path& folder,
     write_file(folder / plot.data, text);
     plate.files.push_back(plot.data);
     if (!find_program("gnuplot")) {
-        plate.caption += what_plots_need;
+        if (!plate.caption.ends_with(what_plots_need)) plate.caption += what_plots_need;
         return;
     }
     plate.pictures.push_back(draw(plot, "png", folder));

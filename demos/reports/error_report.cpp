@@ -14,9 +14,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 
 namespace pushfactor::demos::reports {
 
@@ -24,6 +27,8 @@ namespace {
 
 using namespace error;
 using engine::VectorX;
+
+constexpr std::array answered{1e-2, 1e-4, 1e-6, 1e-8};  // errors of the first table
 
 using MakeWork = std::function<double(const ErrorPoint&)>;
 
@@ -133,6 +138,7 @@ class ErrorReport {
         }
         if (!plan_.problems.empty()) add_problems();
         if (!plan_.consistency.cases.empty()) add_consistency();
+        put_answer_first();
         write_page();
     }
 
@@ -146,24 +152,63 @@ class ErrorReport {
         }
         run_.write("error.csv", table_of(points_));
         const auto points = std::span<const ErrorPoint>(points_).subspan(first);
+        Plate plate;
+        plate.caption = sweep.caption + numbers_of(points);
+        WorkPlot plot;
         for (const bool seconds : {false, true}) {
-            WorkPlot plot{.name = file_name(seconds ? "error_cpu_" : "error_", sweep.name),
-                          .error_axis = sweep.error_axis,
-                          .work_axis = seconds        ? "CPU time [s] a simulated second"
-                                       : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
-                                                      : "moves of the bodies a simulated second",
-                          .machine = run_.machine(),
-                          .lines = lines_of(sweep, points,
-                                            [&](const ErrorPoint& point) {
-                                                if (seconds) return point.cpu.median;
-                                                return sweep.solves ? point.multiply_adds : point.moves;
-                                            }),
-                          .theory = {}};
+            plot = {.name = file_name(seconds ? "error_cpu_" : "error_", sweep.name),
+                    .error_axis = sweep.error_axis,
+                    .work_axis = seconds        ? "CPU time [s] a simulated second"
+                                 : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
+                                                : "moves of the bodies a simulated second",
+                    .machine = run_.machine(),
+                    .lines = lines_of(sweep, points,
+                                      [&](const ErrorPoint& point) {
+                                          if (seconds) return point.cpu.median;
+                                          return sweep.solves ? point.multiply_adds : point.moves;
+                                      }),
+                    .theory = {}};
             // Part of the CPU time does not depend on the knob, so theory does not apply to it.
             if (!seconds) plot.theory = theory_of(sweep, plot.lines);
-            add(plot, sweep.title + (seconds ? ", CPU time" : ""), sweep.caption + numbers_of(points));
-            if (seconds) add_others(sweep, plot);
+            draw_work_plot(plot, run_.folder(), plate);
         }
+        add_answer(sweep, plot.lines, plate);
+        run_.sections.push_back({file_name("error_", sweep.name), sweep.title, std::move(plate)});
+        add_others(sweep, plot);
+    }
+
+    // Which method reaches an error in the least CPU time; `lines` are over that time.
+    void add_answer(const Experiment& sweep, std::span<const WorkLine> lines, const Plate& drawn) {
+        std::vector<std::string>& row = answers_.emplace_back();
+        row = {sweep.title, sweep.error_axis};
+        for (const double error : answered) {
+            const auto [line, point] = cheapest(lines, error);
+            row.push_back(point ? fmt::format("{} ({}), {:.2g} ms", line->name, point->label, 1e3 * point->work)
+                                : "not reached");
+            if (point) ++wins_[line->name];
+        }
+        // One figure: the first.
+        if (answer_pictures_.empty() && drawn.pictures.size() == 2) answer_pictures_ = {drawn.pictures.back()};
+    }
+
+    void put_answer_first() {
+        if (answers_.size() < 2) return;
+        std::vector<std::pair<std::string, int>> wins(wins_.begin(), wins_.end());
+        std::ranges::stable_sort(wins, [](const auto& a, const auto& b) { return a.second > b.second; });
+        std::vector<std::string> counts;
+        for (const auto& [name, count] : wins) counts.push_back(fmt::format("{} {}", name, count));
+        Plate plate;
+        plate.pictures = answer_pictures_;
+        plate.table = answers_;
+        plate.caption = fmt::format(
+            "For each scene the method that reaches an error in the least CPU time of the steps per simulated "
+            "second, and in "
+            "brackets its iterations, tolerance or step. How often each is the fastest: {}. The figure is that of "
+            "the first "
+            "scene; both of its axes are logarithmic, as in all figures of this page.",
+            fmt::join(counts, ", "));
+        run_.sections.insert(run_.sections.begin(),
+                             {"answer", "Which method reaches which error in which time", std::move(plate)});
     }
 
     // The same plot with other engines, if there are any.
@@ -282,6 +327,9 @@ class ErrorReport {
     std::vector<ContactMoment> exports_;
     std::vector<ErrorPoint> points_;
     std::vector<FrozenPoint> frozen_;
+    TextTable answers_{{"scene", "error", "1e-2", "1e-4", "1e-6", "1e-8"}};
+    std::vector<std::string> answer_pictures_;
+    std::map<std::string, int> wins_;  // by method
 };
 
 }  // namespace

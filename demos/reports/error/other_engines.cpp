@@ -130,16 +130,8 @@ TextTable who_is_faster(std::span<const WorkLine> ours, std::span<const ErrorPoi
             table.push_back({method, "fell or blew up", "", "", ""});
             continue;
         }
-        const WorkPoint* least = nullptr;
-        std::string by;
-        for (const WorkLine& line : ours) {
-            for (const WorkPoint& point : line.points) {
-                if (point.failed || !(point.error <= best->errors.front().value)) continue;
-                if (least && least->work <= point.work) continue;
-                least = &point;
-                by = fmt::format("{}, {}", line.name, point.label);
-            }
-        }
+        const auto [line, least] = cheapest(ours, best->errors.front().value);
+        const std::string by = least ? fmt::format("{}, {}", line->name, least->label) : "";
         table.push_back({fmt::format("{}, {} {}", method, best->knob, best->value),
                          fmt::format("{:.2g}", best->errors.front().value), text_of(best->cpu.median),
                          least ? text_of(least->work) : "not reached", by});

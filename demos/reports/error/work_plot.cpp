@@ -195,6 +195,17 @@ std::string in_quotes(const std::string& word) {
 
 }  // namespace
 
+Cheapest cheapest(std::span<const WorkLine> lines, double error) {
+    Cheapest best;
+    for (const WorkLine& line : lines) {
+        for (const WorkPoint& point : line.points) {
+            if (point.failed || !(point.error <= error)) continue;
+            if (!best.point || point.work < best.point->work) best = {&line, &point};
+        }
+    }
+    return best;
+}
+
 std::string colour_of_solver(const std::string& method) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 9> colours{
         {{"pgs", "blue"},

@@ -4,6 +4,7 @@
 #include "demos/pages/page.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,13 @@ struct WorkLine {
     int mark = 7;        // gnuplot's point type
     std::vector<WorkPoint> points;
 };
+
+// The point of the least work whose error is at most `error`, and its line; null if none reaches it.
+struct Cheapest {
+    const WorkLine* line = nullptr;
+    const WorkPoint* point = nullptr;
+};
+Cheapest cheapest(std::span<const WorkLine> lines, double error);
 
 // Colour of a method by the solver that its name begins with, the same on all plots: "pgs, cold".
 std::string colour_of_solver(const std::string& method);

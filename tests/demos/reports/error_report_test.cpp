@@ -4,6 +4,9 @@
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 
+#include <array>
+#include <cstdio>
+#include <map>
 #include <set>
 
 using namespace pushfactor::tests;
@@ -24,6 +27,35 @@ std::vector<std::vector<std::string>> without_times(const std::string& csv) {
         lines.push_back(row);
     }
     return lines;
+}
+
+// The page begins with the cheapest point of each scene for an error of 1e-6, as a search in error.csv finds it.
+void check_answers(const std::string& csv, const std::string& page) {
+    const std::size_t answer = page.find("<section"), next = page.find("<section", answer + 1);
+    const std::string shown = page.substr(answer, next - answer);
+    CHECK(shown.find("Which method reaches which error in which time") != std::string::npos);
+    std::map<std::string, std::pair<double, std::string>> cheapest;  // by scene and measure: the first is plotted
+    std::map<std::string, std::string> measures;
+    std::istringstream stream(csv);
+    std::string line;
+    std::getline(stream, line);
+    std::getline(stream, line);
+    while (std::getline(stream, line)) {
+        const auto row = fields_of(line);
+        measures.emplace(row[0], row[5]);
+        if (measures[row[0]] != row[5] || row[13] == "fall" || row[13] == "non-finite") continue;
+        if (std::stod(row[6]) > 1e-6) continue;
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), "%.2g ms", 1e3 * std::stod(row[9]));
+        auto& best = cheapest.try_emplace(row[0], 1e9, "").first->second;
+        if (std::stod(row[9]) < best.first)
+            best = {std::stod(row[9]), row[1] + " (" + row[4] + "), " + time.data()};
+    }
+    REQUIRE(cheapest.size() == 2);
+    for (const auto& [scene, best] : cheapest) {
+        INFO(scene << ": " << best.second);
+        CHECK(shown.find(best.second) != std::string::npos);
+    }
 }
 
 }  // namespace
@@ -57,6 +89,7 @@ TEST_CASE("one command makes tables, plots and a page, and a second one the same
         }
     }
     CHECK(folder.read("a/about.json").find("\"compiler\"") != std::string::npos);
+    check_answers(folder.read("a/error.csv"), page);
 }
 
 TEST_CASE("the quick report makes everything", "[long]") {
