@@ -18,8 +18,8 @@ set lmargin at screen 0.095
 set rmargin at screen 0.735
 set tmargin at screen 0.915
 set bmargin at screen 0.135
-set xlabel x_axis noenhanced
-set ylabel y_axis noenhanced
+set xlabel x_axis.(x_logarithmic ? ', logarithmic' : '') noenhanced
+set ylabel y_axis.(y_logarithmic ? ', logarithmic' : '') noenhanced
 share = (format eq 'svg' ? 1.0 : 0.75) * letters
 small = sprintf(',%.1f', 0.7 * share)
 inner = sprintf(',%.1f', 0.85 * share)

@@ -11,7 +11,7 @@ set yrange [bars - 0.4:-0.6]
 set border 1
 set ytics scale 0
 unset mytics
-set xlabel 'CPU time of a step [us]'
+set xlabel 'CPU time of a step [us], logarithmic'
 set label 2 made_on at screen 0.99, screen 18.0 / height right font small textcolor rgb '#888888' noenhanced
 set key at screen 0.24, screen 1.0 - 25.0 / height top left horizontal maxrows 1 samplen 1.2 Left reverse
 plot data using 2:0:($3 - $2):(0) with vectors nohead linewidth 4 linecolor rgb ivory notitle, \

@@ -12,8 +12,8 @@ set lmargin at screen 0.085
 set rmargin at screen 0.745
 set tmargin at screen 0.965
 set bmargin at screen 0.12
-set xlabel error_axis
-set ylabel work_axis
+set xlabel error_axis.', logarithmic'
+set ylabel work_axis.', logarithmic'
 share = (format eq 'svg' ? 1.0 : 0.75) * letters
 small = sprintf(',%.1f', 0.62 * share)
 legend = sprintf(',%.1f', 0.8 * share)

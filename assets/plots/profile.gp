@@ -8,7 +8,7 @@ set lmargin at screen 0.085
 set rmargin at screen 0.735
 set tmargin at screen 0.965
 set bmargin at screen 0.13
-set xlabel "CPU time over that of the fastest method"
+set xlabel "CPU time over that of the fastest method, logarithmic"
 set ylabel "share of the problems that are solved"
 share = (format eq 'svg' ? 1.0 : 0.75) * letters
 small = sprintf(',%.1f', 0.62 * share)

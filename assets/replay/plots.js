@@ -23,7 +23,7 @@ class Plot {
         this.figure.className = "plot";
         const caption = document.createElement("figcaption");
         const name = document.createElement("b");
-        name.textContent = title;
+        name.textContent = logarithmic ? `${title} (logarithmic)` : title;
         this.now = document.createElement("span");
         this.now.className = "now";
         caption.append(name, " ", this.now);

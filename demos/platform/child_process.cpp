@@ -105,8 +105,10 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     if (descriptor >= 0) unlink(file.c_str());
     said_ = descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
     if (!said_) {
-        throw ChildProcessError(fmt::format("no temporary file in {} (TMPDIR): {}", place.parent_path().string(),
-                                            no_folder ? no_folder.message() : std::strerror(errno)));
+        const std::string why = no_folder ? no_folder.message() : std::strerror(errno);
+        const char* const given = std::getenv("TMPDIR");
+        throw ChildProcessError(
+            fmt::format("no temporary file in {} (TMPDIR): {}", given ? given : place.parent_path().string(), why));
     }
     arguments.insert(arguments.begin(), name);
     try {
