@@ -13,7 +13,7 @@ namespace pushfactor::engine {
 namespace {
 
 // Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
-// body of a chain of collisions each time.
+// body of a chain of collisions each time; before and after what was left unsolved is finished.
 constexpr int most_looks = 4;
 
 // Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
@@ -113,7 +113,9 @@ void World::find_awake() {
 }
 
 bool World::wakes_some() {
-    return rest && rest->wake_pushed(system_, lambda());
+    const bool woken = rest && rest->wake_pushed(system_, lambda());
+    if (woken) step_solver_.take_back(awake_.members());
+    return woken;
 }
 
 void World::add_forces() {
@@ -157,11 +159,19 @@ void World::carry_rows(double dt) {
 
 SolveWork World::solve_and_look(double dt) {
     SolveWork work = step_solver_.solve(problem());
-    for (int look = 0; look < most_looks; ++look) {
+    bool finished = false;
+    for (int look = 0;; ++look) {
         const std::size_t known = rows_.size();
-        if (!append_unforeseen(dt)) break;
-        extend_system(rows_.all(), system_);
-        work += step_solver_.solve_again(problem(), known);
+        if (look < most_looks && append_unforeseen(dt)) {
+            extend_system(rows_.all(), system_);
+            work += step_solver_.solve_again(problem(), known);
+        } else if (!finished) {
+            work += step_solver_.finish(problem());
+            finished = true;
+            look = -1;
+        } else {
+            break;
+        }
     }
     return work;
 }
@@ -176,9 +186,10 @@ double World::stored_energy() const {
     return sum;
 }
 
-void World::resume(double time) {
+void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
     time_ = time;
     follow_paths();
+    step_solver_.set_memory(memory);
 }
 
 void World::prepare(double dt) {
