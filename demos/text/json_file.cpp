@@ -116,6 +116,10 @@ bool is_not_finite(std::string word) {
 
 Json read_json_file(const std::filesystem::path& file, const std::string& label) {
     const std::string text = read_input(file, label);
+    // The parser takes a zero byte for the end.
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        throw UsageError(fmt::format("{}: is not JSON: byte {} is zero", label, zero + 1));
+    }
     ErrorPlace place;
     const bool sound = Json::sax_parse(text, &place);
     if (!place.fault().empty()) {

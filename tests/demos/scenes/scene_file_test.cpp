@@ -100,6 +100,8 @@ TEST_CASE("what a file does not mention is not constructed") {
 
 TEST_CASE("wrong files are refused with the path inside them, the value and what is allowed") {
     CHECK_THAT(said_of("{"), Catch::Contains("is not JSON"));
+    // A parser may take a zero byte for the end.
+    CHECK_THAT(said_of(std::string(R"({"version": 1})") + '\0'), Catch::Contains("is not JSON: byte 15 is zero"));
     for (const char* name : {"../up", "/etc/x", "..", ""}) {
         CHECK_THAT(said_of(R"({"version": 1, "bodies": [], "name": ")" + std::string(name) + "\"}"),
                    Catch::Contains("a name without slashes"));
