@@ -92,7 +92,6 @@ class RattleStep {
         if (found_islands_) return;
         found_islands_ = true;
         system_.b.conservativeResize(Eigen::NoChange, 1);
-        solver_.set_memory({});
         solver_.begin(world_.problem());
         moves_.resize(solver_.islands().all().size());
     }

@@ -13,7 +13,7 @@ namespace pushfactor::engine {
 namespace {
 
 // Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
-// body of a chain of collisions each time; before and after what was left unsolved is finished.
+// body of a chain of collisions each time.
 constexpr int most_looks = 4;
 
 // Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
@@ -113,9 +113,7 @@ void World::find_awake() {
 }
 
 bool World::wakes_some() {
-    const bool woken = rest && rest->wake_pushed(system_, lambda());
-    if (woken) step_solver_.take_back(awake_.members());
-    return woken;
+    return rest && rest->wake_pushed(system_, lambda());
 }
 
 void World::add_forces() {
@@ -159,19 +157,11 @@ void World::carry_rows(double dt) {
 
 SolveWork World::solve_and_look(double dt) {
     SolveWork work = step_solver_.solve(problem());
-    bool finished = false;
-    for (int look = 0;; ++look) {
+    for (int look = 0; look < most_looks; ++look) {
         const std::size_t known = rows_.size();
-        if (look < most_looks && append_unforeseen(dt)) {
-            extend_system(rows_.all(), system_);
-            work += step_solver_.solve_again(problem(), known);
-        } else if (!finished) {
-            work += step_solver_.finish(problem());
-            finished = true;
-            look = -1;
-        } else {
-            break;
-        }
+        if (!append_unforeseen(dt)) break;
+        extend_system(rows_.all(), system_);
+        work += step_solver_.solve_again(problem(), known);
     }
     return work;
 }
@@ -186,10 +176,9 @@ double World::stored_energy() const {
     return sum;
 }
 
-void World::resume(double time, std::span<const IslandSolver::Memory> memory) {
+void World::resume(double time) {
     time_ = time;
     follow_paths();
-    step_solver_.set_memory(memory);
 }
 
 void World::prepare(double dt) {

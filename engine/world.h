@@ -65,10 +65,9 @@ class World {
     double time() const { return time_; }  // s, sum of all steps
     double stored_energy() const;          // J, in springs
 
-    // State carried from step to step besides the bodies and the memory of the sources: the time and this, one per
-    // body. A new world with all of it continues bit-identically.
-    void take_memory(std::vector<IslandSolver::Memory>& memory) const { step_solver_.take_memory(memory); }
-    void resume(double time, std::span<const IslandSolver::Memory> memory);  // and Rest::set_memory()
+    // Continues a run at this time [s]. With the bodies and the forces of the sources of a world (and
+    // Rest::memory()) a new one continues bit-identically.
+    void resume(double time);
 
     // Rows, system and solution of the last step; empty before the first.
     std::span<const ConstraintRow> rows() const { return rows_.all(); }
@@ -77,7 +76,6 @@ class World {
 
     // Islands of the last step, and how it solved one of them.
     const Islands& islands() const { return step_solver_.islands(); }
-    WarmStart::Method method_of(const Island& island) const { return step_solver_.method_of(island); }
     const IslandSolver::Outcome& outcome_of(const Island& island) const { return step_solver_.outcome_of(island); }
     // Natural-map residual of the last step [m/s], see StepSolver::residual().
     double residual() const { return step_solver_.residual(problem()); }
@@ -89,7 +87,8 @@ class World {
     void pass_time(double dt) { time_ += dt; }
     StepCount count(const SolveWork& work) const;
     StepProblem problem() const {
-        return {bodies, system_, solver.get(), termination, small_steps.get(), sharing_};
+        return {
+            bodies, system_, solver.get(), termination, small_steps.get(), sharing_, rows_.sources_of(constraints)};
     }
     StepRows& step_rows() { return rows_; }
     SystemEquation& step_system() { return system_; }
@@ -106,7 +105,7 @@ class World {
     // Appends rows where the solution moves bodies as no source foresaw. Returns whether there were any.
     bool append_unforeseen(double dt);
     void carry_rows(double dt);
-    // Solves, and re-solves with additional rows as long as any are unforeseen.
+    // Solves, and re-solves with additional rows where the solution moves bodies into each other.
     SolveWork solve_and_look(double dt);
     // Wakes resting bodies that are pushed. The step then has to be started again.
     bool wakes_some();

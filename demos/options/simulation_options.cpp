@@ -183,14 +183,15 @@ const std::array simulation_table{
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
     SimulationOption{"scheme", "NAME",
-                     "stepping scheme: whole (3.2); small-steps, many per step for islands of contacts without an "
+                     "stepping scheme: whole (3.2); small-steps, many per step for islands of bodies without an "
                      "exact solution; auto: those with solver auto; for scenes of bars without contacts rattle, "
                      "rattle4, rattle6, of order 2, 4, 6, which correct the whole length error whatever "
                      "--distance-push and --distance-beta",
                      "one of auto, whole, small-steps, rattle, rattle4, rattle6",
                      [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); },
                      scheme_name},
-    SimulationOption{"small-steps", "NxK", "N small steps of K sweeps each; auto: as many as suit an island",
+    SimulationOption{"small-steps", "NxK",
+                     "N small steps with at least K sweeps per solve; auto: as many as suit an island",
                      "auto or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
                      "one of none, persistent, single-frame",

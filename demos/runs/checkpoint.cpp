@@ -5,7 +5,6 @@ namespace pushfactor::demos {
 void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into) {
     into.bodies = scene.world.bodies;
     into.state.time = scene.world.time();
-    scene.world.take_memory(into.state.warm_start);
     into.state.substeps = substeps;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
     if (scene.joints) into.state.joint_forces = scene.joints->forces();

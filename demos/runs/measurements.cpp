@@ -140,8 +140,9 @@ void UnsolvedSteps::add(const Sample& sample) {
         ++contradicting;
         if (!first_contradicting) first_contradicting = place(sample.contradicting);
     }
-    if (sample.residual > worst_residual) {
-        worst_residual = sample.residual;
+    worst_residual = std::max(worst_residual, sample.residual);
+    if (sample.count.unsolved_residual > worst_unsolved) {
+        worst_unsolved = sample.count.unsolved_residual;
         worst = place(sample.worst_unsolved);
     }
 }

@@ -55,7 +55,8 @@ struct UnsolvedSteps {
     long count = 0;                     // that were not solved
     long contradicting = 0;             // with rows that contradict each other
     double worst_residual = 0.0;        // m/s, of all steps
-    std::optional<Place> first, worst;  // the worst is that of all steps
+    double worst_unsolved = 0.0;        // m/s, residual of what was not solved
+    std::optional<Place> first, worst;  // the worst of what was not solved
     std::optional<Place> first_contradicting;
 
     void add(const Sample& sample);

@@ -138,12 +138,12 @@ void Simulation::step_engine(double dt) {
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
     sample_.count.multiply_adds += so_far.multiply_adds;
-    const double residual = scene_.world.residual();
-    find_worst(residual);
+    find_worst();
+    sample_.count.unsolved_residual = std::max(sample_.count.unsolved_residual, so_far.unsolved_residual);
     sample_.count.islands_unsolved = std::max(sample_.count.islands_unsolved, so_far.islands_unsolved);
     sample_.count.islands_contradicting =
         std::max(sample_.count.islands_contradicting, so_far.islands_contradicting);
-    sample_.residual = std::max(sample_.residual, residual);
+    sample_.residual = std::max(sample_.residual, scene_.world.residual());
     if (sample_.count.rows(engine::RowKind::distance) + sample_.count.rows(engine::RowKind::joint) > 0) {
         sample_.max_length_error = std::max(sample_.max_length_error, max_length_error(scene_.world.rows()));
     }
@@ -151,9 +151,9 @@ void Simulation::step_engine(double dt) {
 }
 
 // Call while sample_.count is that of the engine step that has just ended.
-void Simulation::find_worst(double residual) {
-    if (sample_.count.islands_unsolved > 0 && residual > largest_unsolved_) {
-        largest_unsolved_ = residual;
+void Simulation::find_worst() {
+    if (sample_.count.unsolved_residual > largest_unsolved_) {
+        largest_unsolved_ = sample_.count.unsolved_residual;
         sample_.worst_unsolved = worst_unsolved(scene_.world);
     }
     if (sample_.count.islands_contradicting > 0 && !contradicted_) {

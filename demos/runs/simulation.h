@@ -82,7 +82,7 @@ class Simulation {
     void start();
     void divide_step();
     void step_engine(double dt);
-    void find_worst(double residual);
+    void find_worst();
     void measure_state();
     void require_finite_state() const;
     void require_finite_sample() const;

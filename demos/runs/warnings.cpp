@@ -1,7 +1,10 @@
 #include "demos/runs/warnings.h"
 
+#include "engine/constraints/contact_constraints.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pushfactor::demos {
@@ -45,6 +48,20 @@ constexpr double much_gain = 0.02;
 constexpr double much_stretch = 0.1;
 constexpr double much_residual = 1e-2;
 
+// Whether what was not solved moves something in a step by more than the overlap that is not corrected either:
+// without a slop, everything is seen.
+bool is_seen(const UnsolvedSteps& steps, const Simulation& simulation) {
+    double smallest = engine::infinity;  // m
+    if (const engine::ContactConstraints* const contacts = simulation.scene().contacts) {
+        for (const engine::collision::Collider& collider : contacts->colliders()) {
+            smallest = std::min(smallest, engine::collision::size_of(collider.shape));
+        }
+    }
+    const Settings& settings = simulation.settings();
+    const double allowed = smallest < engine::infinity ? settings.slop * smallest : 0.0;
+    return steps.worst_unsolved * settings.dt.value() > allowed;
+}
+
 // The option to try: another push if wrong initial lengths turn into lasting speed; else better solves, shorter
 // steps, or both.
 std::string remedy(const Simulation& simulation, const Measurements& measured) {
@@ -84,12 +101,12 @@ std::string warning_text(const std::string& name, const Simulation& simulation, 
     const UnsolvedSteps& steps = measured.unsolved();
     const BuiltScene& scene = simulation.scene();
     std::string text = shaken_too_fast(name, simulation);
-    if (steps.first) {
+    if (steps.first && is_seen(steps, simulation)) {
         text += fmt::format("pushfactor: warning: {}: {} of {} steps {} not solved to {} m/s, the first is {}",
                             name, steps.count, steps.of, steps.count == 1 ? "is" : "are",
                             scene.world.termination.tolerance_high, text_of(*steps.first));
         if (steps.worst) {
-            text += fmt::format("; the worst residual is {:.2g} m/s in {}{}", steps.worst_residual,
+            text += fmt::format("; the worst residual is {:.2g} m/s in {}{}", steps.worst_unsolved,
                                 text_of(*steps.worst), bodies_of(*steps.worst, scene));
         }
         text += "\n";

@@ -4,7 +4,6 @@
 #include "engine/constraints/contact_cache.h"
 #include "engine/constraints/distance_constraints.h"
 #include "engine/constraints/joint_constraints.h"
-#include "engine/step/island_solver.h"
 #include "engine/step/rest.h"
 
 #include <vector>
@@ -12,13 +11,12 @@
 namespace pushfactor::demos {
 
 struct RunState {
-    double time = 0.0;                                       // s, of the world; forces may depend on it
-    std::vector<engine::IslandSolver::Memory> warm_start{};  // one per body; empty before the first solve
-    double substeps = 1.0;                                   // StepDivision::level() of the last step
-    std::vector<engine::DistanceForce> distance_forces{};    // N, one per distance
-    std::vector<engine::JointForce> joint_forces{};          // N, one per joint
-    engine::ContactCache contact_forces{};                   // colliders are the bodies in their order
-    std::vector<engine::Rest::Memory> rest{};                // one per body, or none
+    double time = 0.0;                                     // s, of the world; forces may depend on it
+    double substeps = 1.0;                                 // StepDivision::level() of the last step
+    std::vector<engine::DistanceForce> distance_forces{};  // N, one per distance
+    std::vector<engine::JointForce> joint_forces{};        // N, one per joint
+    engine::ContactCache contact_forces{};                 // colliders are the bodies in their order
+    std::vector<engine::Rest::Memory> rest{};              // one per body, or none
 };
 
 }  // namespace pushfactor::demos

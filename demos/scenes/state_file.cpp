@@ -15,7 +15,6 @@ namespace {
 
 using engine::ContactCache;
 using engine::DistanceForce;
-using engine::IslandSolver;
 using engine::JointForce;
 using engine::Lambda;
 using engine::Rest;
@@ -23,7 +22,7 @@ using engine::Vector3;
 using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
-// solved_exactly and kept_steps of the state as a whole are read from older files without values per body.
+// warm_start, solved_exactly and kept_steps of files of earlier versions mean nothing any more.
 const Keys state_keys{"time_s",         "warm_start", "substeps", "distance_forces_n", "joint_forces_n",
                       "contact_forces", "places",     "at_rest",  "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
@@ -118,31 +117,21 @@ class BodyIndex {
     std::map<std::string, int, std::less<>> indices_;
 };
 
-// Warm start memory common to the bodies of `json`.
-IslandSolver::Memory read_memory(const JsonReader& json) {
-    IslandSolver::Memory memory;
-    if (json.has("solved_exactly")) memory.forces.exact = json.at("solved_exactly").boolean();
-    if (json.has("kept_steps")) {
-        memory.forces.kept = static_cast<int>(whole_number(json.at("kept_steps"), 0.0, 1e9));
-    }
-    if (json.has("exact_debt_multiply_adds")) {
-        memory.debt.work = json.at("exact_debt_multiply_adds").number(0.0, 1e15);
-    }
-    if (json.has("exact_failures")) memory.debt.failures = json.at("exact_failures").number(0.0, 1e3);
-    return memory;
+// What earlier versions remembered of their solver, which changes nothing now: still has to be what they wrote.
+void check_memory(const JsonReader& json) {
+    if (json.has("solved_exactly")) json.at("solved_exactly").boolean();
+    if (json.has("kept_steps")) whole_number(json.at("kept_steps"), 0.0, 1e9);
+    if (json.has("exact_debt_multiply_adds")) json.at("exact_debt_multiply_adds").number(0.0, 1e15);
+    if (json.has("exact_failures")) json.at("exact_failures").number(0.0, 1e3);
 }
 
-std::vector<IslandSolver::Memory> read_warm_start(const JsonReader& json, const SceneDescription& scene) {
+void check_warm_start(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
-    std::vector<IslandSolver::Memory> memory(scene.bodies.size());
     for (const JsonReader& entry : json.elements()) {
         entry.require_object(warm_start_keys);
-        const IslandSolver::Memory common = read_memory(entry);
-        for (const JsonReader& name : entry.at("bodies").elements()) {
-            memory[static_cast<std::size_t>(indices.of(name))] = common;
-        }
+        check_memory(entry);
+        for (const JsonReader& name : entry.at("bodies").elements()) indices.of(name);
     }
-    return memory;
 }
 
 // A missing position or orientation is that of the body.
@@ -235,25 +224,6 @@ Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const 
     return json;
 }
 
-// Bodies with equal memory are grouped; those without any are left out.
-Json warm_start_json(const RunState& state, const SceneDescription& scene) {
-    std::map<std::tuple<bool, int, double, double>, Json> names;
-    const std::tuple<bool, int, double, double> nothing{};
-    for (std::size_t i = 0; i < scene.bodies.size() && i < state.warm_start.size(); ++i) {
-        const auto& [forces, debt] = state.warm_start[i];
-        const std::tuple memory{forces.exact, forces.kept, debt.work, debt.failures};
-        if (memory != nothing) names[memory].push_back(scene.bodies[i].name);
-    }
-    Json json = Json::array();
-    for (const auto& [memory, bodies] : names) {
-        const auto& [exact, kept, debt, failures] = memory;
-        Json& group = json.emplace_back(Json{{"bodies", bodies}, {"solved_exactly", exact}, {"kept_steps", kept}});
-        if (debt > 0.0) group["exact_debt_multiply_adds"] = debt;
-        if (failures > 0.0) group["exact_failures"] = failures;
-    }
-    return json;
-}
-
 Json places_json(const RunState& state, const SceneDescription& scene) {
     Json json = Json::array();
     for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
@@ -298,8 +268,8 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     json.require_object(state_keys);
     RunState state;
     if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
-    state.warm_start.assign(scene.bodies.size(), read_memory(json));
-    if (json.has("warm_start")) state.warm_start = read_warm_start(json.at("warm_start"), scene);
+    check_memory(json);
+    if (json.has("warm_start")) check_warm_start(json.at("warm_start"), scene);
     if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
@@ -317,7 +287,6 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
     Json json{{"time_s", state.time}, {"substeps", state.substeps}};
-    if (Json warm_start = warm_start_json(state, scene); !warm_start.empty()) json["warm_start"] = warm_start;
     for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
         const bool joint = scene.distances[i].length == 0.0;
         json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));

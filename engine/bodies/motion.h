@@ -38,9 +38,4 @@ struct StepMotions {
     const Motion& path_of(int body) const { return paths[static_cast<std::size_t>(body)]; }
 };
 
-// How a solve has changed the constraint force of a body: not at all, by a solution for the whole step, or by
-// small steps. The latter move the bodies of a heap about by more than a re-solve for a small fraction of a
-// size is worth.
-enum class NewForce : char { none, of_answer, of_small_steps };
-
 }  // namespace pushfactor::engine

@@ -10,9 +10,6 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Share of its size by which small steps may move a body differently than predicted.
-constexpr double loose = 0.1;
-
 // Extra depth that a pair with rows may end the step with, as a fraction of the size: a tenth of it makes 3 more of
 // 2700 falls of thin bodies hold (tests/fuzz_scenes --thin-falls 2700) and heaps of rods and plates a sixth slower.
 constexpr double deep = 0.02;
@@ -23,13 +20,10 @@ double path_of(const Shape& shape, double speed, double rate, double dt) {
 }
 
 // Whether the body moves fast and otherwise than its rows know: because the constraint force moves it by more than
-// its margin, or by more than `loose` of its size if the force comes from small steps, or because it turns by as
-// much, in which no row follows it.
-bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, NewForce kind,
-               const StepScene& scene) {
+// its margin, or because it turns by as much, in which no row follows it.
+bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const StepScene& scene) {
     const double dt = scene.motions->dt;
-    const double limit =
-        size_of(collider.shape) * (kind == NewForce::of_small_steps ? loose : scene.detection.margin);
+    const double limit = size_of(collider.shape) * scene.detection.margin;
     const double speed = dt * body.inverse_mass * force.head<3>().norm();
     const double rate = dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const Motion& motion = scene.motions->path_of(collider.body);
@@ -75,7 +69,7 @@ std::span<const ContactPoint> ContinuousCollision::keep(std::span<const ContactP
 
 // Puts the boxes of the thrown ones along their new motion.
 bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vector6> forces,
-                                     std::span<const NewForce> changed, std::span<const int> awake,
+                                     std::span<const char> changed, std::span<const int> awake,
                                      BroadPhase& broad_phase) {
     thrown_.assign(scene.colliders.size(), false);
     bool any = false;
@@ -83,8 +77,8 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = scene.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
-        if (changed[body] == NewForce::none) continue;
-        thrown_[i] = is_thrown(collider, scene.bodies[body], forces[body], changed[body], scene);
+        if (!changed[body]) continue;
+        thrown_[i] = is_thrown(collider, scene.bodies[body], forces[body], scene);
         if (!thrown_[i]) continue;
         any = true;
         broad_phase.put(index, swept_box(collider.shape, scene.poses[body], scene.motions->paths[body],
@@ -122,7 +116,7 @@ bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, 
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,
-                                                 std::span<const NewForce> changed, std::span<const int> awake,
+                                                 std::span<const char> changed, std::span<const int> awake,
                                                  BroadPhase& broad_phase) {
     unforeseen_.clear();
     if (!any_thrown(scene, forces, changed, awake, broad_phase)) return unforeseen_;

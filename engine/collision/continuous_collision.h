@@ -27,11 +27,10 @@ class ContinuousCollision {
     // `awake`: colliders that are not at rest. Ascending order of the pair; valid until the next call, except for
     // the points, which stay valid until the next begin().
     std::span<const Touch> look(const StepScene& scene, std::span<const Vector6> forces,
-                                std::span<const NewForce> changed, std::span<const int> awake,
-                                BroadPhase& broad_phase);
+                                std::span<const char> changed, std::span<const int> awake, BroadPhase& broad_phase);
 
   private:
-    bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const NewForce> changed,
+    bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const char> changed,
                     std::span<const int> awake, BroadPhase& broad_phase);
     const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
     bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);

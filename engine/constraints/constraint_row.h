@@ -62,9 +62,11 @@ struct ConstraintRow {
     int body_b = 0;
     Jacobian jacobian;
     PushFactor push;
-    // c of the constraint at the start of the step [m], for tracking a one-sided row through small steps:
-    // positive for a gap, negative for a loose rope; the other sign means violation.
+    // c of the constraint at the start of the step [m], and how its source corrects it; null: the row holds no
+    // place, and `push` is all that it wants. Small steps correct bit by bit what is left of the error. One-sided
+    // rows have a positive error for a gap, a negative one for a loose rope; the other sign means violation.
     double error = 0.0;
+    const Correction* correction = nullptr;
     // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
     // Soft rows have no bounds, and RowKind::spring.
     double softness = 0.0;

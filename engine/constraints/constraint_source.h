@@ -5,6 +5,7 @@
 #include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
 #include "engine/bodies/motion.h"
+#include "engine/constraints/point_jacobian.h"
 #include "engine/constraints/row_list.h"
 
 #include <span>
@@ -43,7 +44,14 @@ class ConstraintSource {
     // long as any source appends rows. Only bodies marked in `changed` (one per body) have other forces than in
     // the last call (than after append_rows() in the first one).
     virtual void append_unforeseen(const StepStart& /*step*/, std::span<const Vector6> /*forces*/,
-                                   std::span<const NewForce> /*changed*/, RowList& /*rows*/) {}
+                                   std::span<const char> /*changed*/, RowList& /*rows*/) {}
+
+    // Whether append_rows_of() is there: then small steps follow the axes of these rows. Other rows keep theirs for
+    // the step.
+    virtual bool can_follow() const { return false; }
+    // Appends the rows of item `index` (RowLabel::point) again, in a step of `dt` [s] for bodies that have moved.
+    virtual void append_rows_of(std::size_t /*index*/, const BodyPair& /*bodies*/, double /*dt*/,
+                                RowList& /*rows*/) const {}
 
     // Energy that springs hold [J], which belongs to the scene like that of gravity.
     virtual double stored_energy(std::span<const Body> /*bodies*/) const { return 0.0; }

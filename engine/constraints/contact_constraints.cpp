@@ -15,6 +15,8 @@ constexpr std::size_t contacts_of_a_part = 128;
 // Share of the size above which a gap is real, not an error that the solver has left.
 constexpr double apart_share = 1e-5;
 
+constexpr Correction at_once{PushKind::single_frame, 1.0};
+
 // Overlap along an axis up to which bodies count as separated along it, as a fraction of the size: the allowed
 // penetration plus some room. With zero slop, bodies touch the surface only up to the solver's error; the
 // margin then gives the scale.
@@ -118,7 +120,10 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
     const double slop = choices_.slop * touch.size;
     write_contact_row(at, touch.normal, point.gap, choices_.correction, slop, dt, row);
     // What the solution so far leaves at the end of the step is taken away whole, and leaves no speed.
-    if (touch.ends_deep && point.gap < 0.0) row.push = {.correcting = -point.gap / dt, .lasting = 0.0};
+    if (touch.ends_deep && point.gap < 0.0) {
+        row.push = {.correcting = -point.gap / dt, .lasting = 0.0};
+        row.correction = &at_once;
+    }
     if (restitution_ && touch.restitution > 0.0) {
         const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, slop, dt));
         row.push = rebound.push;
@@ -285,11 +290,11 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
 }
 
 void ContactConstraints::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
-                                           std::span<const NewForce> changed, RowList& rows) {
+                                           std::span<const char> changed, RowList& rows) {
     if (!continuous_collision_) return;
     for (const int index : awake_bodies_.members()) {
         const auto i = static_cast<std::size_t>(index);
-        if (changed[i] == NewForce::none) continue;
+        if (!changed[i]) continue;
         after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
         paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
     }

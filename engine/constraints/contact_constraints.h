@@ -56,8 +56,8 @@ class ContactConstraints : public ConstraintSource {
     void set_materials(std::unique_ptr<const collision::MaterialPairs> materials);
 
     void append_rows(const StepStart& step, RowList& rows) override;
-    void append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
-                           std::span<const NewForce> changed, RowList& rows) override;
+    void append_unforeseen(const StepStart& step, std::span<const Vector6> forces, std::span<const char> changed,
+                           RowList& rows) override;
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     SomeBodies changed_anew(double from, double until) const override;

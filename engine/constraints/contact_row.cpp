@@ -20,6 +20,7 @@ void write_contact_row(const PairPoint& point, const Vector3& normal, double gap
                        double slop, double dt, ConstraintRow& row) {
     point.place(row, normal);
     row.push = contact_push(gap, correction, slop, dt);
+    row.correction = &correction;
     row.bounds.c_min = 0.0;
     row.error = gap > 0.0 && gap <= touching_gap(slop) ? 0.0 : gap;
     row.label = {.kind = RowKind::contact, .point = 0, .gap = gap};

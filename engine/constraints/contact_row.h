@@ -23,7 +23,7 @@ inline double touching_gap(double slop) {
     return 1e-3 * slop;
 }
 
-// Writes the row into a default-constructed `row`. `gap` and `slop` in metres.
+// Writes the row into a default-constructed `row`. `gap` and `slop` in metres; `correction` must outlive the row.
 void write_contact_row(const PairPoint& point, const Vector3& normal, double gap, const Correction& correction,
                        double slop, double dt, ConstraintRow& row);
 

@@ -36,12 +36,15 @@ BodyPair pair_of(const Distance& distance, std::span<const Body> bodies) {
             bodies[static_cast<std::size_t>(distance.body_b)]};
 }
 
+Span span_of(const Distance& distance, const Body& a, const Body& b) {
+    return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
+}
+
 }  // namespace
 
 Span span_of(const Distance& distance, std::span<const Body> bodies) {
-    const Body& a = bodies[static_cast<std::size_t>(distance.body_a)];
-    const Body& b = bodies[static_cast<std::size_t>(distance.body_b)];
-    return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
+    return span_of(distance, bodies[static_cast<std::size_t>(distance.body_a)],
+                   bodies[static_cast<std::size_t>(distance.body_b)]);
 }
 
 DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached)
@@ -58,28 +61,29 @@ DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const 
 }
 
 void DistanceConstraints::append_rows(const StepStart& step, RowList& rows) {
-    for (const std::size_t i : acting_) {
-        if (is_ball_joint(distances_[i])) {
-            append_joint(i, step.bodies, step.dt, rows);
-        } else {
-            append_bar(i, step.bodies, step.dt, rows);
-        }
+    for (const std::size_t i : acting_) append_rows_of(i, pair_of(distances_[i], step.bodies), step.dt, rows);
+}
+
+void DistanceConstraints::append_rows_of(std::size_t index, const BodyPair& bodies, double dt,
+                                         RowList& rows) const {
+    if (is_ball_joint(distances_[index])) {
+        append_joint(index, bodies, dt, rows);
+    } else {
+        append_bar(index, bodies, dt, rows);
     }
 }
 
-void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
+void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
     const Distance& distance = distances_[index];
-    const auto [p_a, p_b] = span_of(distance, bodies);
+    const auto [p_a, p_b] = span_of(distance, bodies.body_a, bodies.body_b);
     const Vector3 p_ab = p_b - p_a;
     const double length = p_ab.norm();
     // Points at one place may part in any direction: one that turns with the scene.
-    const Vector3 n =
-        length > 0.0 ? Vector3(p_ab / length)
-                     : Vector3(bodies[static_cast<std::size_t>(distance.body_a)].orientation * Vector3::UnitY());
+    const Vector3 n = length > 0.0 ? Vector3(p_ab / length) : Vector3(bodies.body_a.orientation * Vector3::UnitY());
     const double error = length - distance.length;
 
     ConstraintRow& row = rows.emplace_back();
-    PairPoint(pair_of(distance, bodies), p_a, p_b).place(row, n);
+    PairPoint(bodies, p_a, p_b).place(row, n);
     if (cached_) row.guess = forces_[index][0];
     if (distance.spring) {
         const double mobility = 1.0 / (distance.spring->stiffness * dt + distance.spring->damping);  // m/(N s)
@@ -91,16 +95,16 @@ void DistanceConstraints::append_bar(std::size_t index, std::span<const Body> bo
     row.push = distance_push(distance, error, correction_, dt);
     row.bounds = distance_bounds(distance);
     row.error = error;
+    row.correction = &correction_;
     row.label = {.kind = RowKind::distance,
                  .point = static_cast<int>(index),
                  .gap = is_loose(distance, error) ? 0.0 : error};
 }
 
-void DistanceConstraints::append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) {
-    const Distance& distance = distances_[index];
-    const auto [p_a, p_b] = span_of(distance, bodies);
+void DistanceConstraints::append_joint(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
+    const auto [p_a, p_b] = span_of(distances_[index], bodies.body_a, bodies.body_b);
     const std::size_t first = rows.size();
-    append_point_rows(pair_of(distance, bodies), p_a, p_b, correction_, dt, rows);
+    append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         ConstraintRow& row = rows[first + axis];
         row.label = {.kind = RowKind::distance, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};

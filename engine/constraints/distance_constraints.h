@@ -77,6 +77,8 @@ class DistanceConstraints : public ConstraintSource {
     DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached);
 
     void append_rows(const StepStart& step, RowList& rows) override;
+    bool can_follow() const override { return true; }
+    void append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const override;
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     double stored_energy(std::span<const Body> bodies) const override;
@@ -93,8 +95,8 @@ class DistanceConstraints : public ConstraintSource {
     void set_forces(std::vector<DistanceForce> forces);
 
   private:
-    void append_bar(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
-    void append_joint(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows);
+    void append_bar(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
+    void append_joint(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
 
     std::vector<Distance> distances_;
     Correction correction_;

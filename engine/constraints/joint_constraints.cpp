@@ -29,10 +29,8 @@ double lever_of(const BodyPair& pair) {
 }
 
 // How b is turned from where it is at angle 0, in the frame of a.
-Quaternion turn_of(const Joint& joint, std::span<const Body> bodies) {
-    const Quaternion& a = bodies[at(joint.body_a)].orientation;
-    const Quaternion& b = bodies[at(joint.body_b)].orientation;
-    return a.conjugate() * b * joint.hinge->zero.conjugate();
+Quaternion turn_of(const Joint& joint, const BodyPair& bodies) {
+    return bodies.body_a.orientation.conjugate() * bodies.body_b.orientation * joint.hinge->zero.conjugate();
 }
 
 // The part of a turn about `axis`, in (-pi, pi] [rad].
@@ -59,15 +57,19 @@ ConstraintRow& append_turn(const BodyPair& pair, const Vector3& axis, RowList& r
     return row;
 }
 
-}  // namespace
-
-Span span_of(const Joint& joint, std::span<const Body> bodies) {
-    const Body &a = bodies[at(joint.body_a)], &b = bodies[at(joint.body_b)];
+Span span_of(const Joint& joint, const BodyPair& bodies) {
+    const Body &a = bodies.body_a, &b = bodies.body_b;
     return {a.position + a.orientation * joint.point_a, b.position + b.orientation * joint.point_b};
 }
 
+}  // namespace
+
+Span span_of(const Joint& joint, std::span<const Body> bodies) {
+    return span_of(joint, pair_of(joint, bodies));
+}
+
 double angle_of(const Joint& joint, std::span<const Body> bodies) {
-    return twist(turn_of(joint, bodies), joint.hinge->axis);
+    return twist(turn_of(joint, pair_of(joint, bodies)), joint.hinge->axis);
 }
 
 std::size_t row_count(const Joint& joint) {
@@ -86,26 +88,27 @@ JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& 
 }
 
 void JointConstraints::append_rows(const StepStart& step, RowList& rows) {
-    for (const std::size_t i : acting_) {
-        const std::size_t first = rows.size();
-        const auto [p_a, p_b] = span_of(joints_[i], step.bodies);
-        append_point_rows(pair_of(joints_[i], step.bodies), p_a, p_b, correction_, step.dt, rows);
-        for (std::size_t j = first; j < rows.size(); ++j) {
-            rows[j].label = {.kind = RowKind::joint, .point = static_cast<int>(i), .gap = (p_b - p_a).norm()};
-        }
-        if (joints_[i].hinge) append_hinge(i, step.bodies, step.dt, rows);
-        assert(rows.size() - first == row_count(joints_[i]));
-        for (std::size_t j = first; cached_ && j < rows.size(); ++j) rows[j].guess = forces_[i][j - first];
-    }
+    for (const std::size_t i : acting_) append_rows_of(i, pair_of(joints_[i], step.bodies), step.dt, rows);
 }
 
-void JointConstraints::append_hinge(std::size_t index, std::span<const Body> bodies, double dt,
-                                    RowList& rows) const {
+void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
+    const Joint& joint = joints_[index];
+    const std::size_t first = rows.size();
+    const auto [p_a, p_b] = span_of(joint, bodies);
+    append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
+    for (std::size_t j = first; j < rows.size(); ++j) {
+        rows[j].label = {.kind = RowKind::joint, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};
+    }
+    if (joint.hinge) append_hinge(index, bodies, dt, rows);
+    assert(rows.size() - first == row_count(joint));
+    for (std::size_t j = first; cached_ && j < rows.size(); ++j) rows[j].guess = forces_[index][j - first];
+}
+
+void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, double dt, RowList& rows) const {
     const Joint& joint = joints_[index];
     const Hinge& hinge = *joint.hinge;
-    const BodyPair pair = pair_of(joint, bodies);
     const double lever = lever_of(pair);
-    const Quaternion turn = turn_of(joint, bodies), &frame = pair.body_a.orientation;
+    const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
     const auto label = [index](RowKind kind, double gap) {
         return RowLabel{.kind = kind, .point = static_cast<int>(index), .gap = gap};
     };
@@ -117,6 +120,7 @@ void JointConstraints::append_hinge(std::size_t index, std::span<const Body> bod
         ConstraintRow& row = append_turn(pair, lever * (frame * t), rows);
         row.push = correct(correction_, -error, dt);
         row.error = error;
+        row.correction = &correction_;
         row.label = label(RowKind::joint, error);
     }
     const Vector3 axis = lever * (frame * hinge.axis);
@@ -135,6 +139,7 @@ void JointConstraints::append_hinge(std::size_t index, std::span<const Body> bod
         ConstraintRow& row = append_turn(pair, axis, rows);
         row.push = correct(correction_, -lever * phi, dt);
         row.error = lever * phi;
+        row.correction = &correction_;
         row.label = label(RowKind::limit, lever * phi);
         return;
     }
@@ -144,6 +149,7 @@ void JointConstraints::append_hinge(std::size_t index, std::span<const Body> bod
         row.push = gap > 0.0 ? PushFactor{.correcting = 0.0, .lasting = -gap / dt} : correct(correction_, -gap, dt);
         row.bounds.c_min = 0.0;
         row.error = gap;
+        row.correction = &correction_;
         row.label = label(RowKind::limit, gap);
     }
 }

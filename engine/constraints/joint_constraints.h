@@ -71,6 +71,8 @@ class JointConstraints : public ConstraintSource {
     JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached);
 
     void append_rows(const StepStart& step, RowList& rows) override;
+    bool can_follow() const override { return true; }
+    void append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const override;
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     bool can_leave_out() const override { return true; }
@@ -86,7 +88,7 @@ class JointConstraints : public ConstraintSource {
     void set_forces(std::vector<JointForce> forces);
 
   private:
-    void append_hinge(std::size_t index, std::span<const Body> bodies, double dt, RowList& rows) const;
+    void append_hinge(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
 
     std::vector<Joint> joints_;
     Correction correction_;

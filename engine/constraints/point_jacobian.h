@@ -72,6 +72,8 @@ inline void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const
         ConstraintRow& row = rows.emplace_back();
         points.place(row, Vector3::Unit(axis));
         row.push = correct(correction, -p_ab[axis], dt);
+        row.error = p_ab[axis];
+        row.correction = &correction;
     }
 }
 

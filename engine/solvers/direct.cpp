@@ -29,14 +29,14 @@ class Direct {
         guess_ = rows_.rows;
         exact_.take(island);
         exact_.plan();
-        const double most = most_work_of_a_column * columns - termination.spent;
+        const double most = most_work_of_a_column * columns;
         if (usual_factorisations * columns * exact_.factorisation(rows_) <= most) {
             Effort effort(most, termination.iterations);
             count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_low, effort, count);
         }
-        count.gave_up = !count.exact;
-        count.exhausted = true;
-        if (count.gave_up && !count.contradicts) {
+        // What is within the upper tolerance needs no more, although rounding or the effort has ended it early.
+        count.exact = count.exact || rows_.residual() <= termination.tolerance_high;
+        if (!count.exact && !count.contradicts) {
             sweep_from(Rows(rows_.rows), termination, count);
             if (rows_.residual() > termination.tolerance_low) sweep_from(guess_, termination, count);
         }

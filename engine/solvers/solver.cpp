@@ -30,8 +30,6 @@ SolveCount Solver::solve(const SystemEquation& system, const Termination& termin
         all.iterations = std::max(all.iterations, count.iterations);
         all.multiply_adds += count.multiply_adds;
         all.exact = all.exact && count.exact;
-        all.exact_work += count.exact_work;
-        all.gave_up = all.gave_up || count.gave_up;
         all.contradicts = all.contradicts || count.contradicts;
     }
     return all;

@@ -16,28 +16,22 @@ namespace pushfactor::engine::solvers {
 //
 // There are two tolerances because a stack under frozen forces is an inverted pendulum: with a single one it would
 // cycle at the tolerance instead of coming to rest.
-//
-// The work of exact methods is limited in multiply-adds, over all solves of a step (budget.h).
 struct Termination {
-    int iterations = 25;          // 0: only exact methods
+    int iterations = 25;          // per solve, at most; 0: only exact methods
     double tolerance_high = 0.0;  // m/s
-    double tolerance_low = 0.0;   // m/s, at most tolerance_high, except after an exact solve (warm_start.h)
-    double credit = infinity;     // multiply-adds, if exact methods have to pay off
-    double spent = 0.0;           // multiply-adds spent on these bodies in this step
-    bool lasts = false;           // an exact solution may serve for many steps
+    double tolerance_low = 0.0;   // m/s, at most tolerance_high
+    // For a solver that has other ways: what an exact solution is worth in multiply-adds, and the residual [m/s] up
+    // to which it is better than what would be done instead.
+    double worth = infinity;
+    double will_do = 0.0;
 };
 
 // Result and cost of a solve.
 struct SolveCount {
-    int iterations = 0;           // of the solver's own kind
-    double multiply_adds = 0.0;   // work, machine-independent; without loading and storing
-    bool exact = false;           // solved to the tolerance by an exact method
-    double exact_work = 0.0;      // multiply-adds of exact methods
-    int exact_iterations = 0;     // iterations of exact methods
-    bool gave_up = false;         // an exact method was tried and failed
-    bool exhausted = false;       // more iterations would not help
-    bool contradicts = false;     // it found rows that no forces can satisfy together
-    bool in_small_steps = false;  // the step was divided into small ones (small_steps.h)
+    int iterations = 0;          // of the solver's own kind
+    double multiply_adds = 0.0;  // work, machine-independent; without loading and storing
+    bool exact = false;          // solved by an exact method
+    bool contradicts = false;    // it found rows that no forces can satisfy together
 };
 
 class Solver {

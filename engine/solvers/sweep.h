@@ -13,8 +13,10 @@ namespace pushfactor::engine::solvers {
 // rows before them: equivalent to one row after the other. The two rows of a disc compute their forces before
 // either moves, and then move together.
 //
+// With `give_way` a row keeps only a share of its force (Row::keeps): y <- clamp(keeps (y + t - u . x)).
+//
 // For some blocks; `bodies_of` returns the velocities of a block's bodies.
-template <int columns, typename BodiesOf>
+template <int columns, bool give_way = false, typename BodiesOf>
 [[gnu::flatten]] double sweep(UnitRows<columns>& system, std::span<const typename UnitRows<columns>::Block> blocks,
                               const BodiesOf& bodies_of) {
     using Value = typename UnitRows<columns>::Value;
@@ -44,6 +46,7 @@ template <int columns, typename BodiesOf>
                 move(i, wanted[i]);
             } else {
                 unrolled<i>([&](auto k) { take_off(i, k); });
+                if constexpr (give_way) wanted[i] *= row[i].keeps;
                 if constexpr (disc < 0 || i != disc) move(i, system.clamped(row[i], wanted[i]));
             }
         });

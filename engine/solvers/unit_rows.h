@@ -49,6 +49,7 @@ class UnitRows {
         Disc disc = Disc::none;
         double scale = 0.0;  // s_j; 0 for a row that cannot move anything
         double soft = 0.0;   // share of its softness in A_jj; then |u| is below 1
+        double keeps = 1.0;  // share of its force that it does not give way to, in sweeps of small steps
     };
 
     static constexpr int rows_of_a_block = 3;  // maximum
@@ -89,9 +90,20 @@ class UnitRows {
             row.b = run.b;
             row.unit = &units_[static_cast<std::size_t>(number)];
             row.scale = std::sqrt(system.diagonal[j]);
-            units_[static_cast<std::size_t>(number)] = unit_axis(system, j, row.scale);
+            units_[static_cast<std::size_t>(number)] =
+                unit_axis(system, system.rows[static_cast<std::size_t>(j)], row.scale);
             load_row(system, island, run, guess, first, dt, j, row);
         }
+    }
+    // Replaces the axis of a row by that of `source`, in a step of `dt` [s]; its force and target stay.
+    void replace(const SystemEquation& system, const ConstraintRow& source, std::size_t number, double dt) {
+        Row& row = rows[number];
+        const double diagonal = diagonal_of(system, source);
+        row.scale = std::sqrt(diagonal);
+        units_[number] = unit_axis(system, source, row.scale);
+        if (source.softness > 0.0) row.soft = source.softness / diagonal;
+        row.low[0] = source.bounds.c_min * dt * row.scale;
+        row.high[0] = source.bounds.c_max * dt * row.scale;
     }
     // Third: the blocks of rows `begin_row` .. `end_row` - 1.
     void add_blocks(int begin_row, int end_row, std::vector<Block>& to) const {
@@ -313,7 +325,7 @@ class UnitRows {
     double pass_work() const { return 24.0 * columns * static_cast<double>(rows.size()); }
     double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
     // Multiply-adds of adding all rows to a matrix to be factorised.
-    double factor_rows_work() const { return 108.0 * static_cast<double>(rows.size()); }
+    static double factor_work_of(int rows) { return 108.0 * rows; }
 
     // Largest speed that a row asks for without any forces [m/s].
     double fastest() const {
@@ -350,6 +362,7 @@ class UnitRows {
         row.of_row = source.bounds.of_row;
         row.disc = source.bounds.disc;
         row.soft = 0.0;
+        row.keeps = 1.0;
         if (has_soft_ && source.softness > 0.0) row.soft = source.softness / system.diagonal[j];
         if (row.of_row >= 0) {
             row.of_row =

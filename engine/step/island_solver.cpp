@@ -1,5 +1,7 @@
 #include "engine/step/island_solver.h"
 
+#include "engine/step/choice.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -60,11 +62,6 @@ bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, 
     return any;
 }
 
-// For a solver that was asked for an exact solution only; it has left lambda unchanged.
-bool has_no_answer(const solvers::SolveCount& count) {
-    return !count.exact && !count.contradicts && (count.gave_up || count.iterations == 0);
-}
-
 double larger(const std::array<double, 2>& residuals) {
     return std::max(residuals[0], residuals[1]);
 }
@@ -72,82 +69,55 @@ double larger(const std::array<double, 2>& residuals) {
 }  // namespace
 
 void IslandSolver::begin(std::size_t bodies, std::span<const int> awake) {
-    warm_start_.begin(bodies, awake);
-    budget_.begin(bodies, awake);
     outcomes_.resize(bodies);
     for (const int body : awake) outcomes_[static_cast<std::size_t>(body)] = {};
 }
 
 solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual,
-                                        const SystemEquation& system, const Island& island, const Allowed& allowed,
-                                        Columns* first_guess, Columns& lambda, ConstraintForces& forces) {
+                                        const SystemEquation& system, std::span<const Body> bodies,
+                                        const Island& island, Columns* first_guess, Columns& lambda,
+                                        ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
-    if (bench.threads) bench.runs_of.find(island);
+    const bool divides = bench.small_steps && choice::divides(island);
     Outcome outcome;
-    solvers::SolveCount count;
-    if (fixed_number && allowed.iterates_up_to < infinity) {
+    if (divides && fixed_number) {
         outcome.unfinished = true;
-    } else if (fixed_number) {
-        count = bench.solver->solve(system, island, budget_.limits(island, usual, Budget::Take::rest), lambda);
-        find_forces(system, island, lambda, forces, bench);
-    } else {
-        outcome.residuals = measure(system, island, lambda, forces, bench);
-        const double tolerance = warm_start_.tolerance_high(island, usual);
-        if (larger(outcome.residuals) > tolerance) {
-            const bool exact_only = larger(outcome.residuals) > allowed.iterates_up_to;
-            outcome.outlook = outlook_of(island, larger(outcome.residuals), allowed, lambda);
-            solvers::Termination termination = budget_.limits(
-                island, usual, exact_only ? Budget::Take::exact_only : allowed.take, outcome.outlook);
-            termination.tolerance_high = tolerance;
-            outcome.outdated = is_outdated(system, island, lambda, usual, bench);
-            count = find_better(bench, termination, system, island, first_guess, lambda, forces, outcome);
-            outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
-        }
+        note(island, outcome);
+        return {};
     }
-    note(island, outcome, count);
-    if (!fixed_number) count.multiply_adds += 12.0 * island.rows * island.columns;
+    if (bench.threads) bench.runs_of.find(island);
+    if (fixed_number) {
+        const solvers::SolveCount count = bench.solver->solve(system, island, usual, lambda);
+        find_forces(system, island, lambda, forces, bench);
+        outcome.method = count.iterations > 0 ? Method::swept : Method::kept;
+        note(island, outcome);
+        return count;
+    }
+    solvers::SolveCount count;
+    outcome.residuals = measure(system, island, lambda, forces, bench);
+    if (!choice::will_do(larger(outcome.residuals), usual, bodies, island)) {
+        solvers::Termination own = usual;
+        if (divides) own.iterations = 0;
+        if (divides) own.will_do = choice::good_residual(system.dt, bodies, island);
+        own.worth = choice::worth_of(system.dt, bodies, island, larger(outcome.residuals),
+                                     has_forces(island, lambda), divides);
+        count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
+    }
+    note(island, outcome);
+    count.multiply_adds += 12.0 * island.rows * island.columns;
     return count;
-}
-
-// Bodies that were solved exactly so far may be hit harder than standing ones usually are, and are worth another
-// exact solve.
-Budget::Outlook IslandSolver::outlook_of(const Island& island, double residual, const Allowed& allowed,
-                                         const Columns& lambda) const {
-    const bool was_exact = allowed.stands_up_to > 0.0 && warm_start_.was_mostly_exact(island);
-    const bool stands = residual <= allowed.stands_up_to;
-    if (!stands && !was_exact) return Budget::Outlook::moving;
-    const bool begins = stands && (was_exact || !has_forces(island, lambda));
-    return begins ? Budget::Outlook::beginning : Budget::Outlook::standing;
 }
 
 // The residual left by small steps is not compared with a tolerance: the next small step reduces it.
 solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEquation& system,
                                                    std::span<const Body> bodies, const Island& island,
-                                                   Columns& lambda, ConstraintForces& forces,
-                                                   std::span<Lambda> ending) {
-    Outcome outcome = outcome_of(island);
+                                                   const RowSources& sources, Columns& lambda,
+                                                   ConstraintForces& forces, std::span<Lambda> ending) {
     SmallSteps& small_steps = *bench.small_steps;
-    const SmallSteps::Division division =
-        small_steps.division_of(system.dt, bodies, island, larger(outcome.residuals));
-    solvers::SolveCount count =
-        small_steps.solve(system, bodies, island, division, bench.threads, lambda, forces, ending);
-    outcome.solved = outcome.exhausted = outcome.in_small_steps = true;
-    outcome.unfinished = false;
-    outcome.residuals = {small_steps.residual(), small_steps.residual()};
-    note(island, outcome, count);
-    return count;
-}
-
-solvers::SolveCount IslandSolver::go_on(Bench& bench, const solvers::Termination& usual,
-                                        const SystemEquation& system, const Island& island, Columns& lambda,
-                                        ConstraintForces& forces) {
-    const auto termination = budget_.limits(island, usual, Budget::Take::rest);
-    if (bench.threads) bench.runs_of.find(island);
-    Outcome outcome = outcome_of(island);
+    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island);
     const solvers::SolveCount count =
-        find_better(bench, termination, system, island, nullptr, lambda, forces, outcome);
-    outcome.solved = larger(outcome.residuals) <= usual.tolerance_high;
-    note(island, outcome, count);
+        small_steps.solve(system, bodies, island, division, sources, bench.threads, lambda, forces, ending);
+    note(island, {.method = Method::in_small_steps, .residuals = {small_steps.residual(), small_steps.residual()}});
     return count;
 }
 
@@ -161,25 +131,27 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
         outcome.residuals = measure(system, island, lambda, forces, bench);
     save(island, lambda, bench);
     solvers::SolveCount count = bench.solver->solve(system, island, termination, lambda);
-    if (termination.iterations == 0 && has_no_answer(count)) {
+    if (termination.iterations == 0 && !count.exact && !count.contradicts) {
         outcome.unfinished = true;
         return count;
     }
     count.iterations = std::max(1, count.iterations);
     Residuals found = measure(system, island, lambda, forces, bench);
+    bool refused = false;
     if (larger(found) > termination.tolerance_low) {
-        outcome.refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, bench, found);
+        refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, bench, found);
     }
+    outcome.method = count.exact && !refused ? Method::exact : Method::swept;
     outcome.residuals = found;
     outcome.contradicts = count.contradicts;
-    outcome.exhausted = count.exhausted;
-    count.exact = count.exact && !outcome.refused;
+    outcome.solved = larger(found) <= termination.tolerance_high;
     return count;
 }
 
-void IslandSolver::note(const Island& island, const Outcome& outcome, const solvers::SolveCount& count) {
-    warm_start_.solved(island, count, outcome.outdated);
-    budget_.spent(island, count, outcome.outlook);
+void IslandSolver::note(const Island& island, Outcome outcome) {
+    for (const int body : island.bodies) {
+        outcome.method = std::max(outcome.method, outcomes_[static_cast<std::size_t>(body)].method);
+    }
     for (const int body : island.bodies) outcomes_[static_cast<std::size_t>(body)] = outcome;
 }
 
@@ -205,31 +177,6 @@ IslandSolver::Residuals IslandSolver::measure(const SystemEquation& system, cons
         residuals[1] = island_residual(system, island, lambda, 1, forces.lasting, bench.velocities, bench.threads);
     }
     return residuals;
-}
-
-// Whether forces kept from earlier steps are wrong because of a new force; uses the state left by measure(). An
-// arriving body does not outdate the forces among the bodies that it meets.
-bool IslandSolver::is_outdated(const SystemEquation& system, const Island& island, const Columns& lambda,
-                               const solvers::Termination& usual, const Bench& bench) const {
-    if (!warm_start_.begins_with_kept(island)) return false;
-    const auto is_kept = [&](int number) {
-        return number >= island.movable() ||
-               warm_start_.kept_steps(island.bodies[static_cast<std::size_t>(number)]) > 0;
-    };
-    const Eigen::Index column = island.columns - 1;
-    RowResiduals residuals(system, lambda, column);
-    for (const RowRun& run : island.runs) {
-        if (!is_kept(run.a) || !is_kept(run.b)) continue;
-        const Vector6& of_a = bench.velocities[static_cast<std::size_t>(run.a)];
-        const Vector6& of_b = bench.velocities[static_cast<std::size_t>(run.b)];
-        for (int j = run.begin; j < run.end; ++j) {
-            const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-            const double w = row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b) - system.b(j, column) +
-                             soft_part(row, lambda, j, column);
-            if (residuals.next(j, w) > WarmStart::of_new_force(usual)) return true;
-        }
-    }
-    return false;
 }
 
 // Residuals at zero forces: w = -b, and bounds contain zero or their nearest value to it is used.
@@ -288,24 +235,6 @@ bool IslandSolver::guard(const SystemEquation& system, const Island& island, con
     if (refused) copy_to_last(island, lambda);
     if (refused || first_guess) find_forces(system, island, lambda, forces, bench);
     return refused;
-}
-
-void IslandSolver::take_memory(std::vector<Memory>& memory) const {
-    memory.clear();
-    for (std::size_t i = 0; i < warm_start_.memory().size(); ++i) {
-        memory.push_back({warm_start_.memory()[i], budget_.debts()[i]});
-    }
-}
-
-void IslandSolver::set_memory(std::span<const Memory> memory) {
-    std::vector<WarmStart::Memory> forces;
-    std::vector<Budget::Debt> debts;
-    for (const Memory& own : memory) {
-        forces.push_back(own.forces);
-        debts.push_back(own.debt);
-    }
-    warm_start_.set_memory(forces);
-    budget_.set_debts(debts);
 }
 
 }  // namespace pushfactor::engine

@@ -1,6 +1,8 @@
 #include "engine/step/small_steps.h"
 
+#include "engine/bodies/integrator.h"
 #include "engine/solvers/sweep.h"
+#include "engine/step/choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,18 +11,22 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Share of an impulse that the previous small step must have had for it to count as carrying.
-constexpr double again = 0.5;
+// (omega h)^2 of a body at rest on a closed row, omega being the angular frequency at which it would bounce if
+// nothing damped it. An explicit spring is stable below 4; the larger, the less heaps are compressed. Of 0.7
+// and 1.7, walls and houses of cards gain energy with the latter.
+constexpr double stiffness = 0.7;
 
-// Factor for the sweeps of the last small step, whose velocities and forces start the next step: damps oscillations
-// of towers.
-constexpr int more_at_the_end = 4;
-
+// Sweeps of the displacement that takes overlaps apart.
 constexpr int push_sweeps = 4;
-// Rows that keep bodies apart or points at a distance; the others are friction and yielding bars.
-bool holds_place(const Bounds& bounds) {
-    return bounds.of_row < 0 && (std::isinf(bounds.c_min) || std::isinf(bounds.c_max));
-}
+// Change of a row's velocity from which on sweeps go on, over the speed that a small step's external forces cause;
+// no whole number, so that rounding does not decide for what falls.
+constexpr double hit = 12.5;
+// The same over the largest change of the first sweep, for impacts that are faster still.
+constexpr double small_share = 0.01;
+
+// Sweeps of a solve at most. A pyramid hit at 20 m/s, whose bricks are thrown up by 0.2 m/s if it is solved, throws
+// them up by 5 m/s with one sweep, by 0.9 with 25, and by 0.3 with 100, which cost four times as much in that step.
+constexpr int most_sweeps = 100;
 
 const ConstraintRow& row_of(const SystemEquation& system, int row) {
     return system.rows[static_cast<std::size_t>(row)];
@@ -34,6 +40,11 @@ Vector6 momenta_of(const InverseMass& inverse_mass, const Vector3& inverse_inert
 
 Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const Vector3& angular) {
     return stacked(inverse_mass.linear_root * linear, inverse_mass.angular_root.transpose() * angular);
+}
+
+// Whether the row keeps bodies apart or points together, and its source says how errors are corrected.
+bool holds_a_place(const ConstraintRow& row) {
+    return row.correction != nullptr && row.bounds.of_row < 0 && row.softness == 0.0;
 }
 
 }  // namespace
@@ -56,12 +67,25 @@ void SmallSteps::each_body(Team& team, const Visit& visit) const {
     });
 }
 
+SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island) const {
+    return division_ ? *division_ : choice::division_of(dt, bodies, island);
+}
+
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,
-                                      const Island& island, const Division& division, Threads* threads,
-                                      Columns& lambda, ConstraintForces& forces, std::span<Lambda> ending) {
+                                      const Island& island, const Division& division, const RowSources& sources,
+                                      Threads* threads, Columns& lambda, ConstraintForces& forces,
+                                      std::span<Lambda> ending) {
     dissection_.cut(bodies, island);
     size(dissection_.island());
-    const Step step{system, bodies, division, system.dt / division.steps, lambda, forces, ending};
+    const Step step{system,
+                    bodies,
+                    division,
+                    sources,
+                    system.dt / division.steps,
+                    choice::speed_by_forces(system.dt, bodies, island),
+                    lambda,
+                    forces,
+                    ending};
     if (threads && dissection_.leaves().size() > 1) {
         threads->as_team([&](Team& team) { work(step, team); });
     } else {
@@ -69,19 +93,18 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
         work(step, alone);
     }
 
-    std::size_t one_sided = 0;
-    bool pushed = false;
+    std::size_t holding = 0;
+    double updates = 0.0;
     residual_ = 0.0;
     for (const PartState& state : states_) {
-        one_sided += state.one_sided.size();
-        pushed = pushed || state.is_pushed;
+        holding += state.holding.size();
+        updates += state.updates;
         if (!(state.residual <= residual_)) residual_ = state.residual;
     }
-    const double rows = 24.0 * island.rows, followed = 24.0 * static_cast<double>(one_sided);
-    const int sweeps = (division.steps - 1 + more_at_the_end) * division.sweeps;
+    const int sweeps = 2 * division.steps * division.sweeps;
     return {.iterations = sweeps,
-            .multiply_adds = sweeps * rows + division.steps * followed + (pushed ? push_sweeps : 1) * followed,
-            .in_small_steps = true};
+            .multiply_adds =
+                24.0 * (sweeps * island.rows + updates + 2.0 * division.steps * static_cast<double>(holding))};
 }
 
 // Sizes the memory shared by all threads.
@@ -89,28 +112,27 @@ void SmallSteps::size(const Island& island) {
     rows_.begin(island);
     std::fill(rows_.velocity.begin() + island.movable(), rows_.velocity.end(), Vector6::Zero());
     states_.resize(dissection_.part_count());
-    sums_.resize(dissection_.leaves().size());
-    const auto movable = static_cast<std::size_t>(island.movable()), rows = static_cast<std::size_t>(island.rows);
-    for (std::vector<Vector6>* of_bodies : {&start_, &pull_, &base_, &impulse_, &moved_})
-        of_bodies->resize(movable);
-    for (std::vector<double>* of_rows : {&before_, &kept_, &sum_}) of_rows->resize(rows);
+    for (std::vector<Vector6>* of_bodies : {&pull_, &base_, &impulse_, &moved_}) {
+        of_bodies->resize(static_cast<std::size_t>(island.movable()));
+    }
+    stirred_.assign(static_cast<std::size_t>(island.movable()), -1);
+    for (std::vector<double>* of_rows : {&pushing_, &lasting_}) {
+        of_rows->assign(static_cast<std::size_t>(island.rows), 0.0);
+    }
 }
 
 // Runs on each member of the team, for its parts.
 void SmallSteps::work(const Step& step, Team& team) {
     load(step, team);
     begin(step, team);
-    for (int k = 0; k < step.division.steps; ++k) {
-        small_step(step, k, team);
-    }
+    for (int k = 0; k < step.division.steps; ++k) small_step(step, k, team);
     dissection_.in_any_order(team, [this](const Part& part) {
         PartState& state = state_of(part);
         state.residual = rows_.residual(state.blocks);
     });
-    kick_at_once(step, team);
     store(step, team);
     push_apart(step, team);
-    write_moving_forces(step, team);
+    write_forces(step, team);
 }
 
 void SmallSteps::load(const Step& step, Team& team) {
@@ -134,7 +156,7 @@ void SmallSteps::load(const Step& step, Team& team) {
     });
 }
 
-// Velocities and displacements at the start of the step, and the warm start of the first small step.
+// Velocities at the start of the step, and the warm start of the first small step.
 void SmallSteps::begin(const Step& step, Team& team) {
     each_body(team, [&](std::size_t i) {
         const auto body = static_cast<std::size_t>(dissection_.island().bodies[i]);
@@ -143,30 +165,39 @@ void SmallSteps::begin(const Step& step, Team& team) {
         impulse_[i] = rows_.velocity[i];
         moved_[i].setZero();
         rows_.velocity[i] = weighted(inverse_mass, own.linear_momentum, own.angular_momentum);
-        start_[i] = rows_.velocity[i];
         pull_[i] = step.h * weighted(inverse_mass, own.force, own.torque);
     });
-    dissection_.in_any_order(team, [&](const Part& part) {
-        PartState& state = state_of(part);
-        state.drives = false;
-        state.one_sided.clear();
-        each_row(part, [&](std::size_t number, int j) {
-            const ConstraintRow& source = row_of(step.system, j);
-            solvers::UnitRows<1>::Row& row = rows_.rows[number];
-            sum_[number] = 0.0;
-            before_[number] = row.y[0];
-            if (!(row.scale > 0.0)) return;
-            const double carried = step.system.carried_by(static_cast<std::size_t>(j));
-            const bool lifts = source.bounds.c_min >= 0.0, holds = source.bounds.c_max <= 0.0;
-            if (source.bounds.of_row < 0 && (lifts || holds)) {
-                state.one_sided.push_back({number, source.error, carried, lifts ? 1.0 : -1.0});
-                state.drives = state.drives || carried != 0.0;
+    dissection_.in_any_order(team, [&](const Part& part) { begin(step, part); });
+}
+
+void SmallSteps::begin(const Step& step, const Part& part) {
+    PartState& state = state_of(part);
+    state.updates = 0;
+    state.holding.clear();
+    state.followed.clear();
+    each_row(part, [&](std::size_t number, int j) {
+        const ConstraintRow& source = row_of(step.system, j);
+        solvers::UnitRows<1>::Row& row = rows_.rows[number];
+        const double carried = step.system.carried_by(static_cast<std::size_t>(j));
+        const ConstraintSource* const follows = step.sources.follower_of(j);
+        if (follows) {
+            const bool goes_on = !state.followed.empty() && state.followed.back().source == follows &&
+                                 state.followed.back().of_step + state.followed.back().count == j &&
+                                 row_of(step.system, j - 1).label.point == source.label.point;
+            if (goes_on) {
+                ++state.followed.back().count;
             } else {
-                const double aim = source.push.lasting + carried;
-                row.t[0] = aim / row.scale;
-                state.drives = state.drives || aim != 0.0;
+                state.followed.push_back({follows, number, j, 1, state.holding.size()});
             }
-        });
+        }
+        if (!(row.scale > 0.0)) return;
+        if (holds_a_place(source)) {
+            const double open_side = source.bounds.c_min >= 0.0 ? 1.0 : source.bounds.c_max <= 0.0 ? -1.0 : 0.0;
+            state.holding.push_back(
+                {number, j, source.correction, source.error, carried, open_side, follows != nullptr});
+        } else {
+            row.t[0] = (source.push.lasting + carried) / row.scale;
+        }
     });
 }
 
@@ -179,230 +210,219 @@ double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-// For a small step of `h` [s] that begins `elapsed` [s] after the step.
-void SmallSteps::aim(double h, double elapsed, const Part& part) {
-    for (const OneSided& one : state_of(part).one_sided) {
-        solvers::UnitRows<1>::Row& row = rows_.rows[one.row];
-        const double error = one.error + moved_along(row) - elapsed * one.carried;
-        const bool open = one.open_side * error > 0.0;
-        row.t[0] = open ? -error / (h * row.scale) : 0.0;
-        if (one.carried != 0.0) row.t[0] += one.carried / row.scale;
-    }
-}
-
-double SmallSteps::impulse_gain(std::size_t body) const {
-    return impulse_[body].dot(base_[body] + 0.5 * impulse_[body]);
-}
-
-// Energy that reusing the impulses of the previous small step would give the bodies [J]. Contacts and friction
-// never add energy: if it is positive, these impulses have stopped something that was moving.
-double SmallSteps::gain(Team& team) {
-    dissection_.by_leaves(team, [this](const Dissection::Leaf& leaf, std::size_t number) {
-        double& own = sums_[number].gain;
-        own = 0.0;
-        for (int i = leaf.begin; i < leaf.end; ++i) own += impulse_gain(static_cast<std::size_t>(i));
-    });
-    team.wait_for_all();
-    double all = 0.0;
-    for (const LeafSums& sums : sums_) all += sums.gain;
-    return all;
-}
-
-// Limits the impulses to those that the small step before the previous one had too: an impulse that occurs once was
-// a collision, one that repeats carries load. If that still adds energy, scales them so that most energy is
-// removed.
-void SmallSteps::forget_hits(Team& team) {
-    dissection_.by_rounds(team, [this](const Part& part) { keep_hits_of(part); });
-    if (!(gain(team) > 0.0)) return;
-    dissection_.by_leaves(team, [this](const Dissection::Leaf& leaf, std::size_t number) {
-        LeafSums& own = sums_[number];
-        own.along = own.squared = 0.0;
-        for (int i = leaf.begin; i < leaf.end; ++i) {
-            const auto body = static_cast<std::size_t>(i);
-            own.along += impulse_[body].dot(base_[body]);
-            own.squared += impulse_[body].squaredNorm();
+// Targets of a solve that begins `elapsed` [s] after the step.
+void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& part) {
+    for (const Holding& own : state_of(part).holding) {
+        solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+        const double error = own.is_followed ? own.error : own.error + moved_along(row) - elapsed * own.carried;
+        const Correction& correction = *own.correction;
+        const double most = own.open_side == 0.0 ? correction.max_speed : step.fastest;
+        const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
+        const double share = std::min(beta / step.division.steps, most * step.h / std::abs(error));
+        double speed = 0.0;
+        if (own.open_side * error > 0.0) {
+            speed = -error / step.h;
+        } else if (which == Solve::with_push) {
+            speed = -share * error / step.h;
         }
-    });
-    team.wait_for_all();
-    double along = 0.0, squared = 0.0;
-    for (const LeafSums& sums : sums_) {
-        along += sums.along;
-        squared += sums.squared;
+        row.keeps = which == Solve::with_push ? stiffness / (stiffness + share) : 1.0;
+        row.t[0] = (speed + own.carried) / row.scale;
     }
-    const double share = std::max(0.0, -along / squared);
-    dissection_.in_any_order(team, [&](const Part& part) {
-        for (int j = part.begin_row; j < part.end_row; ++j) rows_.rows[static_cast<std::size_t>(j)].y[0] *= share;
-    });
-    each_body(team, [&](std::size_t i) { impulse_[i] *= share; });
 }
 
-void SmallSteps::keep_hits_of(const Part& part) {
-    const auto add = [this](int body, const Vector6& axis, double y) {
+// The body of this number in the island, where it is now.
+Body SmallSteps::placed(const Step& step, int number, int body) const {
+    Body now = step.bodies[static_cast<std::size_t>(body)];
+    if (static_cast<std::size_t>(number) >= moved_.size()) return now;
+    const InverseMass& inverse_mass = step.system.inverse_mass[static_cast<std::size_t>(body)];
+    const Vector6& moved = moved_[static_cast<std::size_t>(number)];
+    now.position += inverse_mass.linear_root * moved.head<3>();
+    now.orientation = exponential(inverse_mass.angular_root * moved.tail<3>()) * now.orientation;
+    return now;
+}
+
+void SmallSteps::add_impulse(const solvers::UnitRows<1>::Row& row, double y) {
+    const auto add = [&](int body, const Vector6& axis) {
         const auto number = static_cast<std::size_t>(body);
-        if (number < impulse_.size()) impulse_[number] += axis * y;
+        if (number >= impulse_.size()) return;
+        impulse_[number] += y * axis;
     };
-    const auto end = static_cast<std::size_t>(part.end_row);
-    for (auto j = static_cast<std::size_t>(part.begin_row); j < end; ++j) {
-        solvers::UnitRows<1>::Row& row = rows_.rows[j];
-        const double now = row.y[0], was = before_[j];
-        kept_[j] = 1.0;
-        if (row.of_row >= 0) {
-            kept_[j] = kept_[static_cast<std::size_t>(row.of_row)];
-        } else if (was * now < again * now * now) {
-            kept_[j] = std::max(0.0, was / now);
+    add(row.a, row.unit->a);
+    add(row.b, row.unit->b);
+}
+
+void SmallSteps::follow(const Step& step, const Part& part) {
+    PartState& state = state_of(part);
+    if (state.followed.empty()) return;
+    for (const Followed& own : state.followed) follow(step, own, state);
+    rows_.couple(state.blocks);
+}
+
+// Writes the rows of a bar or a joint again where its bodies are now; their forces stay.
+void SmallSteps::follow(const Step& step, const Followed& own, PartState& state) {
+    const SystemEquation& system = step.system;
+    const auto first = static_cast<std::size_t>(own.of_step), count = static_cast<std::size_t>(own.count);
+    const ConstraintRow& before = system.rows[first];
+    const solvers::UnitRows<1>::Row& some = rows_.rows[own.first_row];
+    const Body a = placed(step, some.a, before.body_a), b = placed(step, some.b, before.body_b);
+    state.rows.clear();
+    own.source->append_rows_of(static_cast<std::size_t>(before.label.point), {before.body_a, before.body_b, a, b},
+                               step.h, state.rows);
+    std::size_t holding = own.first_holding;
+    for (std::size_t k = 0; k < count; ++k) {
+        solvers::UnitRows<1>::Row& row = rows_.rows[own.first_row + k];
+        if (!(row.scale > 0.0)) continue;
+        const double force = row.y[0] / row.scale;
+        add_impulse(row, -row.y[0]);
+        rows_.replace(system, state.rows[k], own.first_row + k, step.h);
+        row.y[0] = force * row.scale;
+        add_impulse(row, row.y[0]);
+        if (holding < state.holding.size() && state.holding[holding].row == own.first_row + k) {
+            state.holding[holding++].error = state.rows[k].error;
+        } else {
+            row.t[0] = (state.rows[k].push.lasting + system.carried_by(first + k)) / row.scale;
         }
-        if (kept_[j] == 1.0) continue;
-        row.y[0] = kept_[j] * now;
-        add(row.a, row.unit->a, row.y[0] - now);
-        add(row.b, row.unit->b, row.y[0] - now);
     }
 }
 
 void SmallSteps::small_step(const Step& step, int number, Team& team) {
-    const bool last = number + 1 == step.division.steps;
-    const int sweeps = last ? more_at_the_end * step.division.sweeps : step.division.sweeps;
+    const double begun = number * step.h, ended = begun + step.h;
     each_body(team, [this](std::size_t i) { base_[i] = rows_.velocity[i] + pull_[i]; });
-    const double gained = gain(team);
-    const bool drives =
-        std::any_of(states_.begin(), states_.end(), [](const PartState& state) { return state.drives; });
-    if (!drives && gained > 0.0) forget_hits(team);
+    if (number > 0) dissection_.by_rounds(team, [&](const Part& part) { follow(step, part); });
     each_body(team, [this](std::size_t i) { rows_.velocity[i] = base_[i] + impulse_[i]; });
-    Vector6 still = Vector6::Zero();
-    for (int k = 0; k < sweeps; ++k) {
+    solve(step, Solve::with_push, begun, team);
+    each_body(team, [&](std::size_t i) { moved_[i] += step.h * rows_.velocity[i]; });
+    solve(step, Solve::without_push, ended, team);
+    each_body(team, [this](std::size_t i) { impulse_[i] = rows_.velocity[i] - base_[i]; });
+}
+
+void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team) {
+    std::vector<double>& sums = which == Solve::with_push ? pushing_ : lasting_;
+    each_body(team, [this](std::size_t i) { stirred_[i] = -1; });
+    team.wait_for_all();  // until all bodies have moved
+    dissection_.in_any_order(team, [&](const Part& part) { aim(step, which, elapsed, part); });
+    double restless = hit * step.fastest / step.division.steps;
+    double largest = infinity;
+    for (int k = 0; k < step.division.sweeps || (largest > restless && k < most_sweeps); ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
-            const PartState& state = state_of(part);
-            const auto begin = static_cast<std::size_t>(part.begin_row),
-                       end = static_cast<std::size_t>(part.end_row);
-            if (k == 0) {
-                aim(step.h, number * step.h, part);
-                for (std::size_t j = begin; j < end; ++j) before_[j] = rows_.rows[j].y[0];
-            }
-            solvers::sweep<1>(rows_, state.blocks,
-                              [&](const auto& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
-            if (k + 1 == sweeps) {
-                for (std::size_t j = begin; j < end; ++j) sum_[j] += rows_.rows[j].y[0];
-            }
+            PartState& state = state_of(part);
+            state.change = k < step.division.sweeps ? sweep(state.blocks)
+                                                    : sweep_restless(state, restless, k, k == step.division.sweeps);
         });
+        largest = 0.0;
+        for (const PartState& state : states_) largest = std::max(largest, state.change);
+        if (k == 0) restless = std::max(restless, small_share * largest);
+        team.wait_for_all();  // before anyone writes the next changes
     }
-    each_body(team, [&](std::size_t i) {
-        impulse_[i] = rows_.velocity[i] - base_[i];
-        moved_[i] += step.h * rows_.velocity[i];
+    dissection_.in_any_order(team, [&](const Part& part) {
+        const auto end = static_cast<std::size_t>(part.end_row);
+        for (auto j = static_cast<std::size_t>(part.begin_row); j < end; ++j) {
+            if (rows_.rows[j].scale > 0.0) sums[j] += rows_.rows[j].y[0] / rows_.rows[j].scale;
+        }
     });
 }
 
-// A collision shows only in the whole step, a load that starts in the last small step only there: if both point the
-// same way the shorter one is used, otherwise neither. Limited to the effect of the external forces on the body:
-// one that is stopped harder would be lifted into bodies that are still falling.
-void SmallSteps::kick_at_once(const Step& step, Team& team) {
-    const int steps = step.division.steps;
-    const double share = 0.5 * step.system.dt * (1.0 - 1.0 / steps);
-    each_body(team, [&](std::size_t i) {
-        const Vector6 whole = rows_.velocity[i] - start_[i], end = steps * (pull_[i] + impulse_[i]);
-        if (!(whole.dot(end) > 0.0)) return;
-        const Vector6& kick = whole.squaredNorm() < end.squaredNorm() ? whole : end;
-        const double most = steps * pull_[i].norm();
-        moved_[i] += share * std::min(1.0, most / kick.norm()) * kick;
-    });
+double SmallSteps::sweep(std::span<const Block> blocks) {
+    Vector6 still = Vector6::Zero();
+    return solvers::sweep<1, true>(
+        rows_, blocks, [&](const Block& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
+}
+
+// Sweeps the blocks of bodies whose rows have changed by more than `least` [m/s] in sweep `number` or the one
+// before; all blocks if `is_first`.
+double SmallSteps::sweep_restless(PartState& state, double least, int number, bool is_first) {
+    const auto is_restless = [&](int body) {
+        const auto i = static_cast<std::size_t>(body);
+        return i < stirred_.size() && stirred_[i] >= number - 1;
+    };
+    double largest = 0.0;
+    for (const Block& block : state.blocks) {
+        if (!is_first && !is_restless(block.a) && !is_restless(block.b)) continue;
+        const double change = sweep({&block, 1});
+        largest = std::max(largest, change);
+        state.updates += block.count;
+        if (change <= least) continue;
+        for (const int body : {block.a, block.b}) {
+            const auto i = static_cast<std::size_t>(body);
+            if (i < stirred_.size()) stirred_[i] = number;
+        }
+    }
+    return largest;
 }
 
 // Writes the forces of the rows, and the lasting forces on the bodies.
 void SmallSteps::store(const Step& step, Team& team) {
-    const Island& island = dissection_.island();
     const Eigen::Index last = step.lambda.cols() - 1;
-    std::vector<Vector6>& lasting = step.forces.lasting;
-    const auto on = [&](int number) -> Vector6& {
-        return lasting[static_cast<std::size_t>(island.bodies[static_cast<std::size_t>(number)])];
-    };
-    each_body(team, [&](std::size_t i) { on(static_cast<int>(i)).setZero(); });
+    const bool two = dissection_.island().columns == 2;  // else both columns hold the same
     dissection_.by_rounds(team, [&](const Part& part) {
         each_row(part, [&](std::size_t number, int j) {
             const double scale = rows_.rows[number].scale;
-            const double mean = scale > 0.0 ? sum_[number] / (step.system.dt * scale) : 0.0;
-            step.lambda.row(j).setConstant(mean);
+            step.lambda(j, last) = lasting_[number] / step.system.dt;
+            step.lambda(j, 0) = two ? pushing_[number] / step.system.dt : step.lambda(j, last);
             const double latest = scale > 0.0 ? rows_.rows[number].y[0] / (step.h * scale) : 0.0;
             step.ending[static_cast<std::size_t>(j)] = {latest, latest};
         });
         for (Eigen::Index column = 0; column <= last; ++column) {
             each_row(part, [&](std::size_t, int j) { clamp_force(step.system.rows, j, column, step.lambda); });
         }
-        for (int k = part.begin_run; k < part.end_run; ++k) {
-            const RowRun& run = island.runs[static_cast<std::size_t>(k)];
-            Vector6 on_static = Vector6::Zero();
-            add_forces_of_rows(step.system, step.lambda, last, run.begin, run.end,
-                               run.a < island.movable() ? on(run.a) : on_static,
-                               run.b < island.movable() ? on(run.b) : on_static);
-        }
     });
 }
 
-// Computes the displacement target of each row of the part after the last small step.
+// Targets of the displacement of each one-sided row of the part, after the last small step: what is left of the
+// correction of its source, and no way into each other for the others.
 void SmallSteps::plan_push(const Step& step, const Part& part) {
     PartState& state = state_of(part);
-    state.pushed.clear();
     state.is_pushed = false;
-    each_row(part, [&](std::size_t number, int j) {
-        const ConstraintRow& source = row_of(step.system, j);
-        const solvers::UnitRows<1>::Row& row = rows_.rows[number];
-        if (!(row.scale > 0.0) || !holds_place(source.bounds)) return;
-        const double moved =
-            moved_along(row) - step.system.dt * step.system.carried_by(static_cast<std::size_t>(j));
-        const double correcting = step.system.dt * source.push.correcting;
-        double want = correcting;
-        if (source.bounds.c_min >= 0.0) {
-            const double overlap = std::max(0.0, -source.error);
-            want = std::clamp(correcting, 0.0, overlap) - std::max(0.0, moved);
-            const double gap = source.error + moved;
-            want = gap > 0.0 ? -gap : std::max(0.0, want);
-        } else if (source.bounds.c_max <= 0.0) {
-            const double slack = source.error + moved;
-            want = slack < 0.0 ? -slack : std::min(0.0, correcting);
+    for (const Holding& own : state.holding) {
+        if (own.open_side == 0.0) continue;
+        const ConstraintRow& source = row_of(step.system, own.of_step);
+        solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+        const double moved = moved_along(row) - step.system.dt * own.carried;
+        const double error = own.open_side * (source.error + moved), before = own.open_side * source.error;
+        const double correcting = own.open_side * step.system.dt * source.push.correcting;
+        double want = -error;
+        if (error <= 0.0) {
+            want = std::clamp(correcting, 0.0, std::max(0.0, -before)) - std::max(0.0, own.open_side * moved);
+            want = std::max(0.0, want);
         }
-        state.pushed.push_back({number, j, want / row.scale});
-        state.is_pushed = state.is_pushed || (source.bounds.c_min >= 0.0   ? want > 0.0
-                                              : source.bounds.c_max <= 0.0 ? want < 0.0
-                                                                           : want != 0.0);
-    });
+        row.t[0] = own.open_side * want / row.scale;
+        row.y[0] = 0.0;
+        state.is_pushed = state.is_pushed || want > 0.0;
+    }
 }
 
+// The velocities of the rows become displacements.
 void SmallSteps::push_apart(const Step& step, Team& team) {
+    each_body(team, [this](std::size_t i) { base_[i] = rows_.velocity[i]; });
     dissection_.in_any_order(team, [&](const Part& part) { plan_push(step, part); });
     team.wait_for_all();
-    const bool any =
-        std::any_of(states_.begin(), states_.end(), [](const PartState& state) { return state.is_pushed; });
-    if (!any) return;
+    if (std::none_of(states_.begin(), states_.end(), [](const PartState& state) { return state.is_pushed; }))
+        return;
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
     for (int k = 0; k < push_sweeps; ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
-            for (const Pushed& own : state_of(part).pushed) {
+            for (const Holding& own : state_of(part).holding) {
+                if (own.open_side == 0.0) continue;
                 solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
-                if (k == 0) {
-                    row.t[0] = own.want;
-                    row.y[0] = 0.0;
-                }
                 rows_.set(row, 0, rows_.clamped(row, 0, row.y[0] + rows_.error(row, 0)));
             }
         });
     }
     each_body(team, [this](std::size_t i) { moved_[i] += rows_.velocity[i]; });
-    dissection_.in_any_order(team, [&](const Part& part) {
-        for (const Pushed& own : state_of(part).pushed) {
-            const solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
-            const double force = row.y[0] / (step.system.dt * step.system.dt * row.scale);
-            step.ending[static_cast<std::size_t>(own.of_step)].first += force;
-            if (step.lambda.cols() == 2) step.lambda(own.of_step, 0) += force;
-        }
-    });
 }
 
-// Constant forces that move the bodies in a whole step as far as the small steps did.
-void SmallSteps::write_moving_forces(const Step& step, Team& team) const {
+// Constant forces that move the bodies in a whole step as far as the small steps did, and leave their velocities.
+void SmallSteps::write_forces(const Step& step, Team& team) const {
     each_body(team, [&](std::size_t i) {
         const auto body = static_cast<std::size_t>(dissection_.island().bodies[i]);
         const Body& own = step.bodies[body];
-        const Vector6 mean =
-            momenta_of(step.system.inverse_mass[body], own.inverse_inertia, moved_[i]) / step.system.dt;
-        step.forces.moving[body] = (mean - stacked(own.linear_momentum, own.angular_momentum)) / step.system.dt -
-                                   stacked(own.force, own.torque);
+        const auto force_for = [&](const Vector6& x) {
+            const Vector6 momenta = momenta_of(step.system.inverse_mass[body], own.inverse_inertia, x);
+            return Vector6((momenta - stacked(own.linear_momentum, own.angular_momentum)) / step.system.dt -
+                           stacked(own.force, own.torque));
+        };
+        step.forces.moving[body] = force_for(moved_[i] / step.system.dt);
+        step.forces.lasting[body] = force_for(base_[i]);
     });
 }
 

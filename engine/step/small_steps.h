@@ -1,27 +1,38 @@
-// Divides the step of one island into n small steps of k sweeps each, with the rows and axes of the whole step.
+// The step of one island in n small steps: section 8.1 of the paper n times, one column after the other.
 //
-//   x <- x + h M^(-1/2)^T f_ext + (impulses of the rows in the previous small step)      3.2.1, 6.2.3
-//   k times, and 4 k in the last: y_j <- clamp(y_j + t_j - u_j . x), x along             7.1.1
-//   d <- d + h x
+//   n times with h = dt / n:
+//     x <- x + h M^(-1/2)^T f_ext + (impulses of the rows in the small step before)        3.2.1, 6.2.3
+//     follow: gaps of the rows, and axes of bars and joints, where the bodies are now
+//     sweeps: y_j <- clamp(y_j + t_j - u_j . x), x along, with the push in t_j             7.1.1, f_cv of 8.1
+//     d <- d + h x                                                                         3.2.3
+//     sweeps without the push                                                              f_c0 of 8.1
 //
-// with h = dt / n. A force then only has to hold a velocity error of g h, and the next small step sees what is
-// left, so load travels through a tower like a wave, one layer per sweep, while sweeps of a whole step spread it
-// like heat.
+// The first solve moves the bodies, the second one sets their momenta and is where the next small step starts. A
+// force has to hold a velocity error of g h only, and the next small step sees what is left, so load travels
+// through a tower by one layer per sweep; and an error of position is noticed within the step, so sweeps that have
+// not converged end in a small compression instead of a motion.
+//
+// Sweeps go on while some row changes its velocity by more than a dozen times what the external forces of a small
+// step cause, on the bodies of such rows alone: load may travel on in the next small step, a collision may not,
+// because what is hit would first move into what is behind it.
 //
 // Symbols: x velocity and d displacement of a body scaled by the square root of its mass, M^(1/2) v [sqrt(kg) m/s]
-// and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h. An open row has t_j = -gap / h, with the gap that
-// remains after d; a closed one aims at rest, and friction at the speed of its belt. Where a body is moved (path.h)
-// all of this is relative to it.
+// and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h; e error of a row [m].
 //
-// The means over the small steps would move a body like a constant force, d = dt v + dt^2 a / 2, while a whole step
-// gives dt v + dt^2 a (3.2). With the axes of the start of the step the former is an explicit step, and bodies that
-// swing or roll in a hollow would gain speed with every swing. So the acceleration common to the whole step and its
-// end is added to d as if it had acted from the beginning.
+//   open row (gap, loose rope)   t = -e / h in both solves: it may close
+//   closed row, bar, joint       t = -r e / h with the push, 0 without it, r = beta / n; of one-sided rows r is
+//   less
+//                                where t would exceed the speed that a step of external forces causes
+//   others                       t = their lasting push: belts, motors, springs
 //
-// The single-frame push (8.1) is separate: after the last small step the contact and distance rows, without
-// friction, solve for a displacement that removes the share `beta` of the overlap. It is not part of any small
-// step's velocity. As a column of the system it lifts bodies by more than they overlap while it is unsolved, and
-// gravity turns the height into energy.
+// With the push a row also gives way to its force, y <- (1 - s) (y + t - u . x) with s / (1 - s) = r / stiffness: a
+// row that carries a body at rest is a stiff, strongly damped spring, which the other rows can overrule. A rigid
+// push that sweeps have not solved throws bodies up. At rest a row that carries m kg is compressed by g h^2 /
+// stiffness. Where a body is moved (path.h) all of this is relative to it.
+//
+// What the second solve has not taken off again stays in the momenta. So the push of closed one-sided rows is at
+// most the speed that a step of external forces causes, which carries any load; overlaps deeper than the slop are
+// corrected by beta after the last small step, with a displacement alone.
 //
 // Not from the paper. World moves the bodies as usual: the result are the forces of a whole step that would give
 // this motion.
@@ -30,7 +41,7 @@
 #include "engine/base/threads.h"
 #include "engine/solvers/solver.h"
 #include "engine/solvers/unit_rows.h"
-#include "engine/step/small_step_rules.h"
+#include "engine/step/step_rows.h"
 #include "engine/system/dissection.h"
 #include "engine/system/islands.h"
 
@@ -47,6 +58,11 @@ struct ConstraintForces {
     std::vector<Vector6> moving, lasting;
 };
 
+struct SmallStepDivision {
+    int steps = 1;
+    int sweeps = 1;  // of each of both solves, at least
+};
+
 class SmallSteps {
   public:
     using Division = SmallStepDivision;
@@ -57,78 +73,85 @@ class SmallSteps {
     // A copy for another thread.
     std::unique_ptr<SmallSteps> another() const { return std::make_unique<SmallSteps>(division_); }
 
-    // The fixed division, or one suited to the island, whose warm start has this residual [m/s].
-    Division division_of(double dt, std::span<const Body> bodies, const Island& island, double residual) const {
-        return division_ ? *division_ : small_step_rules::division_of(dt, bodies, island, residual);
-    }
+    // The fixed division, or one suited to the island (choice.h).
+    Division division_of(double dt, std::span<const Body> bodies, const Island& island) const;
 
     // Advances the island through the step of `system`, with the last column of `lambda` as warm start [N].
     // `lambda` receives the means over the step: with the push in the first column, without it in the last. Writes
     // the forces on the bodies, and the warm start of the next step into `ending` (by row of the step) [N].
-    // `threads` share the work; null: one thread.
+    // `sources` have appended the rows; `threads` share the work; null: one thread.
     solvers::SolveCount solve(const SystemEquation& system, std::span<const Body> bodies, const Island& island,
-                              const Division& division, Threads* threads, Columns& lambda, ConstraintForces& forces,
-                              std::span<Lambda> ending);
+                              const Division& division, const RowSources& sources, Threads* threads,
+                              Columns& lambda, ConstraintForces& forces, std::span<Lambda> ending);
 
     // Residual of the rows at the end of the last small step [m/s], with respect to its targets.
     double residual() const { return residual_; }
 
   private:
-    // A one-sided row, inactive while it is open.
-    struct OneSided {
-        std::size_t row;   // number in the island
-        double error;      // m, at the start of the step
-        double carried;    // m/s, see SystemEquation
-        double open_side;  // 1 if it is open for errors above zero, -1 if below
+    using Part = Dissection::Part;
+    using Block = solvers::UnitRows<1>::Block;
+
+    // A row that holds a place, one-sided or not.
+    struct Holding {
+        std::size_t row;               // number in the island
+        int of_step;                   // number in the step
+        const Correction* correction;  // of its errors
+        double error;                  // m, at the start of the step; of a row that is followed, now
+        double carried;                // m/s, see SystemEquation
+        double open_side;              // 1 if it is open for errors above zero, -1 if below, 0 if never
+        bool is_followed;
     };
-    // A row that takes part in the push.
-    struct Pushed {
-        std::size_t row;  // number in the island
-        int of_step;      // number in the step
-        double want;      // sqrt(kg) m
+    // Rows that are written again where the bodies are now: consecutive ones of a bar or a joint.
+    struct Followed {
+        const ConstraintSource* source;
+        std::size_t first_row;      // number in the island
+        int of_step, count;         // first row of the step, and how many
+        std::size_t first_holding;  // the first of those of its rows that hold a place
     };
     // State of a part of the island, on cache lines of its own.
     struct alignas(64) PartState {
-        std::vector<solvers::UnitRows<1>::Block> blocks{};
-        std::vector<OneSided> one_sided{};
-        std::vector<Pushed> pushed{};
-        bool drives = false;     // some row adds energy by itself
-        bool is_pushed = false;  // the push moves some row
+        std::vector<Block> blocks{};
+        std::vector<Holding> holding{};
+        std::vector<Followed> followed{};
+        RowList rows{};          // of one of `followed`
+        bool is_pushed = false;  // some row is to be displaced
         double residual = 0.0;   // m/s
-    };
-    // Sums over the bodies of a leaf, in an order independent of the threads.
-    struct alignas(64) LeafSums {
-        double gain = 0.0;                  // J
-        double along = 0.0, squared = 0.0;  // impulse times base_, and squared [J]
+        double change = 0.0;     // m/s, the largest of a row in the last sweep
+        double updates = 0.0;    // of rows in the step, beside those of whole sweeps
     };
     // Arguments of the current step.
     struct Step {
         const SystemEquation& system;
         std::span<const Body> bodies;
         Division division;
-        double h;  // s
+        const RowSources& sources;
+        double h;        // s
+        double fastest;  // m/s, push of one-sided rows
         Columns& lambda;
         ConstraintForces& forces;
         std::span<Lambda> ending;
     };
-    using Part = Dissection::Part;
+    enum class Solve { with_push, without_push };
 
     void size(const Island& island);
     void work(const Step& step, Team& team);
     void load(const Step& step, Team& team);
     void begin(const Step& step, Team& team);
+    void begin(const Step& step, const Part& part);
     void small_step(const Step& step, int number, Team& team);
-    void aim(double h, double elapsed, const Part& part);
-    double impulse_gain(std::size_t body) const;
-    double gain(Team& team);
-    void forget_hits(Team& team);
-    void keep_hits_of(const Part& part);
-    void kick_at_once(const Step& step, Team& team);
-    void store(const Step& step, Team& team);
+    void solve(const Step& step, Solve which, double elapsed, Team& team);
+    double sweep(std::span<const Block> blocks);
+    double sweep_restless(PartState& state, double least, int number, bool is_first);
+    void aim(const Step& step, Solve which, double elapsed, const Part& part);
+    void follow(const Step& step, const Part& part);
+    void follow(const Step& step, const Followed& followed, PartState& state);
+    Body placed(const Step& step, int number, int body) const;
     void push_apart(const Step& step, Team& team);
     void plan_push(const Step& step, const Part& part);
-    void write_moving_forces(const Step& step, Team& team) const;
+    void store(const Step& step, Team& team);
+    void write_forces(const Step& step, Team& team) const;
     double moved_along(const solvers::UnitRows<1>::Row& row) const;
+    void add_impulse(const solvers::UnitRows<1>::Row& row, double y);
     template <typename Visit>
     void each_row(const Part& part, const Visit& visit) const;
     template <typename Visit>
@@ -140,17 +163,14 @@ class SmallSteps {
     Dissection dissection_;  // of the current island
     solvers::UnitRows<1> rows_;
     std::vector<PartState> states_;
-    std::vector<LeafSums> sums_;
     // By movable body of the island:
-    std::vector<Vector6> start_;    // x at the start of the step
     std::vector<Vector6> pull_;     // x added by the external forces per small step
     std::vector<Vector6> base_;     // x before the rows act
-    std::vector<Vector6> impulse_;  // x added by the rows in the last small step
+    std::vector<Vector6> impulse_;  // x added by the rows in the last solve
     std::vector<Vector6> moved_;    // d
-    // By row of the island:
-    std::vector<double> before_;  // y of the small step before the last one
-    std::vector<double> kept_;    // share of y that is kept in forget_hits()
-    std::vector<double> sum_;     // of y over the small steps
+    std::vector<int> stirred_;      // sweep of the current solve in which a row of it was last restless
+    // By row of the island, impulses of the step so far [N s]: with the push, without it.
+    std::vector<double> pushing_, lasting_;
 };
 
 }  // namespace pushfactor::engine

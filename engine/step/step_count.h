@@ -18,6 +18,7 @@ struct StepCount {
     int islands_exact = 0;           // solved to rounding
     int islands_in_small_steps = 0;  // whose step was divided into small ones
     int islands_unsolved = 0;        // solved ones with a residual above the upper tolerance
+    double unsolved_residual = 0.0;  // m/s, the largest of these
     int islands_contradicting = 0;   // with rows that no forces can satisfy together, as found by an exact method
     int sweeps = 0;                  // iterations of the solver, on the island with the most of them
     double row_updates = 0.0;        // rows times columns times iterations, of all islands

@@ -13,7 +13,7 @@ void StepRows::append(Sources sources, const StepStart& step) {
 }
 
 void StepRows::append_unforeseen(Sources sources, const StepStart& step, std::span<const Vector6> forces,
-                                 std::span<const NewForce> changed) {
+                                 std::span<const char> changed) {
     for (std::size_t s = 0; s < sources.size(); ++s) {
         const std::size_t begin = rows_.size();
         sources[s]->append_unforeseen(step, forces, changed, rows_);

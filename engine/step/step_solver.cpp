@@ -1,7 +1,5 @@
 #include "engine/step/step_solver.h"
 
-#include "engine/step/small_step_rules.h"
-
 #include <algorithm>
 
 namespace pushfactor::engine {
@@ -46,27 +44,17 @@ SolveWork StepSolver::solve_again(const StepProblem& problem, std::size_t first_
         problem, [&](const Island& island, auto& bench) { return solve(problem, island, &first_guess_, bench); });
 }
 
-SolveWork StepSolver::finish(const StepProblem& problem) {
-    choose([&](const Island& island) { return island_solver_.can_go_on(island, problem.termination); },
-           problem.bodies.size());
-    return solve_chosen(problem, [&](const Island& island, auto& bench) {
-        return SolveWork(
-            island, island_solver_.go_on(bench, problem.termination, problem.system, island, lambda_, forces_));
-    });
-}
-
 SolveWork StepSolver::solve_separately(const StepProblem& problem, std::span<const int> numbers, Columns& lambda) {
-    island_solver_.begin_another();
     benches_.set_up(problem.solver, problem.small_steps, problem.threads);
     return benches_.solve(islands_.all(), numbers, [&](const Island& island, auto& bench) {
-        return SolveWork(island, island_solver_.solve(bench, problem.termination, problem.system, island,
-                                                      {Budget::Take::rest}, nullptr, lambda, forces_));
+        return SolveWork(island, island_solver_.solve(bench, problem.termination, problem.system, problem.bodies,
+                                                      island, nullptr, lambda, forces_));
     });
 }
 
 template <typename Predicate>
 void StepSolver::choose(const Predicate& predicate, std::size_t bodies) {
-    changed_.assign(bodies, NewForce::none);
+    changed_.assign(bodies, 0);
     chosen_.clear();
     for (std::size_t k = 0; k < islands_.all().size(); ++k) {
         if (predicate(islands_.all()[k])) chosen_.push_back(static_cast<int>(k));
@@ -84,24 +72,16 @@ SolveWork StepSolver::solve_chosen(const StepProblem& problem, const Solve& solv
 }
 
 void StepSolver::note_changed(const Island& island) {
-    const NewForce kind = outcome_of(island).in_small_steps ? NewForce::of_small_steps : NewForce::of_answer;
-    for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = kind;
+    for (const int body : island.bodies) changed_[static_cast<std::size_t>(body)] = 1;
 }
 
 SolveWork StepSolver::solve(const StepProblem& problem, const Island& island, Columns* first_guess,
                             IslandSolver::Bench& bench) {
-    const SystemEquation& system = problem.system;
-    IslandSolver::Allowed allowed;
-    // A single row is solved exactly at no cost.
-    if (problem.small_steps && island.rows > 1) {
-        allowed.iterates_up_to = small_step_rules::largest_to_sweep(system.dt, problem.bodies, island);
-        allowed.stands_up_to = small_step_rules::standing_speed(system.dt, problem.bodies, island);
-    }
-    SolveWork work(island, island_solver_.solve(bench, problem.termination, system, island, allowed, first_guess,
-                                                lambda_, forces_));
+    SolveWork work(island, island_solver_.solve(bench, problem.termination, problem.system, problem.bodies, island,
+                                                first_guess, lambda_, forces_));
     if (!outcome_of(island).unfinished) return work;
-    work.add(SolveWork(island, island_solver_.take_small_steps(bench, system, problem.bodies, island, lambda_,
-                                                               forces_, endings_)));
+    work.add(SolveWork(island, island_solver_.take_small_steps(bench, problem.system, problem.bodies, island,
+                                                               problem.sources, lambda_, forces_, endings_)));
     return work;
 }
 
@@ -137,31 +117,28 @@ std::span<const Lambda> StepSolver::end(const StepProblem& problem) {
     for (const Island& island : islands_.all()) {
         share(problem.threads, island.runs.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
             for (const RowRun& run : island.runs.subspan(begin, end - begin)) {
-                find_next_guesses(system, island, run);
+                find_next_guesses(island, run);
             }
         });
     }
-    island_solver_.end(system.awake);
     return answers_;
 }
 
-void StepSolver::find_next_guesses(const SystemEquation& system, const Island& island, const RowRun& run) {
-    if (outcome_of(island).in_small_steps) {
+// Forces of contradicting rows are as large as the method allows, and no start for the next step.
+void StepSolver::find_next_guesses(const Island& island, const RowRun& run) {
+    const IslandSolver::Outcome& outcome = outcome_of(island);
+    if (outcome.contradicts) return;
+    if (outcome.method == IslandSolver::Method::in_small_steps) {
         std::copy(endings_.begin() + run.begin, endings_.begin() + run.end, answers_.begin() + run.begin);
         return;
     }
     const Eigen::Index last = lambda_.cols() - 1;
-    const ConstraintRow& first = system.rows[static_cast<std::size_t>(run.begin)];
-    const WarmStart::Next next = island_solver_.warm_start().next(first.body_a, first.body_b);
     for (int j = run.begin; j < run.end; ++j) {
-        const auto row = static_cast<std::size_t>(j);
-        const Lambda answer{lambda_(j, 0), lambda_(j, last)};
-        answers_[row] = next.takes_answer() ? answer : next(system.rows[row].guess, answer);
+        answers_[static_cast<std::size_t>(j)] = {lambda_(j, 0), lambda_(j, last)};
     }
 }
 
 void StepSolver::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
-    island_solver_.forget_islands();
     forces_.moving.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!awake.has(static_cast<int>(i))) forces_.moving[i] = -stacked(bodies[i].force, bodies[i].torque);
@@ -172,7 +149,9 @@ double StepSolver::residual(const StepProblem& problem) const {
     const bool all_measured = problem.termination.tolerance_high > 0.0;
     // With a fixed number of iterations the solve has not computed the residual.
     if (!all_measured) {
-        const auto took_small_steps = [this](const Island& island) { return outcome_of(island).in_small_steps; };
+        const auto took_small_steps = [this](const Island& island) {
+            return outcome_of(island).method == IslandSolver::Method::in_small_steps;
+        };
         const std::span<const Island> islands = islands_.all();
         if (std::none_of(islands.begin(), islands.end(), took_small_steps)) {
             return natural_residual(problem.system, lambda_);
@@ -181,9 +160,9 @@ double StepSolver::residual(const StepProblem& problem) const {
     double largest = 0.0;
     for (const Island& island : islands_.all()) {
         const IslandSolver::Outcome& outcome = outcome_of(island);
-        const double own = all_measured || outcome.in_small_steps
-                               ? std::max(outcome.residuals[0], outcome.residuals[1])
-                               : island_residual(problem.system, island, lambda_);
+        const bool measured = all_measured || outcome.method == IslandSolver::Method::in_small_steps;
+        const double own = measured ? std::max(outcome.residuals[0], outcome.residuals[1])
+                                    : island_residual(problem.system, island, lambda_);
         if (!(own <= largest)) largest = own;
     }
     return largest;
@@ -198,19 +177,23 @@ StepCount StepSolver::count(const SystemEquation& system, const SolveWork& work)
     count.islands = static_cast<int>(islands_.all().size());
     for (const Island& island : islands_.all()) {
         const IslandSolver::Outcome& outcome = outcome_of(island);
-        count.islands_unsolved += !outcome.solved;
+        if (!outcome.solved) {
+            ++count.islands_unsolved;
+            count.unsolved_residual =
+                std::max({count.unsolved_residual, outcome.residuals[0], outcome.residuals[1]});
+        }
         count.islands_contradicting += outcome.contradicts;
-        switch (method_of(island)) {
-            case WarmStart::Method::kept:
+        switch (outcome.method) {
+            case IslandSolver::Method::kept:
                 ++count.islands_kept;
                 break;
-            case WarmStart::Method::swept:
+            case IslandSolver::Method::swept:
                 ++count.islands_swept;
                 break;
-            case WarmStart::Method::exact:
+            case IslandSolver::Method::exact:
                 ++count.islands_exact;
                 break;
-            case WarmStart::Method::in_small_steps:
+            case IslandSolver::Method::in_small_steps:
                 ++count.islands_in_small_steps;
         }
     }

@@ -25,6 +25,7 @@ struct StepProblem {
     const solvers::Termination& termination;
     SmallSteps* small_steps = nullptr;  // null: solver iterations instead
     Threads* threads = nullptr;         // null: one thread
+    RowSources sources{};               // of the rows, for small steps
 };
 
 class StepSolver {
@@ -37,8 +38,6 @@ class StepSolver {
     // Solves islands with new rows again: these rows, from `first_new` on, start from their warm start, the others
     // from the current solution.
     SolveWork solve_again(const StepProblem& problem, std::size_t first_new);
-    // Gives the remaining iterations to unsolved islands.
-    SolveWork finish(const StepProblem& problem);
     // Solves the islands of these numbers as problems of their own, e.g. for another right-hand side. `lambda`
     // holds the warm start and receives the solution.
     SolveWork solve_separately(const StepProblem& problem, std::span<const int> numbers, Columns& lambda);
@@ -46,8 +45,6 @@ class StepSolver {
     // Ends the step. Returns the forces to start the next one with, by row.
     std::span<const Lambda> end(const StepProblem& problem);
 
-    // Reverts a step that is started again because it met a resting body.
-    void take_back(std::span<const int> awake) { island_solver_.take_back(awake); }
     // To be called before a step with other awake bodies than the last one. To code that predicts their motion
     // the others are held.
     void leave_out_others(std::span<const Body> bodies, const Awake& awake);
@@ -58,20 +55,17 @@ class StepSolver {
     const Islands& islands() const { return islands_; }
     const ConstraintForces& forces() const { return forces_; }
     // Which bodies have got other forces in the last solve, one per body.
-    std::span<const NewForce> changed() const { return changed_; }
+    std::span<const char> changed() const { return changed_; }
 
     // In an island with one column, the forces that move its bodies are the lasting ones.
     bool has_lasting_force(std::size_t body) const {
         const int island = islands_.of_body(static_cast<int>(body));
         if (island < 0) return false;
         const Island& of_body = islands_.all()[static_cast<std::size_t>(island)];
-        return of_body.columns == 2 || outcome_of(of_body).in_small_steps;
+        return of_body.columns == 2 || outcome_of(of_body).method == IslandSolver::Method::in_small_steps;
     }
 
     // How an island was solved.
-    WarmStart::Method method_of(const Island& island) const {
-        return island_solver_.warm_start().method_of(island);
-    }
     const IslandSolver::Outcome& outcome_of(const Island& island) const {
         return island_solver_.outcome_of(island);
     }
@@ -81,10 +75,6 @@ class StepSolver {
 
     // Of the last step, whose solves were `work`; all but the bodies at rest.
     StepCount count(const SystemEquation& system, const SolveWork& work) const;
-
-    // State carried from step to step, by body.
-    void take_memory(std::vector<IslandSolver::Memory>& memory) const { island_solver_.take_memory(memory); }
-    void set_memory(std::span<const IslandSolver::Memory> memory) { island_solver_.set_memory(memory); }
 
   private:
     // Writes the warm start of the rows from `first_row` on.
@@ -98,7 +88,7 @@ class StepSolver {
     SolveWork solve(const StepProblem& problem, const Island& island, Columns* first_guess,
                     IslandSolver::Bench& bench);
     void note_changed(const Island& island);
-    void find_next_guesses(const SystemEquation& system, const Island& island, const RowRun& run);
+    void find_next_guesses(const Island& island, const RowRun& run);
 
     Islands islands_;
     IslandSolver island_solver_;
@@ -106,7 +96,7 @@ class StepSolver {
     std::vector<int> chosen_;  // islands to be solved, by number
     Columns lambda_, first_guess_;
     ConstraintForces forces_;
-    std::vector<NewForce> changed_;
+    std::vector<char> changed_;
     std::vector<Lambda> answers_;  // warm start of the next step, one per row
     std::vector<Lambda> endings_;  // of rows of islands in small steps, forces of the last small step
 };

@@ -188,8 +188,12 @@ void weigh_rows(SystemEquation& system) {
     }
 }
 
-Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale) {
-    const WeightedRow weighted(system.rows[static_cast<std::size_t>(row)], system);
+double diagonal_of(const SystemEquation& system, const ConstraintRow& row) {
+    return WeightedRow(row, system).squared() + row.softness;
+}
+
+Jacobian unit_axis(const SystemEquation& system, const ConstraintRow& row, double scale) {
+    const WeightedRow weighted(row, system);
     const double to_unit = scale > 0.0 ? 1.0 / scale : 0.0;
     Jacobian unit;
     weighted.a.write(to_unit, unit.a);

@@ -98,7 +98,10 @@ void weigh_rows(SystemEquation& system);
 
 // J M^(-1/2) / `scale` of a row, in body axes. With the square root of its A_jj as `scale` it has unit length, at
 // most that for a row of a disc. Computed only for solves: kept forces do not need it.
-Jacobian unit_axis(const SystemEquation& system, Eigen::Index row, double scale);
+Jacobian unit_axis(const SystemEquation& system, const ConstraintRow& row, double scale);
+
+// A_jj of a row alone, which is none of a disc [1/kg].
+double diagonal_of(const SystemEquation& system, const ConstraintRow& row);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {

@@ -96,10 +96,11 @@ struct ContactScene {
     }
 
     // Puts the parts together, after the last body.
-    void build(const engine::Vector3& gravity = {0, -10, 0}) {
+    void build(const engine::Vector3& gravity = {0, -10, 0}, const engine::Correction& correction = {}) {
         if (!gravity.isZero(0.0)) world.forces.push_back(std::make_unique<engine::Gravity>(gravity));
         auto stage = std::make_unique<engine::ContactConstraints>(
-            colliders, engine::ContactChoices{.correction = {}, .slop = 0.002, .detection = {.margin = 0.01}});
+            colliders,
+            engine::ContactChoices{.correction = correction, .slop = 0.002, .detection = {.margin = 0.01}});
         const auto any = [this](double engine::collision::Collider::*what) {
             for (const auto& collider : colliders) {
                 if (collider.*what > 0.0) return true;

@@ -24,7 +24,7 @@ demos::SceneDescription collision(const std::string& push) {
                     {.name = "right", .shape = demos::SphereShape{0.5}, .mass = 3.0, .position = {0.9, 0.2, 0.1}}};
     scene.bodies[0].velocity = {2, 0, 0};
     scene.bodies[2].velocity = {-1, 0.5, 0};
-    scene.options = {{"push", push}};
+    scene.options = {{"push", push}, {"solver", "direct"}};  // of whole steps
     return scene;
 }
 

@@ -40,8 +40,9 @@ bool lowers_its_objective(const demos::Settings& settings, const engine::World& 
 // Its bodies have moved with the means of the small steps.
 bool any_small_steps(const engine::World& world) {
     const auto islands = world.islands().all();
-    return std::any_of(islands.begin(), islands.end(),
-                       [&](const auto& island) { return world.outcome_of(island).in_small_steps; });
+    return std::any_of(islands.begin(), islands.end(), [&](const auto& island) {
+        return world.outcome_of(island).method == engine::IslandSolver::Method::in_small_steps;
+    });
 }
 
 bool any_swept(const demos::BuiltScene& scene) {

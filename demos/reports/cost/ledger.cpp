@@ -42,10 +42,10 @@ IslandKind kind_of(const engine::Island& island) {
 }
 
 void add_islands(const engine::World& world, Counts& sum) {
-    using Method = engine::WarmStart::Method;
+    using Method = engine::IslandSolver::Method;
     for (const engine::Island& island : world.islands().all()) {
         IslandCounts& counts = sum.islands[static_cast<std::size_t>(kind_of(island))];
-        const Method method = world.method_of(island);
+        const Method method = world.outcome_of(island).method;
         (method == Method::kept    ? counts.kept
          : method == Method::swept ? counts.swept
          : method == Method::exact ? counts.exact

@@ -189,7 +189,7 @@ void require_finite(const BuiltScene& scene) {
 }
 
 void resume(BuiltScene& scene, const RunState& state) {
-    scene.world.resume(state.time, state.warm_start);
+    scene.world.resume(state.time);
     scene.substeps_before = state.substeps;
 }
 

@@ -22,11 +22,6 @@ class ExactAnswer {
     // Looks up the connectivity of the island. To be called first.
     void take(const Island& island) { structure_ = &structures_.of(island); }
     int pairs() const { return static_cast<int>(structure_->all_pairs.size()); }  // including static bodies
-    // Whether the movable bodies are connected without a cycle, so that the factor has no fill-in.
-    bool is_tree() const {
-        const auto pairs = static_cast<int>(structure_->movable_pairs.size());
-        return pairs > 0 && pairs < structure_->movable;
-    }
 
     // Plans the factorisation unless it takes more than `most_work` multiply-adds. To be called second.
     void plan(double most_work = infinity) { structures_.plan(*structure_, most_work); }
@@ -35,7 +30,8 @@ class ExactAnswer {
     template <int columns>
     double factorisation(const UnitRows<columns>& rows) const {
         const Elimination& order = structure_->order;
-        return (rows.bounds_follow() ? order.general_work() : order.symmetric_work()) + rows.factor_rows_work();
+        return (rows.bounds_follow() ? order.general_work() : order.symmetric_work()) +
+               rows.factor_work_of(static_cast<int>(rows.rows.size()));
     }
 
     // Improves the forces until the natural residual is at most `tolerance` [m/s], stops falling, or the effort is
@@ -91,8 +87,6 @@ void ExactAnswer::take_column(const UnitRows<columns>& rows, int column) {
 template <int columns>
 bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, double will_do, Effort& effort,
                         SolveCount& count) {
-    const double before = effort.spent();
-    const int iterations_before = count.iterations;
     active_set_.start();
     bool solved = true;
     for (int c = 0; c < columns; ++c) {
@@ -102,8 +96,6 @@ bool ExactAnswer::solve(UnitRows<columns>& rows, double tolerance, double will_d
         for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y[rows.at(c)] = y_[j];
     }
     rows.follow();
-    count.exact_work += effort.spent() - before;
-    count.exact_iterations += count.iterations - iterations_before;
     return solved;
 }
 

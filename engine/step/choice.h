@@ -1,0 +1,44 @@
+// How an island is solved in a step: directly, or in small steps, and how many. Every rule uses the island and its
+// state alone, and no memory of earlier steps.
+//
+//   - An island whose guess is good enough is not solved (island_solver.h).
+//   - It is solved directly if that costs no more than a few small steps. One that stands and has no forces yet may
+//     cost more, because once found they last.
+//   - Everything else takes small steps: where most moves, few, because impacts change it anyway; else more,
+//   because
+//     what carries load is compressed by g h^2.
+#pragma once
+
+#include "engine/bodies/body.h"
+#include "engine/step/small_steps.h"
+#include "engine/system/islands.h"
+
+#include <span>
+
+namespace pushfactor::engine::choice {
+
+// Whether small steps suit the island. A single body is always solved directly; and a row that bounces would bounce
+// again in the next small step.
+bool divides(const Island& island);
+
+// Largest speed that the external forces of a step give a body [m/s].
+double speed_by_forces(double dt, std::span<const Body> bodies, const Island& island);
+
+SmallStepDivision division_of(double dt, std::span<const Body> bodies, const Island& island);
+
+// Whether a guess with this residual [m/s] is kept. Below the upper tolerance it may go on with what moves, but
+// must not set in motion what stands: else a solution that stops a body would push it back in the next step, for
+// ever.
+bool will_do(double residual, const solvers::Termination& usual, std::span<const Body> bodies,
+             const Island& island);
+
+// Residual [m/s] of a direct solution that is taken although it misses the tolerance: far less than small steps
+// leave.
+double good_residual(double dt, std::span<const Body> bodies, const Island& island);
+
+// Multiply-adds that a direct solution of the island is worth, whose guess has forces or none. `divided`: small
+// steps are taken instead, else sweeps of the whole step.
+double worth_of(double dt, std::span<const Body> bodies, const Island& island, double residual, bool has_forces,
+                bool divided);
+
+}  // namespace pushfactor::engine::choice
