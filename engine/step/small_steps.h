@@ -20,9 +20,8 @@
 // and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h; e error of a row [m].
 //
 //   open row (gap, loose rope)   t = -e / h in both solves: it may close
-//   closed row, bar, joint       t = -r e / h with the push, 0 without it, r = beta / n; of one-sided rows r is
-//   less
-//                                where t would exceed the speed that a step of external forces causes
+//   closed row, bar, joint       t = -r e / h with the push, 0 without it
+//   its share r of the error     beta / n; of one-sided rows less where t would exceed the speed of a step of forces
 //   others                       t = their lasting push: belts, motors, springs
 //
 // With the push a row also gives way to its force, y <- (1 - s) (y + t - u . x) with s / (1 - s) = r / stiffness: a
