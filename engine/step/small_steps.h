@@ -21,7 +21,7 @@
 //
 //   open row (gap, loose rope)   t = -e / h in both solves: it may close
 //   closed row, bar, joint       t = -r e / h with the push, 0 without it
-//   its share r of the error     beta / n; of one-sided rows less where t would exceed the speed of a step of forces
+//   its share r                  beta / n; of one-sided rows less where t would exceed the speed of a step
 //   others                       t = their lasting push: belts, motors, springs
 //
 // With the push a row also gives way to its force, y <- (1 - s) (y + t - u . x) with s / (1 - s) = r / stiffness: a
