@@ -22,7 +22,7 @@ constexpr int push_sweeps = 4;
 // no whole number, so that rounding does not decide for what falls.
 constexpr double hit = 12.5;
 // The same over the largest change of the first sweep, for impacts that are faster still.
-constexpr double small_share = 0.01;
+constexpr double small_share = 1e-3;
 
 // Sweeps of a solve at most. A pyramid hit at 20 m/s, whose bricks are thrown up by 0.2 m/s if it is solved, throws
 // them up by 5 m/s with one sweep, by 0.9 with 25, and by 0.3 with 100, which cost four times as much in that step.
