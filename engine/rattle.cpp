@@ -41,7 +41,7 @@ class RattleStep {
     // Takes the rows at the beginning of the step.
     void begin(double dt) {
         if (world_.moves_any()) throw InvalidInput("bodies with a path", "some", "none: RATTLE moves none");
-        world_.find_awake();
+        world_.find_awake(0.0);
         world_.step_rows().append(world_.constraints, {world_.bodies, dt, world_.time()});
         require_bars(world_.rows());
     }
@@ -81,7 +81,7 @@ class RattleStep {
 
   private:
     void prepare(double kick) {
-        world_.add_forces();
+        world_.add_forces(0.0);
         build_system(world_.bodies, world_.rows(), kick, system_);
         system_.dt = std::abs(kick);  // scale of the solvers' residuals; b has the sign
     }

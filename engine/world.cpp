@@ -47,8 +47,8 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
     SolveWork work;
     begin_paths(dt);  // of moved bodies
     do {
-        find_awake();  // all, unless some are at rest
-        add_forces();  // 3.1
+        find_awake(dt);  // all, unless some are at rest
+        add_forces(dt);  // 3.1
         ended(Phase::forces);
         append_rows(dt);  // 5
         ended(Phase::rows);
@@ -99,14 +99,14 @@ void World::follow_paths() {
     }
 }
 
-void World::find_awake() {
+void World::find_awake(double dt) {
     const bool first = awake_.of() != bodies.size();
     if (!rest) {
         if (first) awake_ = Awake(bodies.size());
         return;
     }
     if (!rest->take_change() && !first) return;
-    if (first) add_forces(Awake(bodies.size()));  // resting ones keep theirs from here on
+    if (first) add_forces(Awake(bodies.size()), dt);  // resting ones keep theirs from here on
     awake_ = rest->awake(bodies.size());
     for (const auto& source : constraints) source->leave_out_others(bodies, awake_);
     step_solver_.leave_out_others(bodies, awake_);
@@ -116,18 +116,18 @@ bool World::wakes_some() {
     return rest && rest->wake_pushed(system_, lambda());
 }
 
-void World::add_forces() {
-    add_forces(awake_);
+void World::add_forces(double dt) {
+    add_forces(awake_, dt);
 }
 
-void World::add_forces(const Awake& to) {
+void World::add_forces(const Awake& to, double dt) {
     for (const int index : to.members()) {
         Body& body = bodies[static_cast<std::size_t>(index)];
         body.force.setZero();
         body.torque.setZero();
     }
     const ForcedBodies forced(bodies, to);
-    for (const auto& source : forces) source->add_forces(forced, time_);
+    for (const auto& source : forces) source->add_forces(forced, time_, time_ + dt);
 }
 
 // Against the gravity of all sources, unit length; zero without any.
@@ -183,8 +183,8 @@ void World::resume(double time) {
 
 void World::prepare(double dt) {
     begin_paths(dt);
-    find_awake();
-    add_forces();
+    find_awake(dt);
+    add_forces(dt);
     append_rows(dt);
     build_system(bodies, awake_.members(), rows_.all(), dt, system_, sharing_);
     step_solver_.solve(problem());

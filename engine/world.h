@@ -81,8 +81,8 @@ class World {
     double residual() const { return step_solver_.residual(problem()); }
 
     // Phases of a step and what they work on, for steps of other kinds (rattle.h).
-    void find_awake();
-    void add_forces();
+    void find_awake(double dt);
+    void add_forces(double dt);
     void remember();
     void pass_time(double dt) { time_ += dt; }
     StepCount count(const SolveWork& work) const;
@@ -97,7 +97,7 @@ class World {
   private:
     void begin_paths(double dt);
     void follow_paths();
-    void add_forces(const Awake& to);
+    void add_forces(const Awake& to, double dt);
     StepCount take_step(double dt, PhaseObserver* observer);
     StepStart start_of(double dt) const { return {bodies, dt, time_, rotate, sharing_, up()}; }
     Vector3 up() const;

@@ -47,10 +47,12 @@ class ForcedBodies {
 class ForceSource {
   public:
     virtual ~ForceSource() = default;
-    virtual void add_forces(const ForcedBodies& bodies, double time) = 0;  // s since the start of the world
+    // The mean over the time from `from` to `until` [s since the start of the world], so that an impulse does not
+    // depend on the step; the force at that time if they are equal.
+    virtual void add_forces(const ForcedBodies& bodies, double from, double until) = 0;
 
-    // Bodies that may get a different force at `until` than at `from` [s] without having moved; they cannot rest.
-    // All of them by default.
+    // Bodies that may get a different force in the step that begins at `until` than in the one before it, from
+    // `from` [s], without having moved; they cannot rest. All of them by default.
     virtual SomeBodies pushed_anew(double /*from*/, double /*until*/) const { return {.all = true}; }
 
     // The acceleration [m/s^2, world frame] that the source gives to all bodies alike; zero if it does not. Rows

@@ -2,7 +2,7 @@
 
 namespace pushfactor::engine {
 
-void Gravity::add_forces(const ForcedBodies& bodies, double) {
+void Gravity::add_forces(const ForcedBodies& bodies, double, double) {
     for (Body& body : bodies) {
         if (!body.is_static()) body.force += body.mass() * acceleration_;
     }

@@ -23,18 +23,20 @@ struct Poke {
 class PokeForce : public ForceSource {
   public:
     explicit PokeForce(const Poke& poke) : poke_(poke) {}
-    void add_forces(const ForcedBodies& bodies, double time) override;
+    void add_forces(const ForcedBodies& bodies, double from, double until) override;
     SomeBodies pushed_anew(double from, double until) const override;
     bool turns_unseen(int body) const override;
 
     const Poke& poke() const { return poke_; }
-    bool acts_at(double time) const;  // s
+    bool acts_at(double time) const { return share_of(time, time) > 0.0; }  // s
 
     // Force and torque beside it in the world frame [N, N m], for a body with this orientation.
     Vector3 force(const Quaternion& orientation) const { return in_world(poke_.force, orientation); }
     Vector3 torque(const Quaternion& orientation) const { return in_world(poke_.torque, orientation); }
 
   private:
+    // Share of the time from `from` to `until` [s] in which it acts; of an instant 0 or 1.
+    double share_of(double from, double until) const;
     Vector3 in_world(const Vector3& vector, const Quaternion& orientation) const {
         return poke_.frame == Poke::Frame::body ? Vector3(orientation * vector) : vector;
     }

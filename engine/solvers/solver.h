@@ -29,6 +29,7 @@ struct Termination {
 // Result and cost of a solve.
 struct SolveCount {
     int iterations = 0;          // of the solver's own kind
+    double row_updates = 0.0;    // 0: in each iteration every row in every column
     double multiply_adds = 0.0;  // work, machine-independent; without loading and storing
     bool exact = false;          // solved by an exact method
     bool contradicts = false;    // it found rows that no forces can satisfy together

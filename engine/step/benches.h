@@ -25,7 +25,8 @@ struct SolveWork {
     SolveWork() = default;
     SolveWork(const Island& island, const solvers::SolveCount& count)
         : sweeps(count.iterations),
-          row_updates(1.0 * island.rows * island.columns * count.iterations),
+          row_updates(count.row_updates > 0.0 ? count.row_updates
+                                              : 1.0 * island.rows * island.columns * count.iterations),
           multiply_adds(count.multiply_adds),
           alone(is_large(island) ? 0.0 : count.multiply_adds) {}
 

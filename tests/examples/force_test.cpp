@@ -15,7 +15,7 @@ class Drag : public ForceSource {
   public:
     explicit Drag(double drag) : drag_(drag) {}  // c, N s/m, >= 0
 
-    void add_forces(const ForcedBodies& bodies, double /*time*/) override {
+    void add_forces(const ForcedBodies& bodies, double /*from*/, double /*until*/) override {
         for (Body& body : bodies) body.force -= drag_ * velocity(body);
     }
 

@@ -33,6 +33,21 @@ TEST_CASE("a torque spins a body up by torque time / moment about the axis, and 
     CHECK(world.bodies[0].linear_momentum.norm() == 0.0);
 }
 
+TEST_CASE("100 N for 10 ms are 1 N s, whatever the step and wherever in it they begin, also for a body at rest") {
+    for (const double step : {1.0 / 10.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0}) {
+        for (const double from : {0.0, 0.505, 0.5, 0.4931}) {
+            for (const bool rests : {false, true}) {
+                World world = world_of(ball_body(1.0, 0.5, {0, 0, 0}),
+                                       {.body = 0, .force = {100, 0, 0}, .from = from, .until = from + 0.01});
+                if (rests) world.rest = std::make_unique<Rest>();
+                while (world.time() < 0.6) world.step(step);
+                INFO("step " << step << " from " << from << (rests ? ", at rest" : ""));
+                CHECK(std::abs(world.bodies[0].linear_momentum.x() - 1.0) < 1e-7);
+            }
+        }
+    }
+}
+
 TEST_CASE("a force at a point of a body pushes like one at its centre and turns by lever x force") {
     World world = world_of(ball_body(2.0, 0.5, {1, 2, 3}),
                            {.body = 0, .force = {0, 4, 0}, .point = {0.3, 0, 0.1}, .from = 0.0, .until = dt});

@@ -17,7 +17,7 @@ namespace {
 // A force that acts from the start, without an announced start time.
 class Wind : public ForceSource {
   public:
-    void add_forces(const ForcedBodies& bodies, double /*time*/) override {
+    void add_forces(const ForcedBodies& bodies, double /*from*/, double /*until*/) override {
         for (Body& body : bodies) body.force += Vector3(0.1, 0, 0);
     }
 };

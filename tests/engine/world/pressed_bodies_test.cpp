@@ -20,7 +20,7 @@ class Press : public ForceSource {
     Press(int body, const Vector3& force, const Vector3& torque, double until)
         : body_(static_cast<std::size_t>(body)), force_(force), torque_(torque), until_(until) {}
 
-    void add_forces(const ForcedBodies& bodies, double time) override {
+    void add_forces(const ForcedBodies& bodies, double time, double) override {
         if (time >= until_) return;
         bodies[body_].force += force_;
         bodies[body_].torque += torque_;

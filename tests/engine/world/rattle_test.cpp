@@ -222,7 +222,7 @@ TEST_CASE("RK4 adds nothing: a free body flies the parabola to rounding and tumb
 
 TEST_CASE("a force that changes with time is seen at the times of the moves") {
     struct Shaker : ForceSource {
-        void add_forces(const ForcedBodies& bodies, double time) override {
+        void add_forces(const ForcedBodies& bodies, double time, double) override {
             bodies[0].force.x() += std::cos(3.0 * time);
         }
     };
