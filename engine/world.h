@@ -78,7 +78,7 @@ class World {
     const Islands& islands() const { return step_solver_.islands(); }
     const IslandSolver::Outcome& outcome_of(const Island& island) const { return step_solver_.outcome_of(island); }
     // Natural-map residual of the last step [m/s], see StepSolver::residual().
-    double residual() const { return step_solver_.residual(problem()); }
+    double residual() const { return step_solver_.residual(system_, termination); }
 
     // Phases of a step and what they work on, for steps of other kinds (rattle.h).
     void find_awake(double dt);
@@ -86,7 +86,7 @@ class World {
     void remember();
     void pass_time(double dt) { time_ += dt; }
     StepCount count(const SolveWork& work) const;
-    StepProblem problem() const {
+    StepProblem problem() {
         return {
             bodies, system_, solver.get(), termination, small_steps.get(), sharing_, rows_.sources_of(constraints)};
     }

@@ -11,6 +11,7 @@ namespace {
 Settings paper() {
     Settings settings;
     settings.preset = "paper";
+    settings.substeps = 1;
     settings.scheme = Scheme::whole;
     settings.solver = "pgs";
     settings.tolerance_high = 0.0;

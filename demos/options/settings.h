@@ -28,9 +28,9 @@ constexpr bool is_rattle(Scheme scheme) {
 struct Settings {
     std::string preset;
 
-    Rational dt{1, 60};               // s
-    std::optional<int> substeps = 1;  // engine steps per step of the run; none: as many as the state needs
-    double seconds = 10.0;            // simulated time, rounded down to whole steps
+    Rational dt{1, 60};           // s
+    std::optional<int> substeps;  // engine steps per step of the run; none: as many as bars and joints need
+    double seconds = 10.0;        // simulated time, rounded down to whole steps
 
     std::string solver = "auto";   // name in the solver table
     int iterations = 25;           // per solve, at most

@@ -167,8 +167,7 @@ const std::array simulation_table{
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
                      [](const Settings& s) { return to_text(s.dt); }},
     SimulationOption{"substeps", "N|auto",
-                     "engine steps per step; auto: as many as bars under tension, fast rotation and small bodies "
-                     "need [1]",
+                     "engine steps per step; auto: as many as bars and joints under tension or turning fast need",
                      "a whole number from 1 to 10000, or auto", set_substeps,
                      [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
     SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
@@ -281,7 +280,7 @@ std::string scheme_name(const Settings& settings) {
 }
 
 bool is_of_preset(std::string_view option) {
-    static constexpr std::array<std::string_view, 7> of_run{"seconds",     "dt",      "substeps", "friction",
+    static constexpr std::array<std::string_view, 6> of_run{"seconds",     "dt",      "friction",
                                                             "restitution", "threads", "rest"};
     if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
     return std::any_of(simulation_table.begin(), simulation_table.end(),

@@ -2,12 +2,15 @@
 
 namespace pushfactor::demos {
 
-void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into) {
+void take_checkpoint(const BuiltScene& scene, const DivisionMemory& division, Checkpoint& into) {
     into.bodies = scene.world.bodies;
     into.state.time = scene.world.time();
-    into.state.substeps = substeps;
+    into.state.division = division;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
-    if (scene.joints) into.state.joint_forces = scene.joints->forces();
+    if (scene.joints) {
+        into.state.joint_forces = scene.joints->forces();
+        into.state.joint_angles = scene.joints->angles();
+    }
     if (scene.contacts) scene.contacts->all_forces(into.state.contact_forces);
     if (scene.world.rest) {
         const auto rest = scene.world.rest->memory();

@@ -11,8 +11,8 @@ struct Checkpoint {
     RunState state;
 };
 
-// Overwrites `into`, reusing its memory. `substeps` is StepDivision::level().
-void take_checkpoint(const BuiltScene& scene, double substeps, Checkpoint& into);
+// Overwrites `into`, reusing its memory. `division` is StepDivision::memory().
+void take_checkpoint(const BuiltScene& scene, const DivisionMemory& division, Checkpoint& into);
 
 // The description that resumes `scene` from the checkpoint, bit-identical to an uninterrupted run. `description` is
 // what `scene` was built from, with every option spelled out.

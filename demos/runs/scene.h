@@ -3,6 +3,7 @@
 #pragma once
 
 #include "demos/options/settings.h"
+#include "demos/scenes/run_state.h"
 #include "demos/scenes/scene_description.h"
 #include "engine/constraints/contact_constraints.h"
 #include "engine/forces/poke.h"
@@ -28,7 +29,7 @@ struct BuiltScene {
     std::vector<const engine::PokeForce*> pokes;             // part of the world: forces on single bodies
     std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
-    std::optional<double> substeps_before{};  // of a resumed run: StepDivision::level()
+    std::optional<DivisionMemory> division_before{};  // of a resumed run
 
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;

@@ -38,7 +38,7 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
 
 StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
     if (settings.substeps) return StepDivision(*settings.substeps);
-    return StepDivision(step_rules(scene), scene.substeps_before.value_or(0.0));
+    return StepDivision(step_rules(scene), scene.division_before.value_or(DivisionMemory{}));
 }
 
 // Index of the body with the largest number in its state; the first of several.
@@ -82,7 +82,7 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 void Simulation::start() {
     const double dt = settings_.dt.value();
     // The rules need the forces of a first solve.
-    if (!settings_.substeps && !scene_.substeps_before) scene_.world.prepare(dt);
+    if (division_.has_rules() && !scene_.division_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
     StepDivision first = division_;
     scene_.world.kick_back_half(dt / first.divide(scene_.world, dt));
@@ -94,7 +94,7 @@ const Sample& Simulation::advance() {
     sample_.step = step;
     sample_.time = (settings_.dt * Rational{step, 1}).value();
     if (clock_) sample_.cpu_us = 0.0;
-    take_checkpoint(scene_, division_.level(), before_);
+    take_checkpoint(scene_, division_.memory(), before_);
     divide_step();
     measure_state();
     require_finite_sample();
@@ -182,7 +182,7 @@ void Simulation::measure_state() {
 
 Checkpoint Simulation::checkpoint() const {
     Checkpoint now;
-    take_checkpoint(scene_, division_.level(), now);
+    take_checkpoint(scene_, division_.memory(), now);
     return now;
 }
 

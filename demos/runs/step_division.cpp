@@ -28,54 +28,50 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
     std::vector<StepRule> rules;
     if (const auto* distances = scene.distances) {
         rules.push_back(
-            {"tension", [distances](const World& w) { return tension_rate(*distances, w.bodies); }, false});
+            {"tension", [distances](const World& w) { return tension_rate(*distances, w.bodies); }, true});
         rules.push_back(
-            {"turning", [distances](const World& w) { return turning_rate(*distances, w.bodies); }, true});
+            {"turning", [distances](const World& w) { return turning_rate(*distances, w.bodies); }, false});
     }
     if (const auto* joints = scene.joints) {
-        rules.push_back({"tension", [joints](const World& w) { return tension_rate(*joints, w.bodies); }, false});
-        rules.push_back({"turning", [joints](const World& w) { return turning_rate(*joints, w.bodies); }, true});
-    }
-    const auto& bodies = scene.world.bodies;
-    if (std::any_of(bodies.begin(), bodies.end(), engine::is_slender)) {
-        rules.push_back({"spin", [](const World& w) { return engine::spin_rate(w.bodies); }, true});
-    }
-    if (scene.contacts && !scene.gravity.isZero(0.0)) {
-        const double rate = engine::size_rate(scene.contacts->colliders(), bodies, scene.gravity);
-        rules.push_back({"size", [rate](const World&) { return rate; }, false});
+        rules.push_back({"tension", [joints](const World& w) { return tension_rate(*joints, w.bodies); }, true});
+        rules.push_back({"turning", [joints](const World& w) { return turning_rate(*joints, w.bodies); }, false});
     }
     return rules;
 }
 
 int StepDivision::divide(const engine::World& world, double dt) {
     short_ = false;
-    if (rules_.empty()) return std::max(whole(level_), 1);
-    double wanted = 1.0;
+    if (rules_.empty()) return std::max(whole(memory_.parts), 1);
+    double wanted = 1.0, by_forces = 0.0;
     std::string_view rule;
     for (const StepRule& asked : rules_) {
-        const double parts = asked.rate(world) * dt;
+        const double rate = asked.rate(world);
+        if (asked.by_forces) by_forces = std::max(by_forces, rate);
+        const double parts = dt * (asked.by_forces ? std::min(rate, memory_.force_rate) : rate);
         if (!(parts > wanted)) continue;
         wanted = parts;
         rule = asked.name;
     }
+    memory_.force_rate = by_forces;
     short_ = wanted > most_parts;
     wanted = std::min(wanted, double{most_parts});
-    if (wanted >= most_fall * level_) rule_ = rule;
-    level_ = level_ > 0.0 ? std::clamp(wanted, std::max(most_fall * level_, 1.0), most_rise * level_) : wanted;
-    const int parts = whole(level_);
+    double& level = memory_.parts;
+    if (wanted >= most_fall * level) rule_ = rule;
+    level = level > 0.0 ? std::clamp(wanted, std::max(most_fall * level, 1.0), most_rise * level) : wanted;
+    const int parts = whole(level);
     if (parts == 1) rule_ = {};
     return parts;
 }
 
 int StepDivision::refine(const engine::World& world, double dt, int parts) {
     for (const StepRule& asked : rules_) {
-        if (!asked.within_step || !(asked.rate(world) * dt > refine_beyond * parts)) continue;
+        if (asked.by_forces || !(asked.rate(world) * dt > refine_beyond * parts)) continue;
         if (2 * parts > most_parts) {
             short_ = true;
             break;
         }
         rule_ = asked.name;
-        level_ = 2.0 * parts;
+        memory_.parts = 2.0 * parts;
         return 2;
     }
     return 1;

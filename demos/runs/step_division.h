@@ -14,10 +14,11 @@ struct StepRule {
     std::string_view name;
     std::function<double(const engine::World&)> rate;  // 1/s; a step of dt follows the state while rate dt <= 1
 
-    // Whether it may also divide the rest of a step. Not for rules that depend on forces: these include the
+    // Whether the rate depends on forces. Such a rule may not divide the rest of a step: its forces include the
     // correction of the last part, which is larger for shorter parts, so that dividing would require dividing
-    // again.
-    bool within_step = false;
+    // again. And only what two steps in a row ask for counts: the force of an impact grows as its step gets
+    // shorter.
+    bool by_forces = false;
 };
 
 // The rules for the parts of the scene. They refer to parts of its world, which must outlive them.
@@ -29,14 +30,14 @@ class StepDivision {
     static constexpr int most_parts = 1000;
 
     // Always `parts`, 1 or more.
-    explicit StepDivision(int parts) : level_(parts) {}
+    explicit StepDivision(int parts) : memory_{.parts = 1.0 * parts} {}
 
     // As many parts as the rules require, at least 1. From step to step the number at most doubles, because a
     // single large force may only stop a motion, and falls by no more than a sixteenth: a length error that is
     // small for a long step is corrected faster in a short one, so that every change of step length costs energy.
-    // `level`: that of the previous step for a resumed run, 0 at the start.
-    explicit StepDivision(std::vector<StepRule> rules, double level = 0.0)
-        : rules_(std::move(rules)), level_(level) {}
+    // `before`: memory() of the previous step for a resumed run.
+    explicit StepDivision(std::vector<StepRule> rules, const DivisionMemory& before = {})
+        : rules_(std::move(rules)), memory_(before) {}
 
     // Number of parts for the next step of dt [s].
     int divide(const engine::World& world, double dt);
@@ -45,13 +46,14 @@ class StepDivision {
     // shorter ones, 1 otherwise.
     int refine(const engine::World& world, double dt, int parts);
 
-    double level() const { return level_; }          // parts of the last step at its finest, before rounding up
-    std::string_view rule() const { return rule_; }  // that required them; empty if none did
-    bool is_short() const { return short_; }         // whether it required more than most_parts
+    bool has_rules() const { return !rules_.empty(); }
+    const DivisionMemory& memory() const { return memory_; }  // after the last step, at its finest
+    std::string_view rule() const { return rule_; }           // that required them; empty if none did
+    bool is_short() const { return short_; }                  // whether it required more than most_parts
 
   private:
     std::vector<StepRule> rules_;
-    double level_;
+    DivisionMemory memory_;
     std::string_view rule_;
     bool short_ = false;
 };

@@ -23,8 +23,9 @@ using engine::collision::Pair;
 
 using Keys = std::vector<std::string>;
 // warm_start, solved_exactly and kept_steps of files of earlier versions mean nothing any more.
-const Keys state_keys{"time_s",         "warm_start", "substeps", "distance_forces_n", "joint_forces_n",
-                      "contact_forces", "places",     "at_rest",  "solved_exactly",    "kept_steps"};
+const Keys state_keys{
+    "time_s",           "warm_start",     "substeps", "force_rate_per_s", "distance_forces_n", "joint_forces_n",
+    "joint_angles_rad", "contact_forces", "places",   "at_rest",          "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
 const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
@@ -85,6 +86,17 @@ std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDes
         std::transform(rows.begin(), rows.end(), forces[i].begin(), read_lambda);
     }
     return forces;
+}
+
+// Angles that nobody needs are 0 in files.
+Json angles_json(const std::vector<double>& angles) {
+    Json json = Json::array();
+    for (const double angle : angles) json.push_back(std::isnan(angle) ? 0.0 : angle);
+    return json;
+}
+
+bool is_any_known(const std::vector<double>& angles) {
+    return std::ranges::any_of(angles, [](double angle) { return !std::isnan(angle); });
 }
 
 ContactCache::Point read_point(const JsonReader& json) {
@@ -270,7 +282,8 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
     check_memory(json);
     if (json.has("warm_start")) check_warm_start(json.at("warm_start"), scene);
-    if (json.has("substeps")) state.substeps = json.at("substeps").number(0.0, 10000.0);
+    if (json.has("substeps")) state.division.parts = json.at("substeps").number(0.0, 10000.0);
+    if (json.has("force_rate_per_s")) state.division.force_rate = json.at("force_rate_per_s").number(0.0, 1e300);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
@@ -279,6 +292,11 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     if (json.has("joint_forces_n")) {
         state.joint_forces = read_joint_forces(json.at("joint_forces_n"), scene);
     }
+    if (json.has("joint_angles_rad")) {
+        const std::size_t count = scene.joints.size();
+        state.joint_angles =
+            json.at("joint_angles_rad").numbers(count, fmt::format("an array of {} angles, one a joint", count));
+    }
     if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
     if (json.has("places")) state.rest = read_places(json.at("places"), scene);
     if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
@@ -286,7 +304,8 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 }
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
-    Json json{{"time_s", state.time}, {"substeps", state.substeps}};
+    Json json{{"time_s", state.time}, {"substeps", state.division.parts}};
+    if (state.division.force_rate < engine::infinity) json["force_rate_per_s"] = state.division.force_rate;
     for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
         const bool joint = scene.distances[i].length == 0.0;
         json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
@@ -296,6 +315,7 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
         for (std::size_t j = 0; j < rows_of(scene.joints[i]); ++j)
             rows.push_back(to_json(state.joint_forces[i][j]));
     }
+    if (is_any_known(state.joint_angles)) json["joint_angles_rad"] = angles_json(state.joint_angles);
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));
     }

@@ -74,6 +74,11 @@ Json to_json(const DistanceDescription& distance) {
 }
 
 Json to_json(const engine::Motor& motor) {
+    if (const auto& servo = motor.servo) {
+        return {{"target_angle_rad", servo->angle},
+                {"stiffness_n_m_per_rad", servo->stiffness},
+                {"damping_n_m_s_per_rad", servo->damping}};
+    }
     Json json{{"speed_rad_per_s", motor.speed}};
     if (std::isfinite(motor.max_torque)) json["max_torque_n_m"] = motor.max_torque;
     return json;

@@ -129,6 +129,8 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
         row.push = rebound.push;
         if (row.push.lasting < 0.0) row.error = point.gap;  // it does not aim at rest
         row.bounds.in_momenta = rebound.in_momenta;
+        row.rebound = rebound.speed;
+        row.since_impact = rebound.since;
     }
     row.label.point = contact.point;
     row.guess = forces_[contact.force].normal;

@@ -5,18 +5,25 @@
 //   point, k = 1..3   c_k = p_ab . e_k          j_c = [-e_k, -r_a x e_k, e_k, r_b x e_k]   as in 5.2 with l = 0
 //   axis, k = 1, 2    c_k = L theta . t_k       j_c = L [0, -t_k, 0, t_k]
 //   motor             v = L omega               j_c = L [0, -u, 0, u],   -T / L <= lambda <= T / L
+//   servo             v = -L k (phi - target) m, the same axis, softness L^2 m / dt with m = 1 / (k dt + d)
 //   limits            c = L (phi - low) >= 0    j_c = L [0, -u, 0, u],   lambda >= 0
 //                     c = L (high - phi) >= 0   j_c = L [0, u, 0, -u],   lambda >= 0
 //
 // Symbols: p_ab = p_b - p_a [m]; r_i lever arms to the point in the middle [m]; e_k the world's axes; u unit
 // length; t_k two unit vectors across u, fixed in a; theta the rotation from u to the axis of b, along u x axis
-// [rad]; phi angle of b about u, from where b is at angle 0 [rad]; omega speed of the motor [rad/s]; T its largest
-// torque [N m]; v push factor, lambda force. L is a lever [m], the smaller radius of gyration of the bodies: with
-// it rows that turn are in m/s and N like all others, and tolerances mean the same.
+// [rad]; phi angle of b about u, from where b is at angle 0, with all turns since the start [rad]; omega speed of
+// the motor [rad/s]; T its largest torque [N m]; k and d stiffness and damping of a servo, which is a spring as in
+// distance_constraints.h [N m/rad, N m s/rad]; v push factor, lambda force. L is a lever [m], the smaller radius of
+// gyration of the bodies: with it rows that turn are in m/s and N like all others, and tolerances mean the same.
 //
 // The motor is one of the "constant speed motors" of 8.1: its push lasts. It is the bounds that make it stall.
-// Limits are one-sided rows like contacts: open ones may close within the step, closed ones are corrected. Two
-// equal limits are one row that acts both ways: the bodies are welded.
+// Where a limit is nearer than its speed reaches, it aims at the limit, so both agree. Limits are one-sided rows
+// like contacts: open ones may close within the step, closed ones are corrected. Two equal limits are one row that
+// acts both ways: the bodies are welded.
+//
+// Where joints close a loop their rows may say the same thing twice, and once the bodies have turned they disagree
+// by a little: forces that enforce both grow without bound and do nothing. So the rows without bounds of such a
+// joint are soft, s = 1e-4 j_c M^-1 j_c^T, which leaves the force of about the least norm.
 #pragma once
 
 #include "engine/constraints/constraint_source.h"
@@ -28,9 +35,17 @@
 
 namespace pushfactor::engine {
 
+// Turns a hinge towards an angle, or holds it there, like a spring: a load T turns it aside by T / stiffness.
+struct Servo {
+    double angle = 0.0;      // rad
+    double stiffness = 0.0;  // N m/rad, >= 0
+    double damping = 0.0;    // N m s/rad, >= 0; one of both above 0
+};
+
 struct Motor {
     double speed = 0.0;            // rad/s, of b about the axis relative to a
     double max_torque = infinity;  // N m, > 0
+    std::optional<Servo> servo{};  // in the place of speed and largest torque
 };
 
 struct AngleLimits {
@@ -50,6 +65,7 @@ struct Joint {
     Vector3 point_a = Vector3::Zero();  // m, body frame, from the centre of mass
     Vector3 point_b = Vector3::Zero();
     std::optional<Hinge> hinge{};  // without: a ball joint
+    bool closes_loop = false;      // part of a loop of joints and distances (loops.h); static bodies are one
 };
 
 // The two points in the world frame [m].
@@ -86,14 +102,23 @@ class JointConstraints : public ConstraintSource {
     // Solution of the last step, one per joint; zero before the first. Set when a run is restored.
     const std::vector<JointForce>& forces() const { return forces_; }
     void set_forces(std::vector<JointForce> forces);
+    double stored_energy(std::span<const Body> bodies) const override;
+
+    // phi of each joint at the start of the last step [rad]; NaN where it is not needed, or not known yet. Part of
+    // the state of a run.
+    const std::vector<double>& angles() const { return angles_; }
+    void set_angles(std::vector<double> angles);
 
   private:
     void append_hinge(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
+    void append_motor(std::size_t index, const BodyPair& bodies, double dt, double angle, RowList& rows) const;
+    double angle_near(std::size_t index, const BodyPair& bodies) const;
 
     std::vector<Joint> joints_;
     Correction correction_;
     bool cached_;
     std::vector<JointForce> forces_;
+    std::vector<double> angles_;
     std::vector<std::size_t> acting_;
 };
 

@@ -8,10 +8,10 @@ namespace pushfactor::engine {
 namespace {
 
 // Per column, the larger of the push and the rebound (`first`, `last`).
-Rebound larger(const PushFactor& push, double first, double last) {
+Rebound larger(const PushFactor& push, double first, double last, double speed, double since) {
     first = std::max(first, push.correcting + push.lasting);
     last = std::max(last, push.lasting);
-    return {.push = {.correcting = first - last, .lasting = last}};
+    return {.push = {.correcting = first - last, .lasting = last}, .speed = speed, .since = since};
 }
 
 // The gap may be closed within the step.
@@ -47,11 +47,12 @@ Rebound restitution_larger(const PushFactor& push, const Impact& impact) {
     // squared, at the height of the start of the step on the way up
     const double up_here = rebound * rebound + 2.0 * a * gap;
     if (impact.turns && up_here > least * least) {
-        const double speed = std::sqrt(up_here) + 0.5 * a * dt;
-        return larger(push, speed, speed);
+        const double up = std::sqrt(up_here), speed = up + 0.5 * a * dt;
+        return larger(push, speed, speed, up, 0.5 * dt);
     }
     const double rest = dt - tau;
-    return larger(push, ((rebound + 0.5 * a * rest) * rest - gap) / dt, rebound + a * (rest - 0.5 * dt));
+    const double since = rest - 0.5 * dt;
+    return larger(push, ((rebound + 0.5 * a * rest) * rest - gap) / dt, rebound + a * since, rebound, since);
 }
 
 }  // namespace pushfactor::engine

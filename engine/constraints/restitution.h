@@ -32,6 +32,8 @@ struct Impact {
 struct Rebound {
     PushFactor push;
     bool in_momenta = true;  // false: the row has no force in the column that sets momenta (Bounds::in_momenta)
+    double speed = 0.0;      // of the point just after the impact, m/s; 0 if it does not rebound
+    double since = 0.0;      // from the impact to the time of the momenta, s
 };
 using RestitutionRule = Rebound (*)(const PushFactor& push, const Impact& impact);
 

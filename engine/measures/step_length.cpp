@@ -11,9 +11,7 @@ namespace {
 
 // Constants of the rules in the header: largest dt times a frequency or angular velocity.
 constexpr double swing_a_step = 0.5;
-constexpr double turn_a_step = 0.1;       // rad
-constexpr double fall_a_step = 0.02;      // of the size
-constexpr double slender_moments = 10.0;  // largest over smallest
+constexpr double turn_a_step = 0.1;  // rad
 
 // Contribution of one end of a bar or a ball joint to omega^2 / T, 1/(kg m).
 double end_softness(const Body& body, const Vector3& point, double length) {
@@ -99,27 +97,6 @@ double turning_rate(const JointConstraints& joints, std::span<const Body> bodies
                                                   bodies[at(joint.body_b)]));
     }
     return largest / turn_a_step;
-}
-
-bool is_slender(const Body& body) {
-    return body.inverse_inertia.maxCoeff() > slender_moments * body.inverse_inertia.minCoeff();
-}
-
-double spin_rate(std::span<const Body> bodies) {
-    double largest = 0.0;
-    for (const Body& body : bodies) {
-        if (is_slender(body)) largest = std::max(largest, angular_velocity(body).norm());
-    }
-    return largest / turn_a_step;
-}
-
-double size_rate(std::span<const collision::Collider> colliders, std::span<const Body> bodies,
-                 const Vector3& gravity) {
-    double smallest = infinity;
-    for (const collision::Collider& collider : colliders) {
-        if (!bodies[at(collider.body)].is_static()) smallest = std::min(smallest, size_of(collider.shape));
-    }
-    return std::sqrt(gravity.norm() / (fall_a_step * smallest));
 }
 
 }  // namespace pushfactor::engine

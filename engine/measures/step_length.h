@@ -2,7 +2,7 @@
 // of dt resolves the state while rate dt <= 1. A rate of 0 means no limit.
 //
 // Symbols: T tension of a bar [N], l its length [m], m mass and I smallest principal moment of inertia of a body
-// [kg, kg m^2], r distance of the bar's end from the centre of mass [m], g gravity [m/s^2], L size of a body [m].
+// [kg, kg m^2], r distance of the bar's end from the centre of mass [m].
 //
 //   tension   Under T a bar swings back sideways with omega^2 = T sum over both ends of (1/m + r^2/I)/l + r/I. The
 //             constraint is linearised (5.2.1), so this stiffness is explicit and needs omega dt < 2, like every
@@ -10,11 +10,8 @@
 //             force T bodies swing with omega^2 = T sum of r/I.
 //   turning   A bar that turns by an angle a per step leaves its circle by l a^2 / 2: a <= 0.1. The same for a body
 //             that turns about a ball joint, by r a^2 / 2.
-//   spin      The same for a slender body, whose ends move fast: |omega| dt <= 0.1.
-//   size      A small body falls through itself in a step from rest: g dt^2 <= 0.02 L.
 #pragma once
 
-#include "engine/collision/collider.h"
 #include "engine/constraints/distance_constraints.h"
 #include "engine/constraints/joint_constraints.h"
 
@@ -28,12 +25,5 @@ double turning_rate(const DistanceConstraints& distances, std::span<const Body> 
 // The same for joints.
 double tension_rate(const JointConstraints& joints, std::span<const Body> bodies);
 double turning_rate(const JointConstraints& joints, std::span<const Body> bodies);
-double spin_rate(std::span<const Body> bodies);
-double size_rate(std::span<const collision::Collider> colliders, std::span<const Body> bodies,
-                 const Vector3& gravity);
-
-// Whether the largest moment of inertia of a movable body is more than ten times the smallest, as for a box five
-// times as long as wide.
-bool is_slender(const Body& body);
 
 }  // namespace pushfactor::engine

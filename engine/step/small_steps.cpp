@@ -44,7 +44,7 @@ Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const V
 
 // Whether the row keeps bodies apart or points together, and its source says how errors are corrected.
 bool holds_a_place(const ConstraintRow& row) {
-    return row.correction != nullptr && row.bounds.of_row < 0 && row.softness == 0.0;
+    return row.correction != nullptr && row.bounds.of_row < 0;
 }
 
 }  // namespace

@@ -145,8 +145,8 @@ void StepSolver::leave_out_others(std::span<const Body> bodies, const Awake& awa
     }
 }
 
-double StepSolver::residual(const StepProblem& problem) const {
-    const bool all_measured = problem.termination.tolerance_high > 0.0;
+double StepSolver::residual(const SystemEquation& system, const solvers::Termination& termination) const {
+    const bool all_measured = termination.tolerance_high > 0.0;
     // With a fixed number of iterations the solve has not computed the residual.
     if (!all_measured) {
         const auto took_small_steps = [this](const Island& island) {
@@ -154,7 +154,7 @@ double StepSolver::residual(const StepProblem& problem) const {
         };
         const std::span<const Island> islands = islands_.all();
         if (std::none_of(islands.begin(), islands.end(), took_small_steps)) {
-            return natural_residual(problem.system, lambda_);
+            return natural_residual(system, lambda_);
         }
     }
     double largest = 0.0;
@@ -162,7 +162,7 @@ double StepSolver::residual(const StepProblem& problem) const {
         const IslandSolver::Outcome& outcome = outcome_of(island);
         const bool measured = all_measured || outcome.method == IslandSolver::Method::in_small_steps;
         const double own = measured ? std::max(outcome.residuals[0], outcome.residuals[1])
-                                    : island_residual(problem.system, island, lambda_);
+                                    : island_residual(system, island, lambda_);
         if (!(own <= largest)) largest = own;
     }
     return largest;

@@ -19,8 +19,8 @@ namespace pushfactor::engine {
 
 // What is solved in a step, and with what.
 struct StepProblem {
-    std::span<const Body> bodies;  // with the external forces
-    const SystemEquation& system;
+    std::span<const Body> bodies;       // with the external forces
+    SystemEquation& system;             // b changes where rebounds would make energy
     solvers::Solver* solver = nullptr;  // null only without rows
     const solvers::Termination& termination;
     SmallSteps* small_steps = nullptr;  // null: solver iterations instead
@@ -71,7 +71,7 @@ class StepSolver {
     }
     // Natural-map residual of all islands [m/s]. For an island in small steps that of the last small step: the gaps
     // of a whole step are no measure for it.
-    double residual(const StepProblem& problem) const;
+    double residual(const SystemEquation& system, const solvers::Termination& termination) const;
 
     // Of the last step, whose solves were `work`; all but the bodies at rest.
     StepCount count(const SystemEquation& system, const SolveWork& work) const;

@@ -120,20 +120,20 @@ inline void weigh(std::size_t j, SystemEquation& system) {
 
 // Of kinds that few scenes have, apart so that the others do not pay for them.
 [[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
+    const int soft = row.softness > 0.0 ? RowDigest::soft : 0;
     switch (row.label.kind) {
         case RowKind::joint:
-            return RowDigest::joins;
+            return RowDigest::joins | soft;
         case RowKind::motor:
-            return row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0;
+            return (row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0) | soft;
         case RowKind::spring:
-            return RowDigest::soft;
         case RowKind::limit:
         case RowKind::contact:
         case RowKind::friction:
         case RowKind::distance:
             break;
     }
-    return 0;
+    return soft;
 }
 
 [[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
@@ -146,7 +146,6 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     } else if (row.label.kind > RowKind::distance) {
         traits |= traits_of_kind(row, system.carried_by(j));
     }
-    assert(row.softness == 0.0 || row.label.kind == RowKind::spring);
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.

@@ -133,8 +133,9 @@ void PhaseClock::end(std::size_t stage) {
 Walk::Walk(const MeasuredState& moment)
     : scene_(moment.build()),
       dt_(moment.settings.dt.value()),
-      division_(moment.settings.substeps ? StepDivision(*moment.settings.substeps)
-                                         : StepDivision(step_rules(scene_), scene_.substeps_before.value_or(0.0))) {
+      division_(moment.settings.substeps
+                    ? StepDivision(*moment.settings.substeps)
+                    : StepDivision(step_rules(scene_), scene_.division_before.value_or(DivisionMemory{}))) {
     go(steps_before);
 }
 

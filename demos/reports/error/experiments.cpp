@@ -171,8 +171,8 @@ std::vector<Experiment> all_experiments(bool quick) {
         "one answer: the constraint forces of a step against those of the same system solved to 1e-10 m/s, the "
         "median over thirty moments.",
         solvers(true));
-    add("pendulum-grid", "Pendulum grid: constraint forces", "friction-model=paper", "3", "2", converged_error,
-        of_forces,
+    add("pendulum-grid", "Pendulum grid: constraint forces", "friction-model=paper substeps=1", "3", "2",
+        converged_error, of_forces,
         "Spheres and boxes on a grid of pendulums, with the friction bound of the paper: the constraint forces of "
         "a step against those of the same system solved to 1e-10 m/s, the median over thirty moments.",
         solvers(false));
@@ -191,8 +191,8 @@ std::vector<Experiment> all_experiments(bool quick) {
         "Twenty bars swing down with 1 t at their end: the constraint forces of a step against those of the same "
         "system solved to 1e-10 m/s, the median over thirty moments.",
         solvers(false));
-    add("chain", "Chain with a heavy end: against the exact motion", "end-mass=1000", "2", "0.5", chain_error,
-        "distance of the balls from the exact motion, RMS [m]",
+    add("chain", "Chain with a heavy end: against the exact motion", "end-mass=1000 substeps=1", "2", "0.5",
+        chain_error, "distance of the balls from the exact motion, RMS [m]",
         "The same chain under steps of different length, against the exact motion of balls on massless bars: the "
         "distance of their centres over all balls and steps. Between the bars the balls swing sideways some fifty "
         "times a second, which steps have to resolve. Grey: errors that shrink with a power of the step.",
@@ -203,7 +203,7 @@ std::vector<Experiment> all_experiments(bool quick) {
         "Forty cubes, turned at random, fall and come to rest: how far the two of a step overlap that do so most, "
         "the median of the steps. Exact contacts do not overlap.",
         of_the_pile(quick));
-    add("pendulum-wave", "Pendulum wave: against the exact motion", "", "60", "5", scene_error,
+    add("pendulum-wave", "Pendulum wave: against the exact motion", "substeps=1", "60", "5", scene_error,
         "error of the angle, RMS [degrees]",
         "Fifty pendulums against the exact motion of a ball on a bar (two angles): the error of the angle over all "
         "balls and steps. Grey: errors that shrink with a power of the step.",

@@ -74,7 +74,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
                      .differences = differences(sweep, method),
                      .knob = method.knob,
                      .value = value,
-                     .moves = method.moves * choices.settings.substeps.value() / choices.settings.dt.value()};
+                     .moves = method.moves * choices.settings.substeps.value_or(1) / choices.settings.dt.value()};
     run_for_errors(sweep, choices, check, point);
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
     point.cpu = time_runs(choices, repeats, check);

@@ -14,7 +14,7 @@ using engine::Body;
 using engine::Vector3;
 
 double engine_dt(const Settings& settings) {
-    return settings.dt.value() / settings.substeps.value();
+    return settings.dt.value() / settings.substeps.value_or(1);
 }
 
 double sideways(const Vector3& from, const Vector3& to) {
@@ -85,7 +85,7 @@ class PartingError : public TrueError {
     }
 
     void observe(const Simulation& simulation) override {
-        const long steps = simulation.sample().step * simulation.settings().substeps.value();
+        const long steps = simulation.sample().step * simulation.settings().substeps.value_or(1);
         for (std::size_t i = 0; i < cubes_.size(); ++i) {
             const Body& body = simulation.scene().world.bodies[i + 1];
             const Vector3 exact(starts_[i].x(), cubes_[i].height(steps), starts_[i].z());

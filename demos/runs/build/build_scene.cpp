@@ -190,7 +190,7 @@ void require_finite(const BuiltScene& scene) {
 
 void resume(BuiltScene& scene, const RunState& state) {
     scene.world.resume(state.time);
-    scene.substeps_before = state.substeps;
+    scene.division_before = state.division;
 }
 
 }  // namespace

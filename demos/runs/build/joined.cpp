@@ -1,6 +1,7 @@
 #include "demos/runs/build/scene_parts.h"
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
+#include "engine/system/loops.h"
 
 #include <cmath>
 
@@ -70,6 +71,21 @@ engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const
             .limits = described.limits};
 }
 
+// Springs give way by themselves, and hold nothing together.
+void find_loops(const BuiltScene& scene, std::vector<engine::Joint>& joints) {
+    std::vector<std::pair<int, int>> edges;
+    const std::span<const Body> bodies = scene.world.bodies;
+    const auto node = [&](int body) { return bodies[static_cast<std::size_t>(body)].is_static() ? 0 : body + 1; };
+    for (const engine::Joint& joint : joints) edges.emplace_back(node(joint.body_a), node(joint.body_b));
+    if (scene.distances) {
+        for (const engine::Distance& distance : scene.distances->distances()) {
+            if (!distance.spring) edges.emplace_back(node(distance.body_a), node(distance.body_b));
+        }
+    }
+    const std::vector<char> loops = engine::on_loops(edges, static_cast<int>(bodies.size()) + 1);
+    for (std::size_t k = 0; k < joints.size(); ++k) joints[k].closes_loop = loops[k] != 0;
+}
+
 }  // namespace
 
 void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
@@ -111,9 +127,13 @@ void add_joints(BuiltScene& scene, const SceneDescription& description, const Se
         joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],
                                  bodies[static_cast<std::size_t>(joint.body_b)]);
     }
+    find_loops(scene, joints);
     auto source =
         std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
-    if (description.state) source->set_forces(description.state->joint_forces);
+    if (description.state) {
+        source->set_forces(description.state->joint_forces);
+        if (!description.state->joint_angles.empty()) source->set_angles(description.state->joint_angles);
+    }
     scene.joints = source.get();
     scene.world.constraints.push_back(std::move(source));
 }

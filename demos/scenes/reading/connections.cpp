@@ -13,7 +13,8 @@ namespace {
 const Keys distance_keys{"a", "b", "length_m", "acts", "max_force_n", "spring"};
 const Keys spring_keys{"stiffness_n_per_m", "damping_n_s_per_m"};
 const Keys joint_keys{"type", "a", "b", "axis", "zero_wxyz", "motor", "limits_rad", "collide"};
-const Keys motor_keys{"speed_rad_per_s", "max_torque_n_m"};
+const Keys motor_keys{"speed_rad_per_s", "max_torque_n_m", "target_angle_rad", "stiffness_n_m_per_rad",
+                      "damping_n_m_s_per_rad"};
 const Keys end_keys{"body", "point_m"};
 const Keys force_keys{"body", "force_n", "torque_n_m", "point_m", "frame", "from_s", "until_s"};
 
@@ -36,8 +37,28 @@ Described read_ends(const JsonReader& json, const BodyNames& names) {
     return described;
 }
 
+// Stiffness and damping; one of them must be above zero.
+template <typename Made>
+Made read_yielding(const JsonReader& json, const char* stiffness_key, const char* damping_key) {
+    const auto number = [&](const char* key) { return json.has(key) ? json.at(key).number(0.0, 1e100) : 0.0; };
+    Made made;
+    made.stiffness = number(stiffness_key);
+    made.damping = number(damping_key);
+    if (std::max(made.stiffness, made.damping) < 1e-100) {
+        json.refuse("given a stiffness or a damping from 1e-100 to 1e+100");
+    }
+    return made;
+}
+
 engine::Motor read_motor(const JsonReader& json) {
     json.require_object(motor_keys);
+    if (json.has("target_angle_rad")) {
+        refuse_if_given(json, {"speed_rad_per_s", "max_torque_n_m"}, "left out with target_angle_rad");
+        auto servo = read_yielding<engine::Servo>(json, "stiffness_n_m_per_rad", "damping_n_m_s_per_rad");
+        servo.angle = json.at("target_angle_rad").number(-1e6, 1e6);
+        return {.servo = servo};
+    }
+    refuse_if_given(json, {"stiffness_n_m_per_rad", "damping_n_m_s_per_rad"}, "given with target_angle_rad");
     engine::Motor motor{.speed = json.at("speed_rad_per_s").number(-1e9, 1e9)};
     if (json.has("max_torque_n_m")) motor.max_torque = json.at("max_torque_n_m").positive();
     return motor;
@@ -54,12 +75,7 @@ engine::AngleLimits read_limits(const JsonReader& json) {
 
 engine::Spring read_spring(const JsonReader& json) {
     json.require_object(spring_keys);
-    const auto number = [&](const char* key) { return json.has(key) ? json.at(key).number(0.0, 1e100) : 0.0; };
-    const engine::Spring spring{number("stiffness_n_per_m"), number("damping_n_s_per_m")};
-    if (std::max(spring.stiffness, spring.damping) < 1e-100) {
-        json.refuse("given a stiffness or a damping from 1e-100 to 1e+100");
-    }
-    return spring;
+    return read_yielding<engine::Spring>(json, "stiffness_n_per_m", "damping_n_s_per_m");
 }
 
 }  // namespace

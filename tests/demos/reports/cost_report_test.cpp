@@ -101,7 +101,7 @@ TEST_CASE("the wave makes no pair, no contact and one column, and each part of e
     CHECK(own.parts.forces == std::vector<std::string>{"gravity"});
     CHECK(own.parts.constraints == std::vector<std::string>{"50 distances"});
     CHECK(own.parts.contacts.empty());
-    CHECK(own.parts.step_rules.empty());
+    CHECK(own.parts.step_rules == std::vector<std::string>{"tension", "turning"});
     CHECK(own.counts.pairs == 0.0);
     CHECK(own.counts.touches == 0.0);
     CHECK(own.counts.contact_rows == 0.0);
@@ -117,7 +117,7 @@ TEST_CASE("the wave makes no pair, no contact and one column, and each part of e
     CHECK(everything.parts.forces == std::vector<std::string>{"gravity", "poke"});
     CHECK(everything.parts.constraints == std::vector<std::string>{"50 distances", "contacts"});
     CHECK(everything.parts.contacts == std::vector<std::string>{"friction", "restitution", "sweep", "cache"});
-    CHECK(everything.parts.step_rules == std::vector<std::string>{"tension", "turning", "size"});
+    CHECK(everything.parts.step_rules == std::vector<std::string>{"tension", "turning"});
     CHECK(everything.counts.columns == 2.0);
     CHECK(everything.counts.multiply_adds > 1.5 * own.counts.multiply_adds);
 }

@@ -62,3 +62,33 @@ TEST_CASE("a motor stops at a limit and holds there") {
     CHECK_THAT(linkage.angle(), WithinAbs(1.2, 1e-6));
     CHECK(std::abs(linkage.speed(1)) < 1e-9);
 }
+
+TEST_CASE("a motor without largest torque stops at a limit, at any speed, and turns back when its sign changes") {
+    for (const double speed : {1.0, 7.0, 100.0}) {
+        Linkage linkage = pendulum(0.0);
+        linkage.joints[0].hinge->motor = Motor{.speed = speed};
+        linkage.joints[0].hinge->limits = AngleLimits{-1.0, 1.2};
+        linkage.build();
+        for (int i = 0; i < 200; ++i) {
+            linkage.step(1.0 / 60.0);
+            REQUIRE(linkage.angle() < 1.2 + 1e-4);
+        }
+        CHECK_THAT(linkage.angle(), WithinAbs(1.2, 1e-6));
+        CHECK(std::abs(linkage.speed(1)) < 1e-6);
+    }
+}
+
+TEST_CASE("limits a full turn apart hold, from either side, and know how often the hinge has turned") {
+    for (const auto& [low, high] : {std::pair{-pi, pi}, {0.0, 2.0 * pi}, {-1.5 * pi, 0.5 * pi}}) {
+        for (const double speed : {2.0, -2.0, 20.0}) {
+            Linkage linkage = pendulum(0.0);
+            linkage.joints[0].hinge->motor = Motor{.speed = speed, .max_torque = 50.0};
+            linkage.joints[0].hinge->limits = AngleLimits{low, high};
+            linkage.build(whole, false);
+            for (int i = 0; i < 600; ++i) linkage.step(1.0 / 60.0);
+            INFO(low << " " << high << " at " << speed);
+            CHECK_THAT(linkage.source->angles()[0], WithinAbs(speed > 0.0 ? high : low, 1e-4));
+            CHECK(std::abs(linkage.speed(1)) < 1e-6);
+        }
+    }
+}

@@ -85,3 +85,34 @@ TEST_CASE("a motor between two free bodies turns them against each other and giv
     CHECK(angular_momentum(linkage.world.bodies).norm() < 1e-12);
     CHECK(std::abs(linkage.account.gain()) < 0.01 * linkage.account.external_work());
 }
+
+TEST_CASE("a servo turns to its angle, also whole turns away, and gives way to a load by torque / stiffness") {
+    for (const double target : {0.7, -2.0, 9.0}) {
+        Linkage linkage = pendulum(0.0);
+        linkage.joints[0].hinge->motor =
+            Motor{.servo = Servo{.angle = target, .stiffness = 400.0, .damping = 60.0}};
+        linkage.build(whole, true);
+        for (int i = 0; i < 900; ++i) linkage.step(1.0 / 60.0);
+        const double angle = linkage.source->angles()[0];
+        const Body& arm = linkage.world.bodies[1];
+        const double load = -gravity.cross(arm.mass() * arm.position).z();
+        CHECK_THAT(angle, WithinAbs(target + load / 400.0, 1e-4));
+        CHECK(std::abs(linkage.speed(1)) < 1e-6);
+    }
+}
+
+TEST_CASE("a servo without damping swings with the energy that its spring stores") {
+    Linkage linkage = pendulum(0.0);
+    linkage.joints[0].hinge->motor = Motor{.servo = Servo{.angle = 0.5, .stiffness = 20.0}};
+    linkage.build(whole, false);
+    const double moment = 0.5 * 20.0 * 0.25;  // J, wound up
+    CHECK_THAT(linkage.source->stored_energy(linkage.world.bodies), WithinAbs(moment, 1e-12));
+    double most = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        linkage.step(1.0 / 4000.0);
+        most = std::max(most, kinetic_energy(linkage.world.bodies));
+        CHECK(kinetic_energy(linkage.world.bodies) + linkage.source->stored_energy(linkage.world.bodies) <
+              moment * (1.0 + 1e-9));
+    }
+    CHECK(most > 0.95 * moment);
+}

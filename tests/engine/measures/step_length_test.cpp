@@ -91,28 +91,3 @@ TEST_CASE("a rope that carries nothing and a ball joint at both centres ask for 
     CHECK(turning_rate(none, bodies) == 0.0);
     CHECK(tension_rate(none, bodies) == 0.0);
 }
-
-TEST_CASE("a slender body asks for a tenth of a radian in a step, a stout one for nothing") {
-    Body rod = box_body(1.0, {2.0, 0.1, 0.1}, Vector3::Zero());
-    Body brick = box_body(1.0, {1.0, 0.4, 0.2}, Vector3::Zero());
-    for (Body* body : {&rod, &brick}) {
-        body->angular_momentum = Vector3(3, 0, 0).cwiseQuotient(body->inverse_inertia);
-    }
-    CHECK(is_slender(rod));
-    CHECK(!is_slender(brick));
-    CHECK(!is_slender(static_body(Vector3::Zero())));
-    CHECK(spin_rate(std::vector{rod, brick}) == Approx(3.0 / 0.1).epsilon(1e-14));
-    CHECK(spin_rate(std::vector{brick}) == 0.0);
-}
-
-TEST_CASE("the smallest movable body decides how far a step may fall") {
-    const std::vector<Body> bodies{static_body(Vector3::Zero()), ball_body(1.0, 0.005, {0, 1, 0}),
-                                   ball_body(1.0, 1.0, {0, 9, 0})};
-    const std::vector<collision::Collider> colliders{{.body = 0, .shape = collision::Sphere{1e-6}},
-                                                     {.body = 1, .shape = collision::Sphere{0.005}},
-                                                     {.body = 2, .shape = collision::Sphere{1.0}}};
-    const double dt = 1.0 / size_rate(colliders, bodies, {0, -10, 0});
-    CHECK(10.0 * dt * dt == Approx(0.02 * 0.01).epsilon(1e-14));
-    CHECK(size_rate(colliders, bodies, Vector3::Zero()) == 0.0);
-    CHECK(size_rate(std::span(colliders).first(1), bodies, {0, -10, 0}) == 0.0);
-}

@@ -1,0 +1,140 @@
+// Closed loops of hinges and welds, whose rows say the same thing more than once.
+#include "demos/runs/measurements.h"
+#include "tests/catch.h"
+#include "tests/random.h"
+#include "tests/scene_fixture.h"
+
+#include <numbers>
+
+using namespace pushfactor;
+using namespace pushfactor::demos;
+using engine::Quaternion;
+using engine::Vector3;
+
+namespace {
+
+constexpr double thickness = 0.1;  // m
+
+JointDescription hinge(int a, const Vector3& at_a, int b, const Vector3& at_b, bool weld) {
+    JointDescription joint{.a = {.body = std::to_string(a), .point = at_a},
+                           .b = {.body = std::to_string(b), .point = at_b}};
+    joint.hinge = HingeDescription{.axis = Vector3::UnitZ()};
+    if (weld) joint.hinge->limits = engine::AngleLimits{0.0, 0.0};
+    return joint;
+}
+
+void add_bar(SceneDescription& scene, const Vector3& centre, double angle, double length, double mass) {
+    scene.bodies.push_back({.name = std::to_string(scene.bodies.size()),
+                            .shape = BoxShape{{length, thickness, thickness}},
+                            .mass = mass,
+                            .position = centre,
+                            .orientation = Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ())),
+                            .friction = 0.5});
+}
+
+// A regular polygon of bars around the origin.
+SceneDescription ring(int sides, double length, bool welded) {
+    SceneDescription scene;
+    scene.name = "ring";
+    const double turn = 2.0 * std::numbers::pi / sides, inner = 0.5 * length / std::tan(0.5 * turn);
+    for (int k = 0; k < sides; ++k) {
+        const double angle = turn * (k + 0.5);
+        add_bar(scene, inner * Vector3(std::cos(angle), std::sin(angle), 0), angle + 0.5 * std::numbers::pi, length,
+                1.0);
+    }
+    const Vector3 end(0.5 * length, 0, 0);
+    for (int k = 0; k < sides; ++k) scene.joints.push_back(hinge(k, end, (k + 1) % sides, -end, welded));
+    return scene;
+}
+
+// A lift of crossed bars, `storeys` high.
+SceneDescription scissors(int storeys, double length, double angle) {
+    SceneDescription scene;
+    scene.name = "scissors";
+    const double height = length * std::sin(angle);
+    const Vector3 end(0.5 * length, 0, 0), side(0, 0, 0.6 * thickness);
+    for (int k = 0; k < storeys; ++k) {
+        add_bar(scene, Vector3(0, k * height, 0) + side, angle, length, 1.0);
+        add_bar(scene, Vector3(0, k * height, 0) - side, -angle, length, 1.0);
+        scene.joints.push_back(hinge(2 * k, -side, 2 * k + 1, side, false));
+        if (k == 0) continue;
+        scene.joints.push_back(hinge(2 * k - 2, end - side, 2 * k + 1, end + side, false));
+        scene.joints.push_back(hinge(2 * k - 1, -end + side, 2 * k, -end - side, false));
+    }
+    return scene;
+}
+
+// Turns and lifts all bodies, and puts a ground under them.
+void drop(SceneDescription& scene, const Quaternion& turn, double height) {
+    for (BodyDescription& body : scene.bodies) {
+        body.position = turn * body.position + Vector3(0, height, 0);
+        body.orientation = turn * body.orientation;
+    }
+    scene.contacts = true;
+    scene.gravity = {0, -9.81, 0};
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
+}
+
+double largest_joint_force(const engine::JointConstraints& joints) {
+    double largest = 0.0;
+    for (const engine::JointForce& force : joints.forces()) {
+        largest = std::max(largest, Vector3(force[0].last, force[1].last, force[2].last).norm());
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "rings and scissors that drop gain nothing, hold together, and lie with forces of the size of their weight") {
+    tests::Random random(5);
+    for (int trial = 0; trial < 24; ++trial) {
+        const double length = random.in(0.5, 1.4);
+        SceneDescription scene = trial % 3 == 2 ? scissors(1 + trial % 4, length, random.in(0.5, 1.0))
+                                                : ring(3 + trial % 6, length, trial % 3 == 1);
+        const double weight = 9.81 * static_cast<double>(scene.bodies.size());
+        drop(scene, random.rotation(), random.in(4.0, 6.0));
+        tests::Run run(Simulation(build_scene(scene, preset_settings("default")), preset_settings("default")));
+        run.advance(4.0);
+        INFO(scene.name << " " << trial << ", length error " << run.measurements.max_length_error());
+        CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
+        CHECK(run.measurements.max_length_error() < 0.02);
+        CHECK(largest_joint_force(*run.simulation.scene().joints) < 10.0 * weight);
+        CHECK(run.measurements.substeps().largest < 32);
+    }
+}
+
+TEST_CASE("a door with one, two and three hinges opens alike, and three share its weight") {
+    std::vector<double> angles;
+    for (const int hinges : {1, 2, 3}) {
+        SceneDescription scene;
+        scene.name = "door";
+        scene.gravity = {0, -10, 0};
+        scene.bodies.push_back({.name = "0",
+                                .shape = BoxShape{{1, 2, 0.1}},
+                                .mass = 20.0,
+                                .position = {0.5, 0, 0},
+                                .velocity = {0, 0, -0.5},
+                                .angular_velocity = {0, 1, 0}});
+        for (int k = 0; k < hinges; ++k) {
+            const double height = hinges == 1 ? 0.0 : -0.8 + 1.6 * k / (hinges - 1);
+            JointDescription joint{.a = {.body = "world", .point = {0, height, 0}},
+                                   .b = {.body = "0", .point = {-0.5, height, 0}}};
+            joint.hinge = HingeDescription{.axis = Vector3::UnitY()};
+            scene.joints.push_back(joint);
+        }
+        const Settings settings = preset_settings("default");
+        Simulation run(build_scene(scene, settings), settings);
+        tests::advance(run, 1.0);
+        angles.push_back(angle_of(run.scene().joints->joints()[0], run.scene().world.bodies));
+        double carried = 0.0;
+        for (const engine::JointForce& force : run.scene().joints->forces()) {
+            CHECK(force[1].last == Approx(200.0 / hinges).epsilon(0.01));
+            carried += force[1].last;
+        }
+        CHECK(carried == Approx(200.0).epsilon(1e-3));
+    }
+    CHECK(angles[0] == Approx(1.0).epsilon(1e-3));
+    CHECK(angles[1] == Approx(angles[0]).epsilon(1e-4));
+    CHECK(angles[2] == Approx(angles[0]).epsilon(1e-4));
+}
