@@ -14,6 +14,12 @@ double along(const ConstraintRow& row, const Vector6& of_a, const Vector6& of_b)
     return row.jacobian.a.dot(of_a) + row.jacobian.b.dot(of_b);
 }
 
+bool rebounds(const SystemEquation& system, const RowRun& run) {
+    const std::span<const ConstraintRow> rows =
+        system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
+    return std::ranges::any_of(rows, [](const ConstraintRow& row) { return row.rebound > 0.0; });
+}
+
 // W(k) = a + b k + c k^2 of one pair.
 struct Work {
     double a = 0.0, b = 0.0, c = 0.0;
@@ -39,6 +45,7 @@ void ImpactWork::find(const SystemEquation& system, std::span<const Body> bodies
     rows_.clear();
     int pair = 0;
     for (const RowRun& run : island.runs) {
+        if (!rebounds(system, run)) continue;
         const ConstraintRow& some = system.rows[static_cast<std::size_t>(run.begin)];
         const auto a = static_cast<std::size_t>(some.body_a), b = static_cast<std::size_t>(some.body_b);
         const auto by_force = [&](std::size_t body) {

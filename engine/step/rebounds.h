@@ -21,7 +21,8 @@
 
 namespace pushfactor::engine {
 
-// Of one solution: impulse and mean velocity of each contact and friction row, in the order of the island.
+// Of one solution: impulse and mean velocity of each contact and friction row of pairs that rebound, in the order
+// of the island.
 class ImpactWork {
   public:
     // The forces are those of `lambda`.

@@ -67,7 +67,8 @@ struct Chapter {
                            const std::string& wanted, const MakeChecks& checks, const MakeExpected& expected,
                            bool quick = false) {
         constexpr double step = 1.0 / 60.0;
-        add(case_name, scene, {{"seconds", seconds}}, wanted, checks(step), expected(step), quick);
+        add(case_name, scene, {{"seconds", seconds}, {"substeps", "1"}}, wanted, checks(step), expected(step),
+            quick);
         add(case_name + "-16-substeps", scene, {{"seconds", seconds}, {"substeps", "16"}}, wanted,
             checks(step / 16.0), expected(step / 16.0));
     }

@@ -56,8 +56,9 @@ struct Step {
                const solvers::Termination& termination = usual) {
         IslandSolver::Bench bench{.solver = &by};
         const std::vector<Body> at_rest(frozen.system.inverse_mass.size());
+        SystemEquation system = frozen.system;  // whose b may change
         for (const Island& island : islands.all()) {
-            solver.solve(bench, termination, frozen.system, at_rest, island, first_guess, lambda, forces);
+            solver.solve(bench, termination, system, at_rest, island, first_guess, lambda, forces);
         }
     }
     double residual() const { return natural_residual(frozen.system, lambda); }
