@@ -81,6 +81,8 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
+    // The rules need the forces of a first solve.
+    if (division_.has_rules() && !scene_.division_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
     StepDivision first = division_;
     scene_.world.kick_back_half(dt / first.divide(scene_.world, dt));

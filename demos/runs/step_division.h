@@ -46,6 +46,7 @@ class StepDivision {
     // shorter ones, 1 otherwise.
     int refine(const engine::World& world, double dt, int parts);
 
+    bool has_rules() const { return !rules_.empty(); }
     const DivisionMemory& memory() const { return memory_; }  // after the last step, at its finest
     std::string_view rule() const { return rule_; }           // that required them; empty if none did
     bool is_short() const { return short_; }                  // whether it required more than most_parts
