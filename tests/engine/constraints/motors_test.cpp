@@ -94,8 +94,8 @@ TEST_CASE("a servo turns to its angle, also whole turns away, and gives way to a
         linkage.build(whole, true);
         for (int i = 0; i < 900; ++i) linkage.step(1.0 / 60.0);
         const double angle = linkage.source->angles()[0];
-        const Body& arm = linkage.world.bodies[1];
-        const double load = -gravity.cross(arm.mass() * arm.position).z();
+        const Body& turned = linkage.world.bodies[1];
+        const double load = -gravity.cross(turned.mass() * turned.position).z();
         CHECK_THAT(angle, WithinAbs(target + load / 400.0, 1e-4));
         CHECK(std::abs(linkage.speed(1)) < 1e-6);
     }
