@@ -13,7 +13,6 @@ namespace {
 // margin, and a step of unequal parts is less accurate than one of equal parts.
 constexpr double refine_beyond = 1.6;
 
-constexpr double most_rise = 2.0;
 constexpr double most_fall = 15.0 / 16.0;
 
 // Rounded up, but rounding errors do not add a part.
@@ -57,7 +56,7 @@ int StepDivision::divide(const engine::World& world, double dt) {
     wanted = std::min(wanted, double{most_parts});
     double& level = memory_.parts;
     if (wanted >= most_fall * level) rule_ = rule;
-    level = level > 0.0 ? std::clamp(wanted, std::max(most_fall * level, 1.0), most_rise * level) : wanted;
+    level = std::max(wanted, most_fall * level);
     const int parts = whole(level);
     if (parts == 1) rule_ = {};
     return parts;

@@ -32,9 +32,9 @@ class StepDivision {
     // Always `parts`, 1 or more.
     explicit StepDivision(int parts) : memory_{.parts = 1.0 * parts} {}
 
-    // As many parts as the rules require, at least 1. From step to step the number at most doubles, because a
-    // single large force may only stop a motion, and falls by no more than a sixteenth: a length error that is
-    // small for a long step is corrected faster in a short one, so that every change of step length costs energy.
+    // As many parts as the rules require, at least 1. From step to step the number falls by no more than a
+    // sixteenth: a length error that is small for a long step is corrected faster in a short one, so that every
+    // change of step length costs energy.
     // `before`: memory() of the previous step for a resumed run.
     explicit StepDivision(std::vector<StepRule> rules, const DivisionMemory& before = {})
         : rules_(std::move(rules)), memory_(before) {}

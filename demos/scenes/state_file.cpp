@@ -88,7 +88,7 @@ std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDes
     return forces;
 }
 
-// Angles that nobody needs are 0 in files.
+// Unused angles are written as 0.
 Json angles_json(const std::vector<double>& angles) {
     Json json = Json::array();
     for (const double angle : angles) json.push_back(std::isnan(angle) ? 0.0 : angle);

@@ -21,9 +21,9 @@
 // like contacts: open ones may close within the step, closed ones are corrected. Two equal limits are one row that
 // acts both ways: the bodies are welded.
 //
-// Where joints close a loop their rows may say the same thing twice, and once the bodies have turned they disagree
-// by a little: forces that enforce both grow without bound and do nothing. So the rows without bounds of such a
-// joint are soft, s = 1e-4 j_c M^-1 j_c^T, which leaves the force of about the least norm.
+// Rows of joints that close a loop may be redundant, and after a finite rotation they disagree slightly: the forces
+// that enforce all of them are huge and move nothing. So the rows without bounds of such a joint are soft,
+// s = 1e-4 j_c M^-1 j_c^T, which leaves roughly the force of least norm.
 #pragma once
 
 #include "engine/constraints/constraint_source.h"

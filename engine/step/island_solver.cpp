@@ -152,8 +152,8 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
     return count;
 }
 
-// Solves again without rebounds if they make energy, and takes the forces between both solutions that do not. They
-// have the residual of the second one, with respect to the rebounds that they leave.
+// Solves again without rebounds if they make energy, and takes the forces and b between both that do not. Their
+// residual is taken to be that of the second solution.
 solvers::SolveCount IslandSolver::lower_rebounds(Bench& bench, const solvers::Termination& termination,
                                                  SystemEquation& system, std::span<const Body> bodies,
                                                  const Island& island, Columns& lambda, ConstraintForces& forces,
@@ -162,6 +162,10 @@ solvers::SolveCount IslandSolver::lower_rebounds(Bench& bench, const solvers::Te
     if (!bench.rebounding.gains()) return {};
     save(island, lambda, bench);
     std::swap(bench.saved, bench.rebounding_forces);
+    const auto sides = static_cast<int>(system.column_count());
+    bench.rebounding_sides.clear();
+    each_force(island.runs, sides,
+               [&](Eigen::Index j, Eigen::Index column) { bench.rebounding_sides.push_back(system.b(j, column)); });
     take_out_rebounds(island, system);
     outcome.residuals = measure(system, island, lambda, forces, bench);
     const solvers::SolveCount count =
@@ -171,6 +175,10 @@ solvers::SolveCount IslandSolver::lower_rebounds(Bench& bench, const solvers::Te
     std::size_t number = 0;
     each_force(island, [&](Eigen::Index j, Eigen::Index column) {
         lambda(j, column) += share * (bench.rebounding_forces[number++] - lambda(j, column));
+    });
+    number = 0;
+    each_force(island.runs, sides, [&](Eigen::Index j, Eigen::Index column) {
+        system.b(j, column) += share * (bench.rebounding_sides[number++] - system.b(j, column));
     });
     copy_to_last(island, lambda);
     find_forces(system, island, lambda, forces, bench);

@@ -41,7 +41,7 @@ class IslandSolver {
         std::vector<double> saved{};        // lambda of the island before the solve
         std::vector<Vector6> velocities{};  // scratch for residuals, by body of the island
         ImpactWork rebounding{}, stopped{};
-        std::vector<double> rebounding_forces{};  // lambda, as saved
+        std::vector<double> rebounding_forces{}, rebounding_sides{};  // lambda and b, as saved
     };
 
     // To be called before the first solve of a step; `awake` are the bodies that take part, out of `bodies`.

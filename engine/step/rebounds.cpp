@@ -64,12 +64,12 @@ void ImpactWork::find(const SystemEquation& system, std::span<const Body> bodies
             if (row.label.kind != RowKind::contact && row.label.kind != RowKind::friction) continue;
             const bool is_normal = row.label.kind == RowKind::contact;
             if (is_normal) since = row.since_impact;
-            const double surface = system.carried_by(number) + (is_normal ? 0.0 : row.push.lasting);
-            const double before = system.dt * along(row, system.free_acceleration[a], system.free_acceleration[b]);
+            const double belt = is_normal ? 0.0 : row.push.lasting;
+            const double before = system.dt * unconstrained(system, number);
             const double change = system.dt * along(row, rows_a, rows_b);
             rows_.push_back({.pair = pair,
                              .impulse = system.dt * lambda(j, last),
-                             .speed = before + 0.5 * change - since * along(row, force_a, force_b) - surface});
+                             .speed = before + 0.5 * change - since * along(row, force_a, force_b) - belt});
         }
         ++pair;
     }
@@ -113,8 +113,9 @@ void take_out_rebounds(const Island& island, SystemEquation& system) {
             const double flies = row.since_impact / system.dt + 0.5;  // share of the step after the impact
             const double first = row.push.correcting + row.push.lasting;
             const double stopped = std::max(first - flies * row.rebound, -std::max(0.0, row.label.gap) / system.dt);
-            system.b(j, 0) -= (first - stopped) / system.dt;
-            if (last > 0) system.b(j, last) -= std::min(row.push.lasting, row.rebound) / system.dt;
+            const double free = unconstrained(system, static_cast<std::size_t>(j));
+            system.b(j, 0) = stopped / system.dt - free;
+            if (last > 0) system.b(j, last) = std::max(0.0, row.push.lasting - row.rebound) / system.dt - free;
         }
     }
 }

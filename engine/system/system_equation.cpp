@@ -205,7 +205,6 @@ namespace {
 // Writes diagonals, digests and right-hand sides of the rows from `first` on, in as many columns as b has. Returns
 // whether any has a single-frame correction.
 bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
-    const std::vector<Vector6>& free = system.free_acceleration;
     const bool two_columns = system.column_count() == 2;
     std::atomic<bool> any_corrects = false;
     share(threads, rows.size() - first, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
@@ -214,12 +213,10 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
             const ConstraintRow& row = rows[j];
             weigh(j, system);
             system.digests[j] = digest_of(system, j);
-            double unconstrained = row.jacobian.a.dot(free[static_cast<std::size_t>(row.body_a)]) +
-                                   row.jacobian.b.dot(free[static_cast<std::size_t>(row.body_b)]);
-            if (!system.carried.empty()) unconstrained -= system.carried[j] / system.dt;
+            const double free = unconstrained(system, j);
             const auto index = static_cast<Eigen::Index>(j);
-            system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - unconstrained;
-            if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - unconstrained;
+            system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - free;
+            if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - free;
             some_correct = some_correct || corrects(row);
         }
         if (some_correct) any_corrects.store(true, std::memory_order_relaxed);

@@ -103,6 +103,14 @@ Jacobian unit_axis(const SystemEquation& system, const ConstraintRow& row, doubl
 // A_jj of a row alone, which is none of a disc [1/kg].
 double diagonal_of(const SystemEquation& system, const ConstraintRow& row);
 
+// J (v1/dt + M^-1 f_ext) of row `j`, relative to what a moved body gives to it [m/s^2]: b is v/dt less this.
+inline double unconstrained(const SystemEquation& system, std::size_t j) {
+    const ConstraintRow& row = system.rows[j];
+    const double own = row.jacobian.a.dot(system.free_acceleration[static_cast<std::size_t>(row.body_a)]) +
+                       row.jacobian.b.dot(system.free_acceleration[static_cast<std::size_t>(row.body_b)]);
+    return system.carried.empty() ? own : own - system.carried[j] / system.dt;
+}
+
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {
     return stacked(inverse_mass.linear * force.head<3>(), inverse_mass.angular * force.tail<3>());

@@ -243,3 +243,22 @@ TEST_CASE("the last good state lies beside the outputs, and replaces nothing") {
     CHECK(nowhere.status == 5);
     CHECK_THAT(nowhere.err, Catch::Contains("is in none/runaway-last-good.json"));
 }
+
+// Its angle alone does not tell how often it has turned.
+TEST_CASE("a servo that is resumed more than a turn from its start goes on towards its angle") {
+    const Folder folder;
+    folder.write("servo.json", R"({"version": 1, "gravity_m_per_s2": [0, 0, 0], "bodies": [
+        {"name": "arm", "shape": "box", "size_m": [1, 0.1, 0.1], "mass_kg": 2, "position_m": [0.5, 0, 0]}],
+        "joints": [{"type": "hinge", "a": {"body": "world"}, "b": {"body": "arm", "point_m": [-0.5, 0, 0]},
+        "axis": [0, 0, 1], "motor": {"target_angle_rad": 9, "stiffness_n_m_per_rad": 20,
+        "damping_n_m_s_per_rad": 4}}]})");
+    const Choices choices = understand((folder / "servo.json").string(), {});
+    Simulation whole(choices);
+    advance(whole, 90);
+    REQUIRE(whole.scene().joints->angles()[0] > 7.0);
+    Simulation resumed = saved_and_read(choices, whole);
+    advance(whole, 200);
+    advance(resumed, 200);
+    CHECK(hash_of(resumed) == hash_of(whole));
+    CHECK(resumed.scene().joints->angles()[0] == Approx(9.0).epsilon(1e-6));
+}
