@@ -136,6 +136,7 @@ double EnergyAccount::work_of_moved(const World& world) const {
 // With the mean velocity of the step, which matches the momenta.
 double EnergyAccount::external_work_of(const World& world, double dt) const {
     double work = world.rows().empty() ? 0.0 : work_of_drives(world, before_);
+    if (world.impacts) work += world.impacts->external_work();
     if (world.moves_any()) work += work_of_moved(world);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body &before = before_[i], &after = world.bodies[i];

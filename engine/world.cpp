@@ -46,22 +46,29 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
     };
     SolveWork work;
     begin_paths(dt);  // of moved bodies
-    do {
+    for (bool again = true; again;) {
+        put_back();
         find_awake(dt);  // all, unless some are at rest
         add_forces(dt);  // 3.1
         ended(Phase::forces);
         append_rows(dt);  // 5
+        again = impacts && !take_impacts(dt);
+        if (again) continue;
         ended(Phase::rows);
         build_system(bodies, awake_.members(), rows_.all(), dt, system_, sharing_);  // 6: A lambda = b, 6.2.9
         ended(Phase::system);
         work = solve_and_look(dt);  // 7, island by island
         ended(Phase::solve);
-    } while (wakes_some());
+        again = wakes_some();
+    }
     shareable_work_ = work.multiply_adds - work.alone + work_of_a_row * static_cast<double>(rows_.size()) +
                       work_of_a_body * static_cast<double>(awake_.members().size());
     remember();  // 6.2.3
     ended(Phase::remember);
     integrate(dt);  // 3.2, 8.1
+    strayed_.clear();
+    before_.clear();
+    system_.detours.clear();
     time_ += dt;
     follow_paths();
     if (rest) settle(dt);
@@ -150,6 +157,44 @@ bool World::append_unforeseen(double dt) {
     return rows_.size() > known;
 }
 
+bool World::take_impacts(double dt) {
+    if (!impacts->fly(start_of(dt), rows_.all(), awake_)) return true;
+    if (!impacts->resting().empty()) {
+        for (const int body : impacts->resting()) rest->wake(body);
+        return false;
+    }
+    for (const int body : impacts->followed()) stray(body, dt);
+    append_rows(dt);
+    return true;
+}
+
+// The body enters the step with the momenta that its impacts have left, and takes another way to where it ends.
+void World::stray(int body, double dt) {
+    const auto i = static_cast<std::size_t>(body);
+    Body& own = bodies[i];
+    before_.push_back(own);
+    const Flight& flight = impacts->flight_of(body);
+    own.linear_momentum = flight.linear_momentum();
+    own.angular_momentum = flight.angular_momentum();
+    const Place end = flight.end();
+    const Motion way = motion_between({own.position, own.orientation}, end, dt);
+    strayed_.push_back({body, end, way});
+    system_.detours.resize(bodies.size(), Vector6::Zero());
+    const Vector3 turning = own.orientation.conjugate() * way.angular_velocity;
+    const Vector3 spin = own.orientation * turning.cwiseQuotient(own.inverse_inertia);
+    system_.detours[i] = stacked((way.velocity / own.inverse_mass - own.linear_momentum) / dt - own.force,
+                                 (spin - own.angular_momentum) / dt - own.torque);
+}
+
+// Takes back the impacts of a step that begins again.
+void World::put_back() {
+    for (std::size_t k = 0; k < strayed_.size(); ++k)
+        bodies[static_cast<std::size_t>(strayed_[k].body)] = before_[k];
+    strayed_.clear();
+    before_.clear();
+    system_.detours.clear();
+}
+
 // Moved bodies take the others along: their part of J v1.
 void World::carry_rows(double dt) {
     if (!moved_.empty()) carried_speeds(bodies, dt, rows_.all(), system_.carried);
@@ -211,6 +256,13 @@ void World::integrate(double dt) {
             integrate(bodies[i], i, dt);
         }
     });
+    for (const Strayed& own : strayed_) {
+        const auto i = static_cast<std::size_t>(own.body);
+        const Vector6 held = dt * dt * accelerate(system_.inverse_mass[i], step_solver_.forces().moving[i]);
+        bodies[i].position = own.end.position + held.head<3>();
+        bodies[i].orientation = own.end.orientation;
+        if (!held.tail<3>().isZero(0.0)) bodies[i].orientation = exponential(held.tail<3>()) * own.end.orientation;
+    }
 }
 
 void World::integrate(Body& body, std::size_t i, double dt) {
@@ -271,6 +323,10 @@ void World::settle(double dt) {
 StepCount World::count(const SolveWork& work) const {
     StepCount count = step_solver_.count(system_, work);
     if (rest) count.at_rest = rest->count();
+    if (impacts) {
+        count.impacts = impacts->count();
+        count.impacts_cut_short = impacts->is_cut_short();
+    }
     return count;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/bodies/path.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/forces/force_source.h"
+#include "engine/impacts/impacts.h"
 #include "engine/solvers/solver.h"
 #include "engine/step/rest.h"
 #include "engine/step/step_count.h"
@@ -39,6 +40,7 @@ class World {
     solvers::Termination termination;
     std::unique_ptr<SmallSteps> small_steps;  // for islands without an exact solution; null: solver iterations
     std::unique_ptr<Rest> rest;               // omits resting bodies from steps; null: off. Not for RATTLE.
+    std::unique_ptr<Impacts> impacts;         // in the order in which they happen; null: none. Not for RATTLE.
     std::unique_ptr<Threads> threads;         // share a step; null: one thread. Results are bit-identical
     OrientationStep rotate = rotate_splitting;
 
@@ -99,9 +101,14 @@ class World {
     void follow_paths();
     void add_forces(const Awake& to, double dt);
     StepCount take_step(double dt, PhaseObserver* observer);
-    StepStart start_of(double dt) const { return {bodies, dt, time_, rotate, sharing_, up()}; }
+    StepStart start_of(double dt) const { return {bodies, dt, time_, rotate, sharing_, up(), strayed_}; }
     Vector3 up() const;
     void append_rows(double dt);
+    // Lets bodies that hit each other fly through the step. Returns false if they hit resting ones, which are awake
+    // then.
+    bool take_impacts(double dt);
+    void stray(int body, double dt);
+    void put_back();
     // Appends rows where the solution moves bodies as no source foresaw. Returns whether there were any.
     bool append_unforeseen(double dt);
     void carry_rows(double dt);
@@ -125,6 +132,8 @@ class World {
     Threads* sharing_ = nullptr;      // in this step; null: too small, or no threads
     double shareable_work_ = 0.0;     // multiply-adds of the last step
     Awake awake_;                     // bodies
+    std::vector<Strayed> strayed_;    // bodies that have been followed in this step
+    std::vector<Body> before_;        // the same at its start
     std::vector<char> turns_unseen_;  // by body; with a Rest
     StepRows rows_;
     SystemEquation system_;

@@ -200,6 +200,12 @@ void IslandCount::add(const Sample& sample) {
     in_small_steps += sample.count.islands_in_small_steps;
 }
 
+void ImpactCount::add(const Sample& sample) {
+    all += sample.count.impacts;
+    largest = std::max(largest, sample.count.impacts);
+    short_steps += sample.count.impacts_cut_short;
+}
+
 void AtRest::add(const Sample& sample, bool all) {
     bodies = sample.count.at_rest;
     if (!all) since.reset();
@@ -226,6 +232,7 @@ void Measurements::observe(const Simulation& simulation) {
     substeps_.add(sample);
     unsolved_.add(sample);
     islands_.add(sample);
+    impacts_.add(sample);
     at_rest_.add(sample, sample.count.at_rest == static_cast<int>(start_.size()));
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {

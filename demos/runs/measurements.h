@@ -69,6 +69,15 @@ struct IslandCount {
     void add(const Sample& sample);
 };
 
+// Impacts followed within the steps of a run.
+struct ImpactCount {
+    long all = 0;
+    int largest = 0;       // in one step
+    long short_steps = 0;  // with more than are followed
+
+    void add(const Sample& sample);
+};
+
 // Sleeping bodies.
 struct AtRest {
     int bodies = 0;               // after the last step
@@ -108,6 +117,7 @@ class Measurements {
     const SubstepCount& substeps() const { return substeps_; }
     const UnsolvedSteps& unsolved() const { return unsolved_; }
     const IslandCount& islands() const { return islands_; }
+    const ImpactCount& impacts() const { return impacts_; }
     const AtRest& at_rest() const { return at_rest_; }
     // The scene's own measures; none where it was not made.
     std::vector<std::pair<std::string, std::optional<double>>> of_scene() const;
@@ -160,6 +170,7 @@ class Measurements {
     SubstepCount substeps_;
     UnsolvedSteps unsolved_;
     IslandCount islands_;
+    ImpactCount impacts_;
     AtRest at_rest_;
 };
 

@@ -137,6 +137,8 @@ void Simulation::step_engine(double dt) {
     energy_.end(scene_.world, dt);
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
+    sample_.count.impacts += so_far.impacts;
+    sample_.count.impacts_cut_short = sample_.count.impacts_cut_short || so_far.impacts_cut_short;
     sample_.count.multiply_adds += so_far.multiply_adds;
     find_worst();
     sample_.count.unsolved_residual = std::max(sample_.count.unsolved_residual, so_far.unsolved_residual);

@@ -43,6 +43,12 @@ Json islands_of(const IslandCount& count) {
             {"in_small_steps", count.in_small_steps}};
 }
 
+Json impacts_of(const ImpactCount& count) {
+    return {{"all", count.all},
+            {"largest_in_a_step", count.largest},
+            {"steps_with_more_than_are_followed", count.short_steps}};
+}
+
 Json at_rest_of(const AtRest& at_rest) {
     return {{"bodies", at_rest.bodies}, {"all_since_s", number_or_null(at_rest.since)}};
 }
@@ -77,6 +83,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["first_unsolved_step"] = unsolved.first ? Json(unsolved.first->step) : Json(nullptr);
     summary["contradicting_steps"] = unsolved.contradicting;
     summary["islands"] = islands_of(measured.islands());
+    if (scene.world.impacts) summary["impacts"] = impacts_of(measured.impacts());
     if (choices.settings.rest) summary["at_rest"] = at_rest_of(measured.at_rest());
     summary["energy_initial_j"] = measured.initial_energy();
     summary["energy_final_j"] = measured.final_energy();

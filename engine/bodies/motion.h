@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/bodies/integrator.h"
+#include "engine/bodies/path.h"
 
 #include <span>
 
@@ -28,13 +29,23 @@ inline Motion motion_of(const Body& body, double dt, const Vector6& constraint_f
 Motion motion_in_step(const Body& body, double dt, OrientationStep rotate,
                       const Vector6& constraint_force = Vector6::Zero());
 
+// A body whose way through the step has been followed from impact to impact (impacts.h), where it ends if no row
+// holds it, and the constant velocities that would take it there.
+struct Strayed {
+    int body = 0;
+    Place end{};
+    Motion way{};
+};
+
 // Motions of all bodies in a step, by body.
 struct StepMotions {
-    double dt = 0.0;                 // s
-    std::span<const Motion> before;  // with the momenta before the step
-    std::span<const Motion> after;   // motion_of() with the forces that act: the velocities that rows know
-    std::span<const Motion> paths;   // motion_in_step() with them: where the bodies go
+    double dt = 0.0;                  // s
+    std::span<const Motion> before;   // with the momenta before the step
+    std::span<const Motion> after;    // motion_of() with the forces that act: the velocities that rows know
+    std::span<const Motion> paths;    // motion_in_step() with them: where the bodies go
+    std::span<const char> strayed{};  // whether the way of the body is in `Strayed`; empty if none is
 
+    bool has_strayed(int body) const { return !strayed.empty() && strayed[static_cast<std::size_t>(body)] != 0; }
     const Motion& path_of(int body) const { return paths[static_cast<std::size_t>(body)]; }
 };
 

@@ -31,6 +31,10 @@ Vector3 turn_between(const Quaternion& from, const Quaternion& to) {
 Motion Path::mean(double from, double until) const {
     const Place before = at(from), after = at(until);
     const double dt = until - from;
+    return motion_between(before, after, dt);
+}
+
+Motion motion_between(const Place& before, const Place& after, double dt) {
     return {(after.position - before.position) / dt, turn_between(before.orientation, after.orientation) / dt};
 }
 

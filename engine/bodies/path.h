@@ -20,6 +20,9 @@ struct Place {
     Quaternion orientation = Quaternion::Identity();
 };
 
+// Constant velocities from one place to another in `dt` [s], by less than half a turn.
+Motion motion_between(const Place& before, const Place& after, double dt);
+
 class Path {
   public:
     virtual ~Path() = default;

@@ -19,8 +19,9 @@ double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, co
 // Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
 
-// Sets colliders, bodies and size of the touch.
-void name_pair(const Pair& pair, const StepScene& scene, Touch& touch) {
+}  // namespace
+
+void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
     const Collider& a = scene.colliders[static_cast<std::size_t>(pair.a)];
     const Collider& b = scene.colliders[static_cast<std::size_t>(pair.b)];
     touch.pair = pair;
@@ -28,37 +29,29 @@ void name_pair(const Pair& pair, const StepScene& scene, Touch& touch) {
     touch.body_b = b.body;
     touch.size = size_of_pair(a, scene.bodies[static_cast<std::size_t>(a.body)], b,
                               scene.bodies[static_cast<std::size_t>(b.body)]);
-}
-
-// Sets friction and restitution of the touch.
-void combine_surfaces(const StepScene& scene, Touch& touch) {
-    const Collider& a = scene.colliders[static_cast<std::size_t>(touch.pair.a)];
-    const Collider& b = scene.colliders[static_cast<std::size_t>(touch.pair.b)];
     touch.friction = std::sqrt(a.friction * b.friction);
     touch.restitution = std::max(a.restitution, b.restitution);
     if (scene.detection.materials) scene.detection.materials->put(a.material, b.material, touch);
 }
 
-}  // namespace
-
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) {
-    name_pair(pair, scene, touch);
-    combine_surfaces(scene, touch);
+    name_touch(pair, scene, touch);
     const auto body_a = static_cast<std::size_t>(touch.body_a), body_b = static_cast<std::size_t>(touch.body_b);
     const Shape& shape_a = scene.colliders[static_cast<std::size_t>(pair.a)].shape;
     const Shape& shape_b = scene.colliders[static_cast<std::size_t>(pair.b)].shape;
     const double margin = scene.detection.margin * touch.size;
     if (scene.motions) {
         // Without a margin there are contacts of now alone, as in the paper.
-        const Encounter encounter{.dt = margin > 0.0 ? scene.motions->dt : 0.0,
-                                  .size = touch.size,
-                                  .margin = margin,
-                                  .bounces = touch.restitution > 0.0,
-                                  .least_directions = scene.detection.reduce_to_four_points ? 4 : 8,
-                                  .before_a = scene.motions->before[body_a],
-                                  .before_b = scene.motions->before[body_b],
-                                  .after_a = scene.motions->after[body_a],
-                                  .after_b = scene.motions->after[body_b]};
+        const Encounter encounter{
+            .dt = margin > 0.0 ? scene.motions->dt : 0.0,
+            .size = touch.size,
+            .margin = margin,
+            .strayed = scene.motions->has_strayed(touch.body_a) || scene.motions->has_strayed(touch.body_b),
+            .least_directions = scene.detection.reduce_to_four_points ? 4 : 8,
+            .before_a = scene.motions->before[body_a],
+            .before_b = scene.motions->before[body_b],
+            .after_a = scene.motions->after[body_a],
+            .after_b = scene.motions->after[body_b]};
         const bool meets =
             meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
                  {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold, touch.time);

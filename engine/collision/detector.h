@@ -85,6 +85,9 @@ struct AwakeColliders {
     std::span<const int> moved_colliders, moved_bodies;
 };
 
+// Sets what does not depend on where the bodies are: colliders, bodies, size, friction and restitution.
+void name_touch(const Pair& pair, const StepScene& scene, Touch& touch);
+
 // Finds the contact of `pair` into `manifold` and sets the touch but for its points. Returns false if there is
 // none.
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch);

@@ -49,9 +49,7 @@ int keep_points(const Met& met, Manifold& manifold, const Stays& stays) {
     return count;
 }
 
-// The points below the margin, and those that the rest of the step closes. Of a pair that bounces only the latter,
-// if there are any: one that the rebound brings down would be stopped in this step; left out, it bounces in its
-// turn.
+// The points below the margin, and those that the rest of the step closes.
 void find_points(const Met& met, const Encounter& encounter, Manifold& manifold) {
     const double reach = approach(met.a, met.b, manifold.normal, met.rest);
     if (reach > encounter.margin) {
@@ -59,16 +57,6 @@ void find_points(const Met& met, const Encounter& encounter, Manifold& manifold)
         manifold.count = keep_points(met, manifold, [&](const ContactPoint& point, double closed) {
             return point.gap < encounter.margin + std::max(0.0, closed);
         });
-    }
-    if (!encounter.bounces) return;
-    // As the rows will see it: restitution is for a row whose speed closes its gap within the step.
-    const auto closes = [&](const ContactPoint& point, double) {
-        return point.gap < met.rest * closing_speed(encounter.after_a, met.a.start.position, encounter.after_b,
-                                                    met.b.start.position, point.position, manifold.normal);
-    };
-    const auto points = manifold.points();
-    if (std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return closes(point, 0.0); })) {
-        manifold.count = keep_points(met, manifold, closes);
     }
 }
 
@@ -117,6 +105,12 @@ bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold
     time = 0.0;
     collide(a.shape, a.start, b.shape, b.start, encounter.margin, manifold);
     const double gap = smallest_gap(manifold), tolerance = meeting_gap * encounter.size;
+    if (gap > tolerance && encounter.strayed) {
+        Encounter ends = encounter;
+        ends.margin = 0.5 * tolerance;  // whatever comes as near fast enough has been an impact
+        time = encounter.dt;
+        return contact_at(a, b, ends, time, manifold);
+    }
     if (gap > tolerance) {
         const double reach = approach(a, b, manifold.normal, encounter.dt);
         Course course;

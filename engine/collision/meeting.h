@@ -8,6 +8,9 @@
 //   is near  if it does not meet, but ends the step in the margin: the contact is that of the end, or that of the
 //            start if nothing closes the gap. Its rows do nothing unless another body pushes it there;
 //   passes   if it has come and gone: no contact, however close or fast.
+// Of a pair with a body that has been followed from impact to impact (impacts.h) the contact is that of the start
+// or, if they touch only then, that of the end: the straight way between them is not the one that it took.
+//
 // Points farther than the margin take part only if the pair touches or meets, and the rest of the step closes them.
 // A margin as wide as the path would instead stop bodies at faces that they pass ("ghost collisions").
 //
@@ -26,8 +29,8 @@ struct Encounter {
     double dt = 0.0;                // s
     double size = 0.0;              // m, of the smaller movable body
     double margin = 0.0;            // m
-    bool bounces = false;           // whether the pair has a restitution
     bool pushes = false;            // whether gaps may be negative
+    bool strayed = false;           // whether one of them has been followed (impacts.h)
     int least_directions = 4;       // of keep_carrying()
     Motion before_a{}, before_b{};  // with the momenta before the step, which can turn the bodies on each other
     Motion after_a{}, after_b{};    // as the rows know the velocities of their paths

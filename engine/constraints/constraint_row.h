@@ -70,9 +70,6 @@ struct ConstraintRow {
     // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
     // Soft rows have no bounds: springs, and joints that close a loop.
     double softness = 0.0;
-    // Of a row that rebounds (restitution.h): speed after the impact [m/s], and time from the impact to that of the
-    // momenta [s].
-    double rebound = 0.0, since_impact = 0.0;
     Bounds bounds;
     Lambda guess;  // warm start of iterative solvers (6.2.3); zero if nothing is cached
     RowLabel label;

@@ -28,6 +28,7 @@ struct StepStart {
     OrientationStep rotate = rotate_splitting;  // how bodies turn in the step
     Threads* threads = nullptr;    // that may share the work; null: one thread. The rows do not depend on them
     Vector3 up = Vector3::Zero();  // against gravity, unit length, world frame; zero without gravity
+    std::span<const Strayed> strayed{};  // with their momenta after the impacts
 };
 
 // Appends the rows that constrain the bodies in this step (section 5) and stores their solution for warm

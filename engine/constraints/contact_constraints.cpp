@@ -1,5 +1,6 @@
 #include "engine/constraints/contact_constraints.h"
 
+#include "engine/base/index.h"
 #include "engine/constraints/carried.h"
 
 #include <algorithm>
@@ -31,31 +32,19 @@ Body moved(const Body& body, const Motion& motion, double time) {
     return moved;
 }
 
-// Whether an impulse along `axis` (the body's half of j_c) turns a body with unequal moments of inertia.
-bool turns(const Body& body, const Vector6& axis, double size) {
-    const Vector3& moments = body.inverse_inertia;
-    return axis.tail<3>().norm() > 1e-9 * size && moments.maxCoeff() > (1.0 + 1e-9) * moments.minCoeff();
-}
-
 // State of a contact row before the step, for 8.2.
-Impact impact_of(const ConstraintRow& row, const BodyPair& pair, const collision::Touch& touch, double slop,
-                 double dt) {
+Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitution, double dt) {
     const auto velocity_of = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
     const auto acceleration_of = [](const Body& body) {
         return stacked(body.inverse_mass * body.force, world_inverse_inertia(body) * body.torque);
     };
     const Jacobian& j = row.jacobian;
-    const double acceleration_a = j.a.dot(acceleration_of(pair.body_a));
-    const double acceleration_b = j.b.dot(acceleration_of(pair.body_b));
     return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)) -
                      carried_speed(row, pair.body_a, pair.body_b, dt),
-            .acceleration = acceleration_a + acceleration_b,
-            .weight = std::max(std::abs(acceleration_a), std::abs(acceleration_b)),
+            .acceleration = j.a.dot(acceleration_of(pair.body_a)) + j.b.dot(acceleration_of(pair.body_b)),
             .gap = row.label.gap,
-            .touching = touching_gap(slop),
-            .restitution = touch.restitution,
-            .dt = dt,
-            .turns = turns(pair.body_a, j.a, touch.size) || turns(pair.body_b, j.b, touch.size)};
+            .restitution = restitution,
+            .dt = dt};
 }
 
 }  // namespace
@@ -75,7 +64,6 @@ void ContactConstraints::set_materials(std::unique_ptr<const collision::Material
     choices_.detection.materials = materials_.get();
 }
 
-// Relative surface velocity of the belts [m/s]. Its normal component does not affect friction.
 Vector3 ContactConstraints::belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const {
     const auto run = [&](int collider, const Body& body) -> Vector3 {
         const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
@@ -125,12 +113,8 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
         row.correction = &at_once;
     }
     if (restitution_ && touch.restitution > 0.0) {
-        const Rebound rebound = restitution_(row.push, impact_of(row, pair, touch, slop, dt));
-        row.push = rebound.push;
+        row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
         if (row.push.lasting < 0.0) row.error = point.gap;  // it does not aim at rest
-        row.bounds.in_momenta = rebound.in_momenta;
-        row.rebound = rebound.speed;
-        row.since_impact = rebound.since;
     }
     row.label.point = contact.point;
     row.guess = forces_[contact.force].normal;
@@ -217,6 +201,13 @@ void ContactConstraints::find_motions(const StepStart& step) {
             accelerations_[i] = body.inverse_mass * body.force.norm();
         }
     });
+    strayed_.clear();
+    if (step.strayed.empty()) return;
+    strayed_.resize(step.bodies.size());
+    for (const Strayed& own : step.strayed) {
+        after_[at(own.body)] = paths_[at(own.body)] = own.way;
+        strayed_[at(own.body)] = 1;
+    }
 }
 
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
@@ -275,7 +266,7 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     };
     awake_anew_ = false;
     find_motions(step);
-    const StepMotions motions{step.dt, before_, after_, paths_};
+    const StepMotions motions{step.dt, before_, after_, paths_, strayed_};
     std::vector<collision::Touch>& touches =
         detector_.detect(colliders_, bodies, choices_.detection, &motions, awake, step.threads);
     if (choices_.detection.permitted > 0.0) seams_.put_right(scene_of(step, motions), touches);
@@ -300,7 +291,16 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
         after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
         paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
     }
-    const StepMotions motions{step.dt, before_, after_solved_, paths_solved_};
+    for (const Strayed& own : step.strayed) {
+        const Vector6& force = forces[at(own.body)];
+        const Body& body = step.bodies[at(own.body)];
+        Motion& motion = after_solved_[at(own.body)];
+        motion.velocity = own.way.velocity + step.dt * body.inverse_mass * force.head<3>();
+        motion.angular_velocity =
+            own.way.angular_velocity + step.dt * (world_inverse_inertia(body) * force.tail<3>());
+        paths_solved_[at(own.body)] = motion;
+    }
+    const StepMotions motions{step.dt, before_, after_solved_, paths_solved_, strayed_};
     const auto found = continuous_collision_->look(scene_of(step, motions), forces, changed,
                                                    awake_colliders_.members(), detector_.broad_phase());
     if (found.empty()) return;
@@ -312,6 +312,12 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
     for (Contact& contact : std::span(contacts_).subspan(before)) {
         contact.touch = &unforeseen_[first + static_cast<std::size_t>(contact.touch - found.data())];
     }
+}
+
+collision::Touch ContactConstraints::touch_of(const collision::Pair& pair, std::span<const Body> bodies) const {
+    collision::Touch touch;
+    collision::name_touch(pair, {colliders_, bodies, detector_.poses(), choices_.detection}, touch);
+    return touch;
 }
 
 std::vector<ContactSite> ContactConstraints::sites() const {

@@ -79,6 +79,24 @@ class ContactConstraints : public ConstraintSource {
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;
 
+    // For impacts within the step (impacts.h), after append_rows().
+    std::span<const collision::Touch> touches() const { return touches_; }
+    collision::BroadPhase& broad_phase() { return detector_.broad_phase(); }
+    double touching_gap_of(double size) const { return touching_gap(choices_.slop * size); }  // m
+    // A pair of colliders as a touch without points.
+    collision::Touch touch_of(const collision::Pair& pair, std::span<const Body> bodies) const;
+    // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
+    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
+    // Calls `visit(touch, point, row of the step)` for each contact point, whose row is followed by those of its
+    // friction, if any.
+    template <typename Visit>
+    void each_contact(const Visit& visit) const {
+        for (const Contact& contact : contacts_) {
+            visit(*contact.touch, contact.touch->points[static_cast<std::size_t>(contact.point)],
+                  static_cast<std::size_t>(contact.normal_row), contact.friction_row);
+        }
+    }
+
   private:
     // One contact point of this step, with its rows and tangents.
     struct Contact {
@@ -110,7 +128,6 @@ class ContactConstraints : public ConstraintSource {
     void wake_all(std::size_t bodies);
     collision::StepScene scene_of(const StepStart& step, const StepMotions& motions) const;
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
-    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
     void store_forces();
 
     std::vector<collision::Collider> colliders_;
@@ -135,6 +152,7 @@ class ContactConstraints : public ConstraintSource {
     std::deque<collision::Touch> unforeseen_;
     // By body, see StepMotions: without constraints, and as the last solution has them.
     std::vector<Motion> before_, after_, paths_, after_solved_, paths_solved_;
+    std::vector<char> strayed_;          // by body; empty if none has
     std::vector<double> accelerations_;  // m/s^2, from external forces; 0 for static bodies
     ContactOrder order_, unforeseen_order_;
     std::vector<Contact> contacts_;         // in the order of their rows

@@ -73,9 +73,10 @@ void IslandSolver::begin(std::size_t bodies, std::span<const int> awake) {
     for (const int body : awake) outcomes_[static_cast<std::size_t>(body)] = {};
 }
 
-solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual, SystemEquation& system,
-                                        std::span<const Body> bodies, const Island& island, Columns* first_guess,
-                                        Columns& lambda, ConstraintForces& forces) {
+solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual,
+                                        const SystemEquation& system, std::span<const Body> bodies,
+                                        const Island& island, Columns* first_guess, Columns& lambda,
+                                        ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
     const bool divides = bench.small_steps && choice::divides(island);
     Outcome outcome;
@@ -101,11 +102,6 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         own.worth = choice::worth_of(system.dt, bodies, island, larger(outcome.residuals),
                                      has_forces(island, lambda), divides);
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
-        if (island.has(RowDigest::rebounds) && !outcome.unfinished) {
-            const auto again = lower_rebounds(bench, own, system, bodies, island, lambda, forces, outcome);
-            count.iterations += again.iterations;
-            count.multiply_adds += again.multiply_adds;
-        }
     }
     note(island, outcome);
     count.multiply_adds += 12.0 * island.rows * island.columns;
@@ -149,39 +145,6 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
     outcome.residuals = found;
     outcome.contradicts = count.contradicts;
     outcome.solved = larger(found) <= termination.tolerance_high;
-    return count;
-}
-
-// Solves again without rebounds if they make energy, and takes the forces and b between both that do not. Their
-// residual is taken to be that of the second solution.
-solvers::SolveCount IslandSolver::lower_rebounds(Bench& bench, const solvers::Termination& termination,
-                                                 SystemEquation& system, std::span<const Body> bodies,
-                                                 const Island& island, Columns& lambda, ConstraintForces& forces,
-                                                 Outcome& outcome) {
-    bench.rebounding.find(system, bodies, island, lambda, forces);
-    if (!bench.rebounding.gains()) return {};
-    save(island, lambda, bench);
-    std::swap(bench.saved, bench.rebounding_forces);
-    const auto sides = static_cast<int>(system.column_count());
-    bench.rebounding_sides.clear();
-    each_force(island.runs, sides,
-               [&](Eigen::Index j, Eigen::Index column) { bench.rebounding_sides.push_back(system.b(j, column)); });
-    take_out_rebounds(island, system);
-    outcome.residuals = measure(system, island, lambda, forces, bench);
-    const solvers::SolveCount count =
-        find_better(bench, termination, system, island, nullptr, lambda, forces, outcome);
-    bench.stopped.find(system, bodies, island, lambda, forces);
-    const double share = bench.rebounding.share_without_gain(bench.stopped);
-    std::size_t number = 0;
-    each_force(island, [&](Eigen::Index j, Eigen::Index column) {
-        lambda(j, column) += share * (bench.rebounding_forces[number++] - lambda(j, column));
-    });
-    number = 0;
-    each_force(island.runs, sides, [&](Eigen::Index j, Eigen::Index column) {
-        system.b(j, column) += share * (bench.rebounding_sides[number++] - system.b(j, column));
-    });
-    copy_to_last(island, lambda);
-    find_forces(system, island, lambda, forces, bench);
     return count;
 }
 

@@ -7,7 +7,6 @@
 
 #include "engine/base/threads.h"
 #include "engine/solvers/solver.h"
-#include "engine/step/rebounds.h"
 #include "engine/step/small_steps.h"
 #include "engine/system/islands.h"
 
@@ -40,8 +39,6 @@ class IslandSolver {
         RunsOfBodies runs_of{};             // of the island, if there are threads
         std::vector<double> saved{};        // lambda of the island before the solve
         std::vector<Vector6> velocities{};  // scratch for residuals, by body of the island
-        ImpactWork rebounding{}, stopped{};
-        std::vector<double> rebounding_forces{}, rebounding_sides{};  // lambda and b, as saved
     };
 
     // To be called before the first solve of a step; `awake` are the bodies that take part, out of `bodies`.
@@ -52,7 +49,7 @@ class IslandSolver {
     // Solves `island`, with the forces in `lambda` as warm start, which receives the solution; writes f_c of its
     // bodies. A re-solve within a step, because of additional rows, passes the warm start of the first solve as
     // `first_guess`, which may be clamped to its bounds. With small steps the island may be left unfinished.
-    solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, SystemEquation& system,
+    solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
                               std::span<const Body> bodies, const Island& island, Columns* first_guess,
                               Columns& lambda, ConstraintForces& forces);
 
@@ -76,9 +73,6 @@ class IslandSolver {
     solvers::SolveCount find_better(Bench& bench, const solvers::Termination& termination,
                                     const SystemEquation& system, const Island& island, Columns* first_guess,
                                     Columns& lambda, ConstraintForces& forces, Outcome& outcome);
-    solvers::SolveCount lower_rebounds(Bench& bench, const solvers::Termination& termination,
-                                       SystemEquation& system, std::span<const Body> bodies, const Island& island,
-                                       Columns& lambda, ConstraintForces& forces, Outcome& outcome);
     bool guard(const SystemEquation& system, const Island& island, const Residuals& guessed, Columns* first_guess,
                Columns& lambda, ConstraintForces& forces, Bench& bench, Residuals& found);
     void note(const Island& island, Outcome outcome);

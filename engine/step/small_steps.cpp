@@ -76,7 +76,7 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
                                       Threads* threads, Columns& lambda, ConstraintForces& forces,
                                       std::span<Lambda> ending) {
     dissection_.cut(bodies, island);
-    size(dissection_.island());
+    size(dissection_.island(), !system.detours.empty());
     const Step step{system,
                     bodies,
                     division,
@@ -108,13 +108,14 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
 }
 
 // Sizes the memory shared by all threads.
-void SmallSteps::size(const Island& island) {
+void SmallSteps::size(const Island& island, bool has_detours) {
     rows_.begin(island);
     std::fill(rows_.velocity.begin() + island.movable(), rows_.velocity.end(), Vector6::Zero());
     states_.resize(dissection_.part_count());
     for (std::vector<Vector6>* of_bodies : {&pull_, &base_, &impulse_, &moved_}) {
         of_bodies->resize(static_cast<std::size_t>(island.movable()));
     }
+    detours_.resize(has_detours ? static_cast<std::size_t>(island.movable()) : 0);
     stirred_.assign(static_cast<std::size_t>(island.movable()), -1);
     for (std::vector<double>* of_rows : {&pushing_, &lasting_}) {
         of_rows->assign(static_cast<std::size_t>(island.rows), 0.0);
@@ -166,6 +167,9 @@ void SmallSteps::begin(const Step& step, Team& team) {
         moved_[i].setZero();
         rows_.velocity[i] = weighted(inverse_mass, own.linear_momentum, own.angular_momentum);
         pull_[i] = step.h * weighted(inverse_mass, own.force, own.torque);
+        if (detours_.empty()) return;
+        const Vector6& detour = step.system.detours[body];
+        detours_[i] = step.system.dt * weighted(inverse_mass, detour.head<3>(), detour.tail<3>());
     });
     dissection_.in_any_order(team, [&](const Part& part) { begin(step, part); });
 }
@@ -289,9 +293,16 @@ void SmallSteps::small_step(const Step& step, int number, Team& team) {
     const double begun = number * step.h, ended = begun + step.h;
     each_body(team, [this](std::size_t i) { base_[i] = rows_.velocity[i] + pull_[i]; });
     if (number > 0) dissection_.by_rounds(team, [&](const Part& part) { follow(step, part); });
-    each_body(team, [this](std::size_t i) { rows_.velocity[i] = base_[i] + impulse_[i]; });
+    const bool strays = !detours_.empty();
+    each_body(team, [&](std::size_t i) {
+        rows_.velocity[i] = base_[i] + impulse_[i];
+        if (strays) rows_.velocity[i] += detours_[i];
+    });
     solve(step, Solve::with_push, begun, team);
-    each_body(team, [&](std::size_t i) { moved_[i] += step.h * rows_.velocity[i]; });
+    each_body(team, [&](std::size_t i) {
+        moved_[i] += step.h * rows_.velocity[i];
+        if (strays) rows_.velocity[i] -= detours_[i];
+    });
     solve(step, Solve::without_push, ended, team);
     each_body(team, [this](std::size_t i) { impulse_[i] = rows_.velocity[i] - base_[i]; });
 }
@@ -422,6 +433,7 @@ void SmallSteps::write_forces(const Step& step, Team& team) const {
                            stacked(own.force, own.torque));
         };
         step.forces.moving[body] = force_for(moved_[i] / step.system.dt);
+        if (!detours_.empty()) step.forces.moving[body] -= step.system.detours[body];
         step.forces.lasting[body] = force_for(base_[i]);
     });
 }

@@ -132,7 +132,7 @@ class SmallSteps {
     };
     enum class Solve { with_push, without_push };
 
-    void size(const Island& island);
+    void size(const Island& island, bool has_detours);
     void work(const Step& step, Team& team);
     void load(const Step& step, Team& team);
     void begin(const Step& step, Team& team);
@@ -167,6 +167,7 @@ class SmallSteps {
     std::vector<Vector6> base_;     // x before the rows act
     std::vector<Vector6> impulse_;  // x added by the rows in the last solve
     std::vector<Vector6> moved_;    // d
+    std::vector<Vector6> detours_;  // x that moves it besides, in the solve with push alone; empty without any
     std::vector<int> stirred_;      // sweep of the current solve in which a row of it was last restless
     // By row of the island, impulses of the step so far [N s]: with the push, without it.
     std::vector<double> pushing_, lasting_;

@@ -23,6 +23,8 @@ struct StepCount {
     int sweeps = 0;                  // iterations of the solver, on the island with the most of them
     double row_updates = 0.0;        // rows times columns times iterations, of all islands
     double multiply_adds = 0.0;      // of the solver
+    int impacts = 0;                 // within the step (impacts.h)
+    bool impacts_cut_short = false;  // there would have been more than are followed
     int at_rest = 0;                 // bodies, after the step (rest.h)
 
     int rows() const { return std::accumulate(rows_of_kind.begin(), rows_of_kind.end(), 0); }

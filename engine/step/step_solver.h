@@ -19,8 +19,8 @@ namespace pushfactor::engine {
 
 // What is solved in a step, and with what.
 struct StepProblem {
-    std::span<const Body> bodies;       // with the external forces
-    SystemEquation& system;             // b changes where rebounds would make energy
+    std::span<const Body> bodies;  // with the external forces
+    const SystemEquation& system;
     solvers::Solver* solver = nullptr;  // null only without rows
     const solvers::Termination& termination;
     SmallSteps* small_steps = nullptr;  // null: solver iterations instead

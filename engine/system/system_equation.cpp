@@ -187,6 +187,15 @@ void weigh_rows(SystemEquation& system) {
     }
 }
 
+double detour_of(const SystemEquation& system, std::size_t j) {
+    const ConstraintRow& row = system.rows[j];
+    const auto half = [&](int body, const Vector6& axis) {
+        const auto i = static_cast<std::size_t>(body);
+        return axis.dot(accelerate(system.inverse_mass[i], system.detours[i]));
+    };
+    return half(row.body_a, row.jacobian.a) + half(row.body_b, row.jacobian.b);
+}
+
 double diagonal_of(const SystemEquation& system, const ConstraintRow& row) {
     return WeightedRow(row, system).squared() + row.softness;
 }
@@ -216,6 +225,7 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
             const double free = unconstrained(system, j);
             const auto index = static_cast<Eigen::Index>(j);
             system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - free;
+            if (two_columns && !system.detours.empty()) system.b(index, 0) -= detour_of(system, j);
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - free;
             some_correct = some_correct || corrects(row);
         }
@@ -237,7 +247,8 @@ void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, Sy
     } else {
         system.b.conservativeResize(count, before);
     }
-    const bool two_columns = write_rows(rows, first, system, threads) || (first > 0 && before == 2);
+    const bool two_columns =
+        write_rows(rows, first, system, threads) || !system.detours.empty() || (first > 0 && before == 2);
     if (two_columns && before == 1) {
         system.b.conservativeResize(count, 2);
         system.b.col(1) = system.b.col(0);

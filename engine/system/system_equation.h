@@ -73,8 +73,12 @@ struct SystemEquation {
     Columns b;                       // m/s^2, rows x columns
     std::vector<RowDigest> digests;  // by row
     // m/s, by row: velocity that a moved body gives to it, beside the push (carried.h). Empty if none is moved;
-    // the only part that build_system() does not write.
+    // not written by build_system().
     std::vector<double> carried;
+
+    // N and N m, by body: moves it in the first column alone, for bodies that were hit within the step (impacts.h).
+    // Empty if none was; like `carried` not written by build_system().
+    std::vector<Vector6> detours;
 
     double carried_by(std::size_t row) const { return carried.empty() ? 0.0 : carried[row]; }
 
@@ -110,6 +114,9 @@ inline double unconstrained(const SystemEquation& system, std::size_t j) {
                        row.jacobian.b.dot(system.free_acceleration[static_cast<std::size_t>(row.body_b)]);
     return system.carried.empty() ? own : own - system.carried[j] / system.dt;
 }
+
+// The same part of `detours`, which only the first column has.
+double detour_of(const SystemEquation& system, std::size_t j);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {

@@ -47,6 +47,7 @@ bool any_small_steps(const engine::World& world) {
 
 bool any_swept(const demos::BuiltScene& scene) {
     if (!scene.contacts) return false;
+    if (scene.world.impacts && !scene.world.impacts->followed().empty()) return true;
     const std::vector<engine::ContactSite> sites = scene.contacts->sites();
     return std::any_of(sites.begin(), sites.end(), [](const auto& site) { return site.swept; });
 }

@@ -57,13 +57,30 @@ double lever(const ConstraintRow& row, std::span<const Body> bodies) {
     return of_a + of_b;
 }
 
+// Body `i` as it enters the rows of the step: one that was hit (impacts.h) as if it had had the momenta that its
+// impacts have left it from the start, from where they take it to the same place.
+Body entering(const Step& step, std::size_t i) {
+    Body body = step.before[i];
+    const auto number = static_cast<int>(i);
+    if (!step.world.impacts ||
+        std::ranges::find(step.world.impacts->followed(), number) == step.world.impacts->followed().end())
+        return body;
+    const engine::Flight& flight = step.world.impacts->flight_of(number);
+    const double dt = step.world.system().dt;
+    body.linear_momentum = flight.linear_momentum();
+    body.angular_momentum = flight.angular_momentum();
+    const Vector3 momentum = body.linear_momentum + dt * step.world.bodies[i].force;
+    body.position = flight.end().position - (dt * body.inverse_mass) * momentum;
+    return body;
+}
+
 std::optional<Broken> angular_momentum(const Step& step) {
     Vector3 change = engine::angular_momentum(step.world.bodies) - engine::angular_momentum(step.before);
     const double dt = step.world.system().dt;
     double scale =
         dt * sum_of_forces(step.world, [&](const ConstraintRow& row) { return lever(row, step.before); });
     for (std::size_t i = 0; i < step.before.size(); ++i) {
-        const Body& before = step.before[i];
+        const Body before = entering(step, i);
         const Body& after = step.world.bodies[i];
         scale += before.angular_momentum.norm() + after.angular_momentum.norm();
         scale += (before.position.norm() + after.position.norm()) *
@@ -114,7 +131,7 @@ std::optional<Broken> energy(const Step& step) {
     const SystemEquation& system = step.world.system();
     double gain = 0.0, scale = 0.0;
     for (std::size_t i = 0; i < step.before.size(); ++i) {
-        const Body& before = step.before[i];
+        const Body before = entering(step, i);
         const Body& after = step.world.bodies[i];
         const Vector3 p = before.linear_momentum + system.dt * after.force;
         const Vector3 l = before.angular_momentum + system.dt * after.torque;

@@ -15,7 +15,7 @@ struct Step {
     const engine::World& world;
     bool isolated = false;  // nothing outside acts: no gravity, no force, no static body
     bool shifts = false;    // some rows move bodies without giving them the momentum of that motion
-    bool swept = false;     // some rows act where bodies meet later in the step
+    bool swept = false;     // some rows or impacts act where bodies meet later in the step
     bool monotone = false;  // the solver never ends above the q from which it started
 };
 

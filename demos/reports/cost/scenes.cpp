@@ -92,7 +92,7 @@ Parts parts_of(const BuiltScene& scene, const Settings& settings) {
     if (scene.contacts) {
         parts.constraints.emplace_back("contacts");
         if (scene.contacts->friction()) parts.contacts.emplace_back("friction");
-        if (scene.contacts->restitution()) parts.contacts.emplace_back("restitution");
+        if (scene.contacts->restitution() || scene.world.impacts) parts.contacts.emplace_back("restitution");
         if (scene.contacts->materials()) parts.contacts.emplace_back("materials");
         if (scene.contacts->filter()) parts.contacts.emplace_back("pairs left out");
         if (scene.contacts->continuous_collision()) parts.contacts.emplace_back("sweep");

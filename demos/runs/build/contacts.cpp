@@ -2,6 +2,7 @@
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
+#include "engine/impacts/contact_impacts.h"
 
 #include <algorithm>
 #include <map>
@@ -35,10 +36,6 @@ std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const V
             break;
     }
     return std::make_unique<engine::WeightFriction>(gravity);
-}
-
-engine::RestitutionRule restitution_rule(RestitutionModel model) {
-    return model == RestitutionModel::sum ? engine::restitution_sum : engine::restitution_larger;
 }
 
 // The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.
@@ -130,7 +127,11 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
     if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
-        contacts->set_restitution(restitution_rule(settings.restitution_model));
+        if (settings.restitution_model == RestitutionModel::sum) {
+            contacts->set_restitution(engine::restitution_sum);
+        } else {
+            scene.world.impacts = std::make_unique<engine::ContactImpacts>(*contacts);
+        }
     }
     if (settings.margin > 0.0)
         contacts->set_continuous_collision(std::make_unique<collision::ContinuousCollision>());

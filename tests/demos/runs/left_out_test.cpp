@@ -93,13 +93,13 @@ TEST_CASE("without friction there is no rule, and no friction row") {
 
 TEST_CASE("without restitution, sweep or cache there is no such part") {
     Settings settings = preset_settings("default");
-    CHECK(simulate("stack", settings).scene().contacts->restitution() == nullptr);
+    CHECK(simulate("stack", settings).scene().world.impacts == nullptr);
     CHECK(simulate("stack", settings).scene().contacts->continuous_collision() != nullptr);
     CHECK(simulate("stack", settings).scene().contacts->cache() != nullptr);
     settings.restitution = 0.5;
     settings.margin = 0.0;
     settings.warm_start = false;
-    CHECK(simulate("stack", settings).scene().contacts->restitution() != nullptr);
+    CHECK(simulate("stack", settings).scene().world.impacts != nullptr);
     CHECK(simulate("stack", settings).scene().contacts->continuous_collision() == nullptr);
     CHECK(simulate("stack", settings).scene().contacts->cache() == nullptr);
 }

@@ -1,0 +1,355 @@
+#include "engine/impacts/contact_impacts.h"
+
+#include "engine/base/index.h"
+#include "engine/collision/meeting.h"
+#include "engine/constraints/carried.h"
+#include "engine/impacts/impact_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pushfactor::engine {
+
+namespace {
+
+// Limit on the impacts of a step, per body that flies.
+constexpr int most_per_body = 100;
+
+// Share of its speed that the rebounds of a pair leave it in a step before it counts as in contact.
+constexpr double least_left = 0.1;
+
+// A gap up to which a pair counts as touching before the step, as a fraction of its size (meeting.cpp).
+constexpr double touching_share = 2e-6;
+
+// Share of the speeds of both bodies that is an approach and not rounding.
+constexpr double rounding = 1e-10;
+
+// What a body has to be moved by, as a fraction of its size, to hit anything else.
+constexpr double noticed = 1e-3;
+
+bool is_closed(const ConstraintRow& row) {
+    return row.bounds.c_min >= 0.0 ? row.error <= 0.0 : row.bounds.c_max <= 0.0 ? row.error >= 0.0 : true;
+}
+
+// Whether a row that is no contact keeps its velocity however hard it is hit: not springs and motors of limited
+// torque.
+bool holds(const ConstraintRow& row) {
+    if (row.label.kind == RowKind::contact || row.label.kind == RowKind::friction) return false;
+    const bool is_rigid = row.softness == 0.0 || row.label.kind == RowKind::joint;
+    const bool is_bounded = row.bounds.c_min > -infinity && row.bounds.c_max < infinity;
+    return is_rigid && !is_bounded && is_closed(row);
+}
+
+Vector6 acceleration_by(const Body& body, const Vector6& force) {
+    return stacked(body.inverse_mass * force.head<3>(), world_inverse_inertia(body) * force.tail<3>());
+}
+
+// Farthest point from the centre [m].
+double radius_of(const collision::Shape& shape) {
+    const Vector3 extents = collision::half_extents(shape, Matrix3::Identity());
+    return std::max(std::sqrt(collision::squared_turning_radius(shape)), extents.maxCoeff());
+}
+
+// Velocity of a static body along a contact or friction row, as SystemEquation::carried has it [m/s].
+double carried_at(const ConstraintRow& row, const Body& a, const Body& b, const Vector3& point) {
+    if (a.is_static()) return row.jacobian.b.head<3>().dot(velocity_at(a, point));
+    if (b.is_static()) return row.jacobian.a.head<3>().dot(velocity_at(b, point));
+    return 0.0;
+}
+
+}  // namespace
+
+bool ContactImpacts::fly(const StepStart& step, std::span<const ConstraintRow> rows, const Awake& awake) {
+    followed_.clear();
+    resting_.clear();
+    count_ = 0;
+    external_work_ = 0.0;
+    is_cut_short_ = false;
+    step_ = step;
+    awake_ = &awake;
+    find_about_to_rebound();
+    if (changed_.empty()) return false;
+    begin(rows);
+    set_off(0.0);
+    for (int next = earliest(); next >= 0; next = earliest()) {
+        if (count_ >= most_per_body * static_cast<int>(flights_.size())) {
+            is_cut_short_ = true;
+            break;
+        }
+        strike(next, rows);
+        if (!resting_.empty()) return true;
+    }
+    for (const int body : flying_) {
+        if (reach_[at(body)] >= 0.0 || flight_of(body).is_hit()) followed_.push_back(body);
+    }
+    std::sort(followed_.begin(), followed_.end());
+    return true;
+}
+
+// Bodies of pairs that meet by their free motions, fast enough to rebound.
+void ContactImpacts::find_about_to_rebound() {
+    changed_.clear();
+    for (const collision::Touch& touch : contacts_.touches()) {
+        if (touch.restitution == 0.0) continue;
+        const Body &a = step_.bodies[at(touch.body_a)], &b = step_.bodies[at(touch.body_b)];
+        const ImpactLimits limits = limits_of(touch);
+        const double least = limits.least_speed(touch.normal, a.inverse_mass * a.force, b.inverse_mass * b.force);
+        const Motion of_a = motion_of(a, step_.dt), of_b = motion_of(b, step_.dt);
+        const double still = rounding * (of_a.velocity.norm() + of_b.velocity.norm());
+        double speed = 0.0;
+        if (touch.time > 0.0) {  // at whatever point
+            speed = (of_a.velocity - of_b.velocity).norm() + turning_of(touch.pair.a, of_a) +
+                    turning_of(touch.pair.b, of_b);
+        }
+        for (const collision::ContactPoint& point : touch.points) {
+            const double own =
+                collision::closing_speed(of_a, a.position, of_b, b.position, point.position, touch.normal);
+            if (point.gap <= touching_share * touch.size + own * step_.dt) speed = std::max(speed, own);
+        }
+        const bool rebounds = touch.restitution * speed > least && speed > still;
+        if (!rebounds) continue;
+        if (!a.is_static()) changed_.push_back(touch.body_a);
+        if (!b.is_static()) changed_.push_back(touch.body_b);
+    }
+}
+
+// m/s, of the points of a collider at most.
+double ContactImpacts::turning_of(int collider, const Motion& motion) const {
+    const collision::Shape& shape = contacts_.colliders()[at(collider)].shape;
+    return std::sqrt(collision::squared_turning_radius(shape)) * motion.angular_velocity.norm();
+}
+
+ImpactLimits ContactImpacts::limits_of(const collision::Touch& touch) const {
+    return {.size = touch.size, .touching = contacts_.touching_gap_of(touch.size), .dt = step_.dt};
+}
+
+void ContactImpacts::begin(std::span<const ConstraintRow> rows) {
+    const std::size_t count = step_.bodies.size();
+    flights_.clear();
+    flying_.clear();
+    flight_of_.assign(count, -1);
+    reach_.assign(count, -1.0);
+    meetings_.clear();
+    next_.clear();
+    known_.clear();
+    number_.assign(count, -1);
+    if (colliders_of_.size() != count) {
+        colliders_of_.assign(count, {});
+        const auto colliders = contacts_.colliders();
+        for (std::size_t i = 0; i < colliders.size(); ++i) {
+            colliders_of_[at(colliders[i].body)].push_back(static_cast<int>(i));
+            radii_.push_back(radius_of(colliders[i].shape));
+        }
+    }
+    find_what_holds(rows);
+}
+
+// Rows that take part in the impacts of their bodies, which bodies they connect, and how they accelerate them.
+void ContactImpacts::find_what_holds(std::span<const ConstraintRow> rows) {
+    by_rows_.assign(step_.bodies.size(), Vector6::Zero());
+    lies_.assign(step_.bodies.size(), 0);
+    parent_.resize(step_.bodies.size());
+    std::iota(parent_.begin(), parent_.end(), 0);
+    holding_.clear();
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        const ConstraintRow& row = rows[j];
+        if (row.label.kind == RowKind::contact || row.label.kind == RowKind::friction) continue;
+        by_rows_[at(row.body_a)] += row.guess.last * row.jacobian.a;
+        by_rows_[at(row.body_b)] += row.guess.last * row.jacobian.b;
+        if (holds(row)) holding_.push_back(static_cast<int>(j));
+    }
+    contacts_.each_contact(
+        [&](const collision::Touch& touch, const collision::ContactPoint& point, int normal, int friction) {
+            const ConstraintRow& row = rows[at(normal)];
+            if (point.gap > contacts_.touching_gap_of(touch.size)) return;
+            if (row.guess.last > 0.0) lies_[at(row.body_a)] = lies_[at(row.body_b)] = 1;
+            if (touch.restitution > 0.0) return;
+            holding_.push_back(normal);
+            if (friction >= 0) holding_.insert(holding_.end(), {friction, friction + 1});
+        });
+    std::sort(holding_.begin(), holding_.end());
+    for (const int j : holding_) {
+        const ConstraintRow& row = rows[at(j)];
+        const bool both = !step_.bodies[at(row.body_a)].is_static() && !step_.bodies[at(row.body_b)].is_static();
+        if (both) parent_[at(group_of(row.body_a))] = group_of(row.body_b);
+    }
+}
+
+int ContactImpacts::group_of(int body) {
+    while (parent_[at(body)] != body) body = parent_[at(body)] = parent_[at(parent_[at(body)])];
+    return body;
+}
+
+Flight& ContactImpacts::fly_body(int body) {
+    int& number = flight_of_[at(body)];
+    if (number < 0) {
+        const Body& own = step_.bodies[at(body)];
+        const Vector6 weight = stacked(own.force, own.torque);
+        Vector6 by_rows = Vector6::Zero();
+        if (!own.is_static())
+            by_rows = acceleration_by(own, lies_[at(body)] ? Vector6(-weight) : by_rows_[at(body)]);
+        number = static_cast<int>(flights_.size());
+        flights_.emplace_back(own, by_rows, step_.dt, step_.rotate);
+        flying_.push_back(body);
+        if (meetings_of_.size() < flights_.size()) meetings_of_.emplace_back();
+        meetings_of_[flights_.size() - 1].clear();
+    }
+    return flights_[at(number)];
+}
+
+// Lets the changed bodies fly on from `time`: what they meet is foreseen anew.
+void ContactImpacts::set_off(double time) {
+    std::vector<bool> looking;
+    for (const int body : changed_) {
+        const Flight& flight = fly_body(body);
+        const Body now = flight.at(time);
+        const double rest = step_.dt - time;
+        const double way = (now.position - step_.bodies[at(body)].position).norm() +
+                           rest * (velocity(now).norm() + rest * flight.fall().norm());
+        if (way <= reach_[at(body)]) continue;
+        reach_[at(body)] = 2.0 * way;
+        for (const int collider : colliders_of_[at(body)]) {
+            const Vector3 reach = Vector3::Constant(1.01 * radii_[at(collider)] + reach_[at(body)]);
+            contacts_.broad_phase().put(collider, {step_.bodies[at(body)].position, reach});
+            looking.resize(contacts_.colliders().size());
+            looking[at(collider)] = true;
+        }
+    }
+    for (const int body : changed_) {
+        for (const int meeting : meetings_of_[at(flight_of_[at(body)])]) foresee(meeting, time);
+    }
+    if (looking.empty()) return;
+    for (const collision::Pair& pair : contacts_.broad_phase().find_pairs_of(looking)) {
+        if (!known_.insert(pair).second) continue;
+        const collision::Touch touch = contacts_.touch_of(pair, step_.bodies);
+        const auto number = static_cast<int>(meetings_.size());
+        meetings_.push_back({.touch = touch, .limits = limits_of(touch), .time = never});
+        for (const int body : {touch.body_a, touch.body_b}) {
+            fly_body(body);
+            meetings_of_[at(flight_of_[at(body)])].push_back(number);
+        }
+        foresee(number, time);
+    }
+}
+
+Flier ContactImpacts::flier(int collider) {
+    const collision::Collider& own = contacts_.colliders()[at(collider)];
+    fly_body(own.body);
+    return {own.shape, flight_of(own.body), radii_[at(collider)],
+            std::sqrt(collision::squared_turning_radius(own.shape))};
+}
+
+void ContactImpacts::foresee(int number, double from) {
+    Meeting& meeting = meetings_[at(number)];
+    const Flier a = flier(meeting.touch.pair.a), b = flier(meeting.touch.pair.b);
+    meeting.time = meeting.left < least_left ? never : next_impact(a, b, meeting.limits, from, manifold_);
+    if (meeting.time == never) return;
+    next_.push_back({meeting.time, meeting.touch.pair, number});
+    std::push_heap(next_.begin(), next_.end());
+}
+
+// The meeting that is first in time, and of several at once the first pair; -1 if there is none.
+int ContactImpacts::earliest() {
+    while (!next_.empty()) {
+        const Next first = next_.front();
+        std::pop_heap(next_.begin(), next_.end());
+        next_.pop_back();
+        if (meetings_[at(first.meeting)].time == first.time) return first.meeting;
+    }
+    return -1;
+}
+
+// The number of a body in the problem; -1 if it is static and not one of the pair.
+int ContactImpacts::add_to_problem(int body, double time) {
+    int& number = number_[at(body)];
+    if (number >= 0) return number;
+    number = static_cast<int>(members_.size());
+    members_.push_back(body);
+    problem_.bodies.push_back(fly_body(body).at(time));
+    return number;
+}
+
+// Appends the rows that hold bodies of the groups of the pair.
+void ContactImpacts::add_what_holds(const collision::Touch& touch, double time,
+                                    std::span<const ConstraintRow> rows) {
+    const int group_a = group_of(touch.body_a), group_b = group_of(touch.body_b);
+    int normal = -1;  // of the last contact
+    for (const int j : holding_) {
+        const ConstraintRow& row = rows[at(j)];
+        const int movable = step_.bodies[at(row.body_a)].is_static() ? row.body_b : row.body_a;
+        const int group = group_of(movable);
+        if (group != group_a && group != group_b) continue;
+        const bool is_own = (row.body_a == touch.body_a && row.body_b == touch.body_b) ||
+                            (row.body_a == touch.body_b && row.body_b == touch.body_a);
+        const bool is_contact = row.label.kind == RowKind::contact, slides = row.label.kind == RowKind::friction;
+        if (is_own && (is_contact || slides)) continue;  // of the start of the step
+        if (is_contact) normal = static_cast<int>(problem_.rows.size());
+        ConstraintRow& copy = problem_.rows.emplace_back();
+        copy = row;
+        copy.body_a = add_to_problem(row.body_a, time);
+        copy.body_b = add_to_problem(row.body_b, time);
+        if (row.bounds.of_row >= 0) {
+            copy.bounds.of_row = normal;
+        } else {
+            copy.bounds.c_min *= step_.dt;  // an impulse
+            copy.bounds.c_max *= step_.dt;
+        }
+        copy.push.correcting = 0.0;
+        copy.correction = nullptr;
+        copy.guess = {};
+        problem_.carried.push_back(
+            carried_speed(row, step_.bodies[at(row.body_a)], step_.bodies[at(row.body_b)], step_.dt));
+    }
+}
+
+void ContactImpacts::strike(int number, std::span<const ConstraintRow> rows) {
+    Meeting& meeting = meetings_[at(number)];
+    const double time = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
+                                    meeting.time, manifold_);
+    meeting.time = never;
+    if (time == never) return;
+    ++count_;
+    collision::Touch touch = meeting.touch;
+    touch.normal = manifold_.normal;
+    touch.points = manifold_.points();
+
+    for (const int body : members_) number_[at(body)] = -1;
+    members_.clear();
+    problem_.bodies.clear();
+    problem_.rows.clear();
+    problem_.carried.clear();
+    const int a = add_to_problem(touch.body_a, time), b = add_to_problem(touch.body_b, time);
+    const Body body_a = problem_.bodies[at(a)], body_b = problem_.bodies[at(b)];
+    append_impact_rows(contacts_, touch, {a, b, body_a, body_b}, {step_.time, step_.dt}, problem_.rows);
+    problem_.own_rows = problem_.rows.size();
+    const std::size_t rows_per_point = problem_.own_rows / touch.points.size();
+    for (std::size_t j = 0; j < problem_.own_rows; ++j) {
+        problem_.carried.push_back(
+            carried_at(problem_.rows[j], body_a, body_b, touch.points[j / rows_per_point].position));
+    }
+    add_what_holds(touch, time, rows);
+    problem_.restitution = touch.restitution;
+    problem_.least_rebound =
+        meeting.limits.least_speed(touch.normal, flight_of(touch.body_a).fall(), flight_of(touch.body_b).fall());
+    for (const int body : members_) {
+        if (!step_.bodies[at(body)].is_static() && !awake_->has(body)) resting_.push_back(body);
+    }
+    if (!resting_.empty()) return;
+    meeting.left *= touch.restitution;
+
+    const std::span<const Vector6> impulses = solver_.solve(problem_);
+    external_work_ += solver_.external_work();
+    changed_.clear();
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        const Body& body = problem_.bodies[k];
+        if (body.is_static() || impulses[k].isZero(0.0)) continue;
+        fly_body(members_[k]).hit(time, impulses[k]);
+        const double way = (step_.dt - time) * acceleration_by(body, impulses[k]).head<3>().norm();
+        const bool is_own = k < 2;
+        if (is_own || way > noticed * touch.size) changed_.push_back(members_[k]);
+    }
+    set_off(time);
+}
+
+}  // namespace pushfactor::engine
