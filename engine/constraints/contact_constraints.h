@@ -87,13 +87,13 @@ class ContactConstraints : public ConstraintSource {
     collision::Touch touch_of(const collision::Pair& pair, std::span<const Body> bodies) const;
     // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
     Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
-    // Calls `visit(touch, point, row of the step)` for each contact point, whose row is followed by those of its
-    // friction, if any.
+    // Calls `visit(touch, point, its row of the step, the first of its two friction rows)` for each contact point;
+    // the last is negative without friction.
     template <typename Visit>
     void each_contact(const Visit& visit) const {
         for (const Contact& contact : contacts_) {
             visit(*contact.touch, contact.touch->points[static_cast<std::size_t>(contact.point)],
-                  static_cast<std::size_t>(contact.normal_row), contact.friction_row);
+                  contact.normal_row, contact.friction_row);
         }
     }
 

@@ -56,12 +56,13 @@ bool has_force(const Columns& lambda, std::size_t row) {
 }  // namespace
 
 bool Rest::is_still(int body) const {
+    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) { return is_still(body, span); });
+}
+
+bool Rest::is_still(int body, const Span& span) const {
     if (at(body) >= memory_.size()) return false;
-    const auto& stays = memory_[at(body)].stays;
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        if (stays[k].still >= spans[k].time) return true;
-    }
-    return false;
+    const auto number = static_cast<std::size_t>(&span - spans.data());
+    return memory_[at(body)].stays[number].still >= span.time;
 }
 
 Awake Rest::awake(std::size_t bodies) const {
@@ -198,12 +199,17 @@ void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& syste
         const bool runs_along =
             bodies[at(rows.front().body_a)].is_moved() || bodies[at(rows.front().body_b)].is_moved() ||
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
+        // What hangs may swing by little for ever.
+        const bool hangs = std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) {
+            return row.kind != RowKind::contact && row.kind != RowKind::friction;
+        });
         bool any_force = false;
         for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));
         for (const auto& [number, other] : {std::pair{run.a, run.b}, std::pair{run.b, run.a}}) {
             if (number >= island.movable()) continue;
             Group& group = groups_[at(root_of(number))];
-            if (runs_along) group.may_rest = false;
+            if (runs_along || (hangs && !is_still(island.bodies[at(number)], spans.front())))
+                group.may_rest = false;
             if (!any_force) continue;
             if (other < island.movable()) {
                 join(number, other);

@@ -6,7 +6,8 @@
 // velocity. Two time spans are checked, so that a body that has begun to slide, roll or tip is not stopped: in 0.5
 // s it may move by 1e-5 of its size, which corresponds to an acceleration of 8 bound / time^2 = 3e-4 m/s^2 per
 // metre; in 8 s by 2 % of it (2.5e-3 m/s^2), for balls that rock in a hollow of a standing heap, which never ends
-// because nothing brakes rolling. Bodies that nothing static holds never rest.
+// because nothing brakes rolling. Bars, joints and springs let bodies swing by as little: what hangs on one has to
+// be still for the short span. Bodies that nothing static holds never rest.
 //
 // A ball that turns in place moves nothing either, e.g. one pinched between two others, whose turn about the line
 // through both contacts is not braked: while its spin is constant it counts as still, and it goes on turning while
@@ -97,6 +98,7 @@ class Rest {
 
     void note_places(std::span<const Body> bodies, std::span<const char> turns_unseen, std::span<const int> awake,
                      double dt);
+    bool is_still(int body, const Span& span) const;
     bool turns_on(const Body& body, const Memory& memory) const;
     void list_turning(std::span<const Body> bodies);
     void find_groups(std::span<const Body> bodies, const SystemEquation& system, const Island& island,

@@ -52,6 +52,18 @@ TEST_CASE("nothing hangs in the air: at its highest point, on a slope that is to
         build(scene);
         CHECK(most_at_rest(scene.world, 60.0) == 0);
     }
+    SECTION("a pendulum that swings by less than a fiftieth of its size") {
+        for (const double offset : {0.001, 0.006}) {
+            ContactScene scene;
+            scene.add(static_body(Vector3::Zero()), collision::Sphere{0.1});
+            scene.add_ball(0.5, {offset, -1.0, 0});
+            scene.world.constraints.push_back(std::make_unique<DistanceConstraints>(
+                std::vector<Distance>{{.body_a = 0, .body_b = 1, .length = std::hypot(offset, 1.0)}}, Correction{},
+                true));
+            build(scene);
+            CHECK(most_at_rest(scene.world, 30.0) == 0);
+        }
+    }
     SECTION("a ball thrown straight up") {
         ContactScene scene;
         scene.add_ground();
