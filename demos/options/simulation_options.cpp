@@ -249,7 +249,7 @@ const std::array simulation_table{
                      "a number from 0 to 1", set_restitution,
                      [](const Settings& s) { return s.restitution ? to_text(*s.restitution) : std::string(); }},
     SimulationOption{
-        "restitution-model", "NAME", "sum (8.2: added to the push) or larger (of rebound and push)",
+        "restitution-model", "NAME", "sum (8.2: added to the push) or larger (each impact at its time)",
         "one of sum, larger",
         [](Settings& s, std::string_view t) { return take_name(s.restitution_model, restitution_names, t); },
         [](const Settings& s) { return name_of(s.restitution_model, restitution_names); }},
