@@ -158,7 +158,7 @@ bool World::append_unforeseen(double dt) {
 }
 
 bool World::take_impacts(double dt) {
-    if (!impacts->fly(start_of(dt), rows_.all(), awake_)) return true;
+    if (!impacts->fly(start_of(dt), rows_.sources_of(constraints), rows_.all(), awake_)) return true;
     if (!impacts->resting().empty()) {
         for (const int body : impacts->resting()) rest->wake(body);
         return false;
@@ -245,6 +245,19 @@ void World::kick_back_half(double dt) {
         const Vector6& f_c = step_solver_.has_lasting_force(i) ? solved.lasting[i] : solved.moving[i];
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
+    }
+}
+
+// What constraints add to these forces is what their next solution takes away again.
+void World::change_step(double from, double dt) {
+    find_awake(dt);
+    add_forces(dt);
+    const double back = 0.5 * (from - dt);
+    for (const int body : awake_.members()) {
+        Body& own = bodies[static_cast<std::size_t>(body)];
+        if (own.is_static()) continue;
+        own.linear_momentum = advance_momentum(own.linear_momentum, own.force, back);
+        own.angular_momentum = advance_momentum(own.angular_momentum, own.torque, back);
     }
 }
 

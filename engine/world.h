@@ -59,6 +59,10 @@ class World {
     // instead of first.
     void kick_back_half(double dt);
 
+    // Moves the momenta, which belong half a step before the positions, from half of a step of `from` to half of
+    // one of `dt` [s], by the external forces: between steps of different length.
+    void change_step(double from, double dt);
+
     // The threads, if the last step was large enough to share; null: one thread is faster.
     Threads* threads_worth_calling() const;
 

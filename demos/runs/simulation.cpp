@@ -81,6 +81,7 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
+    if (scene_.division_before && !is_rattle(settings_.scheme)) lag_ = dt / division_.parts();
     // The rules need the forces of a first solve.
     if (division_.has_rules() && !scene_.division_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
@@ -129,6 +130,8 @@ void Simulation::divide_step() {
 }
 
 void Simulation::step_engine(double dt) {
+    if (lag_ > 0.0 && dt != lag_) scene_.world.change_step(lag_, dt);
+    if (!is_rattle(settings_.scheme)) lag_ = dt;
     energy_.begin(scene_.world.bodies);
     const double before = clock_ ? clock_() : 0.0;
     const engine::StepCount so_far = sample_.count;

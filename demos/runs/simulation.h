@@ -91,6 +91,7 @@ class Simulation {
     BuiltScene scene_;
     Settings settings_;
     StepDivision division_;
+    double lag_ = 0.0;  // s, length of the last step: half of it ago the momenta are. 0 before the first one
     Clock clock_;
     engine::collision::Detector detector_;  // for penetrations
     Sample sample_;

@@ -38,9 +38,13 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
     return rules;
 }
 
+int StepDivision::parts() const {
+    return std::max(whole(memory_.parts), 1);
+}
+
 int StepDivision::divide(const engine::World& world, double dt) {
     short_ = false;
-    if (rules_.empty()) return std::max(whole(memory_.parts), 1);
+    if (rules_.empty()) return this->parts();
     double wanted = 1.0, by_forces = 0.0;
     std::string_view rule;
     for (const StepRule& asked : rules_) {

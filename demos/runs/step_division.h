@@ -39,7 +39,9 @@ class StepDivision {
     explicit StepDivision(std::vector<StepRule> rules, const DivisionMemory& before = {})
         : rules_(std::move(rules)), memory_(before) {}
 
-    // Number of parts for the next step of dt [s].
+    // Number of parts of the last step; 1 before the first.
+    int parts() const;
+    // For the next step of dt [s].
     int divide(const engine::World& world, double dt);
 
     // Further division of each remaining part, when the step of dt has `parts`: 2 if the state now needs much

@@ -60,13 +60,15 @@ double carried_at(const ConstraintRow& row, const Body& a, const Body& b, const 
 
 }  // namespace
 
-bool ContactImpacts::fly(const StepStart& step, std::span<const ConstraintRow> rows, const Awake& awake) {
+bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
+                         const Awake& awake) {
     followed_.clear();
     resting_.clear();
     count_ = 0;
     external_work_ = 0.0;
     is_cut_short_ = false;
     step_ = step;
+    sources_ = sources;
     awake_ = &awake;
     find_about_to_rebound();
     if (changed_.empty()) return false;
@@ -270,11 +272,31 @@ int ContactImpacts::add_to_problem(int body, double time) {
     return number;
 }
 
+// A row of the step where its bodies are at `time`, if its source can follow them.
+const ConstraintRow& ContactImpacts::row_at(int row, double time, std::span<const ConstraintRow> rows) {
+    const ConstraintRow& own = rows[at(row)];
+    const ConstraintSource* const source = sources_.follower_of(row);
+    if (!source) return own;
+    int begin = row;
+    while (begin > 0 && sources_.follower_of(begin - 1) == source &&
+           rows[at(begin - 1)].label.point == own.label.point) {
+        --begin;
+    }
+    if (begin != item_begin_) {
+        item_begin_ = begin;
+        item_.clear();
+        const Body a = fly_body(own.body_a).at(time), b = fly_body(own.body_b).at(time);
+        source->append_rows_of(at(own.label.point), {own.body_a, own.body_b, a, b}, step_.dt, item_);
+    }
+    return item_[at(row - begin)];
+}
+
 // Appends the rows that hold bodies of the groups of the pair.
 void ContactImpacts::add_what_holds(const collision::Touch& touch, double time,
                                     std::span<const ConstraintRow> rows) {
     const int group_a = group_of(touch.body_a), group_b = group_of(touch.body_b);
     int normal = -1;  // of the last contact
+    item_begin_ = -1;
     for (const int j : holding_) {
         const ConstraintRow& row = rows[at(j)];
         const int movable = step_.bodies[at(row.body_a)].is_static() ? row.body_b : row.body_a;
@@ -286,7 +308,7 @@ void ContactImpacts::add_what_holds(const collision::Touch& touch, double time,
         if (is_own && (is_contact || slides)) continue;  // of the start of the step
         if (is_contact) normal = static_cast<int>(problem_.rows.size());
         ConstraintRow& copy = problem_.rows.emplace_back();
-        copy = row;
+        copy = row_at(j, time, rows);
         copy.body_a = add_to_problem(row.body_a, time);
         copy.body_b = add_to_problem(row.body_b, time);
         if (row.bounds.of_row >= 0) {

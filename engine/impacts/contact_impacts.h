@@ -17,7 +17,8 @@ class ContactImpacts : public Impacts {
     // `contacts` must outlive it.
     explicit ContactImpacts(ContactConstraints& contacts) : contacts_(contacts) {}
 
-    bool fly(const StepStart& step, std::span<const ConstraintRow> rows, const Awake& awake) override;
+    bool fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
+             const Awake& awake) override;
 
   private:
     // Two colliders that may hit each other.
@@ -52,6 +53,7 @@ class ContactImpacts : public Impacts {
     int earliest();
     int add_to_problem(int body, double time);
     void add_what_holds(const collision::Touch& touch, double time, std::span<const ConstraintRow> rows);
+    const ConstraintRow& row_at(int row, double time, std::span<const ConstraintRow> rows);
     void strike(int meeting, std::span<const ConstraintRow> rows);
 
     ContactConstraints& contacts_;
@@ -64,6 +66,7 @@ class ContactImpacts : public Impacts {
 
     // Of the current step.
     StepStart step_{};
+    RowSources sources_{};
     const Awake* awake_ = nullptr;
     std::vector<int> flying_;    // bodies, by flight
     std::vector<double> reach_;  // m, by body, from its start: up to there its meetings are known; < 0: none are
@@ -77,6 +80,9 @@ class ContactImpacts : public Impacts {
     std::vector<int> parent_;       // by body, union-find over rows that hold
     std::vector<Vector6> by_rows_;  // by body, N and N m, of joints
     std::vector<char> lies_;        // by body, whether a contact has carried it or something on it
+
+    RowList item_;         // rows of one bar or joint, where its bodies are
+    int item_begin_ = -1;  // its first row of the step; -1: none
 
     std::vector<int> number_;   // by body, in the problem; -1: none
     std::vector<int> members_;  // bodies of the problem, by number

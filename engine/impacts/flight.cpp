@@ -28,7 +28,8 @@ Flight::Flight(const Body& body, const Vector6& by_rows, double dt, OrientationS
       angular_momentum_(body.angular_momentum) {
     if (body.is_static()) return;
     latest_.linear_momentum += (0.5 * dt / body.inverse_mass) * acceleration_;
-    latest_.angular_momentum += dt * (body.torque + moment_of(body, by_rows.tail<3>()));
+    torque_ = body.torque + moment_of(body, by_rows.tail<3>());
+    latest_.angular_momentum += 0.5 * dt * torque_;
     latest_.force.setZero();
     latest_.torque.setZero();
 }
@@ -50,6 +51,7 @@ Body Flight::shifted(double time) const {
     }
     body.position = position_at(time);
     body.linear_momentum += ((time - since_) / body.inverse_mass) * acceleration_;
+    body.angular_momentum += (time - since_) * torque_;
     return body;
 }
 
@@ -58,13 +60,14 @@ Body Flight::at(double time) const {
     const double flown = time - since_;
     if (!(flown > 0.0)) return body;
     body.orientation = body.is_static() ? exponential(flown * body.prescribed.angular_velocity) * body.orientation
-                                        : rotate_(latest_, latest_.angular_momentum, flown);
+                                        : rotate_(latest_, latest_.angular_momentum + 0.5 * flown * torque_, flown);
     return body;
 }
 
 Motion Flight::motion(double time, double until) const {
-    const Body body = at(time);
+    Body body = at(time);
     if (body.is_static()) return motion_of(body);
+    body.angular_momentum += (0.5 * (until - time)) * torque_;
     Motion motion = motion_in_step(body, until - time, rotate_);
     motion.velocity += (0.5 * (until - time)) * acceleration_;
     return motion;

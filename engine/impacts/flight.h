@@ -2,9 +2,10 @@
 //
 // Between impacts its position is the parabola through those of 3.2.3, whose momenta belong half a step earlier:
 // t after the start of the step it has v1 + a (t + dt / 2), and a body that nothing hits ends where 3.2 lets it
-// end. It turns without torque, with the angular momentum of the end of the step.
+// end. It turns freely, with the mean of its angular momentum, l1 + tau (t + dt / 2).
 //
-// Symbols: v1 velocity before the step [m/s], a acceleration [m/s^2], dt time step [s].
+// Symbols: v1, l1 velocity and angular momentum before the step [m/s, kg m^2/s], a acceleration [m/s^2], tau torque
+// [N m], dt time step [s].
 #pragma once
 
 #include "engine/bodies/motion.h"
@@ -48,7 +49,8 @@ class Flight {
     Body latest_;         // after the last impact, with the momenta of that time
     double since_ = 0.0;  // s, time of the last impact
     Vector6 by_rows_;
-    Vector3 acceleration_;  // m/s^2
+    Vector3 acceleration_;              // m/s^2
+    Vector3 torque_ = Vector3::Zero();  // N m
     double dt_;
     OrientationStep rotate_;
     Vector3 linear_momentum_, angular_momentum_;

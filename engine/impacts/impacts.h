@@ -22,6 +22,7 @@
 #include "engine/bodies/awake.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/impacts/flight.h"
+#include "engine/step/step_rows.h"
 
 #include <span>
 #include <vector>
@@ -35,7 +36,8 @@ class Impacts {
     // Lets bodies that are about to rebound fly through the step, whose rows have been appended, and those that
     // they hit. Returns whether there are any. With resting() bodies hit (not in `awake`) nothing else is valid:
     // they have to be woken first.
-    virtual bool fly(const StepStart& step, std::span<const ConstraintRow> rows, const Awake& awake) = 0;
+    virtual bool fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
+                     const Awake& awake) = 0;
 
     // Of the last call:
     std::span<const int> followed() const { return followed_; }  // bodies, ascending
