@@ -180,8 +180,7 @@ void World::stray(int body, double dt) {
     const Motion way = motion_between({own.position, own.orientation}, end, dt);
     strayed_.push_back({body, end, way});
     system_.detours.resize(bodies.size(), Vector6::Zero());
-    const Vector3 turning = own.orientation.conjugate() * way.angular_velocity;
-    const Vector3 spin = own.orientation * turning.cwiseQuotient(own.inverse_inertia);
+    const Vector3 spin = angular_momentum_of(own, way.angular_velocity);
     system_.detours[i] = stacked((way.velocity / own.inverse_mass - own.linear_momentum) / dt - own.force,
                                  (spin - own.angular_momentum) / dt - own.torque);
 }

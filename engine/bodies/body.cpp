@@ -78,6 +78,11 @@ Vector3 angular_velocity(const Body& body) {
     return body.orientation * body.inverse_inertia.cwiseProduct(in_body).eval();
 }
 
+Vector3 angular_momentum_of(const Body& body, const Vector3& angular_velocity) {
+    const Vector3 own = body.orientation.conjugate() * angular_velocity;
+    return body.orientation * own.cwiseQuotient(body.inverse_inertia);
+}
+
 Matrix3 world_inverse_inertia(const Body& body) {
     const Matrix3 rotation = body.orientation.toRotationMatrix();
     return rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();

@@ -65,8 +65,10 @@ Body box_body(double mass, const Vector3& size, const Vector3& position,
 Body solid_body(double mass, const Vector3& moments, const Vector3& position,
                 const Quaternion& orientation = Quaternion::Identity());
 
-Vector3 velocity(const Body& body);               // m/s, world frame: p / m; of a static body the prescribed one
-Vector3 angular_velocity(const Body& body);       // rad/s, world frame: I^-1 l; the same
+Vector3 velocity(const Body& body);          // m/s, world frame: p / m; of a static body the prescribed one
+Vector3 angular_velocity(const Body& body);  // rad/s, world frame: I^-1 l; the same
+// kg m^2/s, world frame: I w, with the angular velocity w [rad/s].
+Vector3 angular_momentum_of(const Body& body, const Vector3& angular_velocity);
 Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T
 
 // Velocity [m/s] of the material point of `body` at `point` [m], both in the world frame.

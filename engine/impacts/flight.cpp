@@ -9,12 +9,6 @@ namespace {
 // rad
 constexpr double steady_turn = 0.3;
 
-// I alpha [N m], world frame.
-Vector3 moment_of(const Body& body, const Vector3& acceleration) {
-    const Vector3 own = body.orientation.conjugate() * acceleration;
-    return body.orientation * own.cwiseQuotient(body.inverse_inertia);
-}
-
 }  // namespace
 
 Flight::Flight(const Body& body, const Vector6& by_rows, double dt, OrientationStep rotate)
@@ -28,8 +22,9 @@ Flight::Flight(const Body& body, const Vector6& by_rows, double dt, OrientationS
       angular_momentum_(body.angular_momentum) {
     if (body.is_static()) return;
     latest_.linear_momentum += (0.5 * dt / body.inverse_mass) * acceleration_;
-    torque_ = body.torque + moment_of(body, by_rows.tail<3>());
+    torque_ = body.torque + angular_momentum_of(body, by_rows.tail<3>());
     latest_.angular_momentum += 0.5 * dt * torque_;
+    turned_ = body.orientation;
     latest_.force.setZero();
     latest_.torque.setZero();
 }
@@ -45,43 +40,55 @@ Vector3 Flight::velocity_at(double time) const {
 
 Body Flight::shifted(double time) const {
     Body body = latest_;
-    if (body.is_static()) {
-        body.position += (time - since_) * body.prescribed.velocity;
-        return body;
-    }
     body.position = position_at(time);
+    if (body.is_static()) return body;
     body.linear_momentum += ((time - since_) / body.inverse_mass) * acceleration_;
     body.angular_momentum += (time - since_) * torque_;
     return body;
 }
 
+// From the last look on, so that one look after the other does not turn it from the start each time.
 Body Flight::at(double time) const {
     Body body = shifted(time);
-    const double flown = time - since_;
-    if (!(flown > 0.0)) return body;
-    body.orientation = body.is_static() ? exponential(flown * body.prescribed.angular_velocity) * body.orientation
-                                        : rotate_(latest_, latest_.angular_momentum + 0.5 * flown * torque_, flown);
+    if (!(time > since_)) return body;
+    if (body.is_static()) {
+        body.orientation = exponential((time - since_) * body.prescribed.angular_velocity) * body.orientation;
+        return body;
+    }
+    if (time < looked_at_) looked_at_ = since_, turned_ = latest_.orientation;
+    Body turning = latest_;
+    turning.orientation = turned_;
+    const Vector3 mean = latest_.angular_momentum + (0.5 * (looked_at_ + time) - since_) * torque_;
+    if (time > looked_at_) turned_ = rotate_(turning, mean, time - looked_at_);
+    looked_at_ = time;
+    body.orientation = turned_;
     return body;
 }
 
 Motion Flight::motion(double time, double until) const {
-    Body body = at(time);
-    if (body.is_static()) return motion_of(body);
-    body.angular_momentum += (0.5 * (until - time)) * torque_;
-    Motion motion = motion_in_step(body, until - time, rotate_);
-    motion.velocity += (0.5 * (until - time)) * acceleration_;
-    return motion;
+    const double rest = until - time;
+    if (turns_steadily()) {
+        Body mean = shifted(time);
+        mean.angular_momentum += (0.5 * rest) * torque_;
+        return {(position_at(until) - mean.position) / rest, angular_velocity(mean)};
+    }
+    const Body now = at(time), then = at(until);
+    return motion_between({now.position, now.orientation}, {then.position, then.orientation}, rest);
+}
+
+bool Flight::turns_steadily() const {
+    return first_.inverse_inertia.minCoeff() == first_.inverse_inertia.maxCoeff();
 }
 
 double Flight::steady_until(double time) const {
-    const Vector3& moments = first_.inverse_inertia;
-    if (moments.minCoeff() == moments.maxCoeff()) return dt_;
+    if (turns_steadily()) return dt_;
     return std::min(dt_, time + steady_turn / angular_velocity(latest_).norm());
 }
 
 void Flight::hit(double time, const Vector6& impulse) {
     latest_ = at(time);
-    since_ = time;
+    since_ = looked_at_ = time;
+    turned_ = latest_.orientation;
     latest_.linear_momentum += impulse.head<3>();
     latest_.angular_momentum += impulse.tail<3>();
     linear_momentum_ += impulse.head<3>();

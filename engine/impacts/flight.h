@@ -45,6 +45,8 @@ class Flight {
     Vector3 fall() const { return first_.inverse_mass * first_.force; }  // m/s^2
 
   private:
+    bool turns_steadily() const;
+
     Body first_;          // at the start of the step
     Body latest_;         // after the last impact, with the momenta of that time
     double since_ = 0.0;  // s, time of the last impact
@@ -56,6 +58,8 @@ class Flight {
     Vector3 linear_momentum_, angular_momentum_;
     Vector3 lag_ = Vector3::Zero();  // m, by which it would be farther if all impulses acted at the start
     bool is_hit_ = false;
+    mutable double looked_at_ = 0.0;  // s, the last look, and how it was turned then
+    mutable Quaternion turned_ = Quaternion::Identity();
 };
 
 }  // namespace pushfactor::engine
