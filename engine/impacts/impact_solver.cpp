@@ -17,7 +17,15 @@ constexpr double rounding = 1e-9;
 constexpr double accuracy = 1e-12;
 constexpr int most_sweeps = 1000;
 
-// Work of the pair between the solutions without and with rebounds: W(k) = a + b k + c k^2.
+// Speed at which a contact that holds opens, as a share of that of the impact, up to which it counts as closed.
+constexpr double lies = 1e-6;
+
+// Whether a row is one of a contact: the others keep their velocity, and do no work.
+bool touches(const ConstraintRow& row) {
+    return row.label.kind == RowKind::contact || row.label.kind == RowKind::friction;
+}
+
+// Work of all contacts between the solutions without and with rebounds: W(k) = a + b k + c k^2.
 struct Work {
     double a = 0.0, b = 0.0, c = 0.0;
 
@@ -32,68 +40,49 @@ struct Work {
     }
 };
 
-double along(const ConstraintRow& row, std::span<const Vector6> velocities) {
-    return row.jacobian.a.dot(velocities[static_cast<std::size_t>(row.body_a)]) +
-           row.jacobian.b.dot(velocities[static_cast<std::size_t>(row.body_b)]);
-}
-
 }  // namespace
 
 ImpactSolver::ImpactSolver() : solver_(solvers::make_auto()) {}
 
-// What each row is to aim at, and what it has before.
+// What each row is to aim at, and what it has before. One-sided rows that open resist nothing: what comes back to
+// them hits them in its turn, and as part of this impact they would make energy.
 void ImpactSolver::aim(ImpactProblem& problem) {
     aims_.clear();
+    fastest_ = 0.0;
     for (std::size_t j = 0; j < problem.rows.size(); ++j) {
         ConstraintRow& row = problem.rows[j];
-        const double before = along(row, system_.free_acceleration) - problem.carried[j];
-        Aim aim{.before = before};
-        if (row.label.kind == RowKind::friction) {
-            aim.before -= row.push.lasting;  // relative to a belt
-        } else if (j >= problem.own_rows) {
-            // It keeps its velocity; one that is open on one side may open further.
-            const double kept = row.bounds.c_min >= 0.0   ? std::min(before, 0.0)
-                                : row.bounds.c_max <= 0.0 ? std::max(before, 0.0)
-                                                          : before;
-            row.push = {.correcting = 0.0, .lasting = kept};
-        } else {
-            const double rebound = -problem.restitution * before;
-            if (rebound > problem.least_rebound) aim.rebounds = rebound;
-            if (before >= 0.0) row.bounds.c_max = 0.0;  // has not come closer: it bounces in its turn
-        }
-        aims_.push_back(aim);
+        const bool is_own = j < problem.own_rows, slides = row.label.kind == RowKind::friction;
+        const double belt = slides ? row.push.lasting : 0.0;
+        const double before = unconstrained(system_, j) - belt;
+        aims_.push_back({.before = before});
+        if (slides) continue;
+        const double opening = row.bounds.c_min >= 0.0 ? before : row.bounds.c_max <= 0.0 ? -before : 0.0;
+        if (is_own) fastest_ = std::max(fastest_, -before);
+        if (opening > (is_own ? 0.0 : lies * fastest_)) row.bounds.c_min = row.bounds.c_max = 0.0;
+        row.push = {.correcting = 0.0, .lasting = is_own ? 0.0 : before};
+        const double rebound = -problem.restitution * before;
+        if (is_own && rebound > problem.least_rebound) aims_.back().rebounds = rebound;
     }
 }
 
 void ImpactSolver::find(const ImpactProblem& problem, bool with_rebounds, Columns& impulses) {
-    double fastest = 0.0;
     for (std::size_t j = 0; j < problem.rows.size(); ++j) {
-        const ConstraintRow& row = problem.rows[j];
-        const bool is_own = j < problem.own_rows && row.label.kind == RowKind::contact;
-        const double wanted = is_own && with_rebounds ? aims_[j].rebounds : row.push.lasting;
-        system_.b(static_cast<Eigen::Index>(j), 0) = wanted - unconstrained(system_, j);
-        if (is_own) fastest = std::max(fastest, -aims_[j].before);
+        const double rebound = with_rebounds ? aims_[j].rebounds : 0.0;
+        system_.b(static_cast<Eigen::Index>(j), 0) =
+            problem.rows[j].push.lasting + rebound - unconstrained(system_, j);
     }
     impulses.setZero(static_cast<Eigen::Index>(problem.rows.size()), 1);
     const solvers::Termination termination{
-        .iterations = most_sweeps, .tolerance_high = accuracy * fastest, .tolerance_low = accuracy * fastest};
+        .iterations = most_sweeps, .tolerance_high = accuracy * fastest_, .tolerance_low = accuracy * fastest_};
     solver_->solve(system_, termination, impulses);
-}
-
-// What the impulses on the bodies change along the row [m/s].
-double ImpactSolver::change(const ConstraintRow& row, std::span<const Vector6> impulses) const {
-    const auto half = [&](int body, const Vector6& axis) {
-        const auto i = static_cast<std::size_t>(body);
-        return axis.dot(accelerate(system_.inverse_mass[i], impulses[i]));
-    };
-    return half(row.body_a, row.jacobian.a) + half(row.body_b, row.jacobian.b);
 }
 
 // Whether the solution with rebounds makes more energy than rounding does.
 bool ImpactSolver::gains(const ImpactProblem& problem) const {
     double work = 0.0, all = 0.0;
-    for (std::size_t j = 0; j < problem.own_rows; ++j) {
-        const double mean = aims_[j].before + 0.5 * change(problem.rows[j], on_bodies_);
+    for (std::size_t j = 0; j < problem.rows.size(); ++j) {
+        if (!touches(problem.rows[j])) continue;
+        const double mean = aims_[j].before + 0.5 * acceleration_along(system_, j, on_bodies_);
         const double own = impulses_(static_cast<Eigen::Index>(j), 0) * mean;
         work += own;
         all += std::abs(own);
@@ -104,12 +93,13 @@ bool ImpactSolver::gains(const ImpactProblem& problem) const {
 // k, with both solutions in place.
 double ImpactSolver::share_without_gain(const ImpactProblem& problem) const {
     Work work;
-    for (std::size_t j = 0; j < problem.own_rows; ++j) {
+    for (std::size_t j = 0; j < problem.rows.size(); ++j) {
+        if (!touches(problem.rows[j])) continue;
         const auto index = static_cast<Eigen::Index>(j);
-        const double without = change(problem.rows[j], on_bodies_stopped_);
+        const double without = acceleration_along(system_, j, on_bodies_stopped_);
         const double stopped = stopped_(index, 0), more = impulses_(index, 0) - stopped;
         const double mean = aims_[j].before + 0.5 * without;
-        const double faster = 0.5 * (change(problem.rows[j], on_bodies_) - without);
+        const double faster = 0.5 * (acceleration_along(system_, j, on_bodies_) - without);
         work.a += stopped * mean;
         work.b += stopped * faster + more * mean;
         work.c += more * faster;

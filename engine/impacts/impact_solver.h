@@ -5,9 +5,9 @@
 // and bars keep their velocity, and bodies without restitution that lie on each other do not go further in.
 //
 // With friction Newton's law can make energy, where the impulse of the rebound works in the direction in which the
-// point then moves (Kane 1984, Stronge 1990). So the work of the pair may not be positive:
+// point then moves (Kane 1984, Stronge 1990). So the work of the impact may not be positive:
 //
-//   W = sum over its rows of P (w + w') / 2 <= 0
+//   W = sum over the rows of contacts of P (w + w') / 2 <= 0
 //
 // Symbols: P impulse of a row [N s]; w and w' velocities along the row before and after the impact, relative to
 // what moves the surfaces [m/s].
@@ -55,13 +55,13 @@ class ImpactSolver {
     };
     void aim(ImpactProblem& problem);
     void find(const ImpactProblem& problem, bool with_rebounds, Columns& impulses);
-    double change(const ConstraintRow& row, std::span<const Vector6> impulses) const;
     bool gains(const ImpactProblem& problem) const;
     double share_without_gain(const ImpactProblem& problem) const;
 
     std::unique_ptr<solvers::Solver> solver_;
     SystemEquation system_;
     std::vector<Aim> aims_;  // by row
+    double fastest_ = 0.0;   // m/s, approach of the pair
     Columns impulses_, stopped_;
     std::vector<Vector6> on_bodies_, on_bodies_stopped_;
     double external_work_ = 0.0;

@@ -187,11 +187,11 @@ void weigh_rows(SystemEquation& system) {
     }
 }
 
-double detour_of(const SystemEquation& system, std::size_t j) {
+double acceleration_along(const SystemEquation& system, std::size_t j, std::span<const Vector6> forces) {
     const ConstraintRow& row = system.rows[j];
     const auto half = [&](int body, const Vector6& axis) {
         const auto i = static_cast<std::size_t>(body);
-        return axis.dot(accelerate(system.inverse_mass[i], system.detours[i]));
+        return axis.dot(accelerate(system.inverse_mass[i], forces[i]));
     };
     return half(row.body_a, row.jacobian.a) + half(row.body_b, row.jacobian.b);
 }
@@ -225,7 +225,8 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
             const double free = unconstrained(system, j);
             const auto index = static_cast<Eigen::Index>(j);
             system.b(index, 0) = (row.push.correcting + row.push.lasting) / system.dt - free;
-            if (two_columns && !system.detours.empty()) system.b(index, 0) -= detour_of(system, j);
+            if (two_columns && !system.detours.empty())
+                system.b(index, 0) -= acceleration_along(system, j, system.detours);
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - free;
             some_correct = some_correct || corrects(row);
         }

@@ -115,8 +115,8 @@ inline double unconstrained(const SystemEquation& system, std::size_t j) {
     return system.carried.empty() ? own : own - system.carried[j] / system.dt;
 }
 
-// The same part of `detours`, which only the first column has.
-double detour_of(const SystemEquation& system, std::size_t j);
+// J M^-1 f of row `j`, with `forces` by body [N, N m]; m/s^2.
+double acceleration_along(const SystemEquation& system, std::size_t j, std::span<const Vector6> forces);
 
 // M^-1 f for one body: acceleration from force and torque (6.1.3).
 inline Vector6 accelerate(const InverseMass& inverse_mass, const Vector6& force) {

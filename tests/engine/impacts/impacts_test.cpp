@@ -196,6 +196,21 @@ TEST_CASE("what holds a body takes part in its impacts: balls on bars, and a bod
     CHECK(lies.world.bodies[1].position.y() == Approx(0.1).margin(1e-4));
 }
 
+TEST_CASE("a support that the body leaves is none: a light ball between heavy ones makes no energy") {
+    ContactScene scene;
+    scene.add_ball(radius, {-0.2, 0, 0}, Vector3::Zero(), {.friction = 0.0});
+    scene.add_ball(radius, {0, 0, 0}, {1, 0, 0}, {.friction = 0.0});
+    scene.add_ball(radius, {0.201, 0, 0}, Vector3::Zero(), elastic);
+    scene.world.bodies[0].inverse_mass = scene.world.bodies[2].inverse_mass = 1e-4;
+    scene.build(Vector3::Zero());
+    const double start = energy_of(scene.world);
+    for (int n = 0; n < 60; ++n) {
+        scene.world.step(ContactScene::dt);
+        REQUIRE(energy_of(scene.world) <= start * (1.0 + 1e-9));
+    }
+    CHECK(velocity(scene.world.bodies[2]).x() > 0.0);
+}
+
 TEST_CASE("bodies at rest that are hit wake in that step") {
     ContactScene scene;
     scene.add_ground();
