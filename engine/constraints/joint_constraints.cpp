@@ -63,8 +63,8 @@ ConstraintRow& append_turn(const BodyPair& pair, const Vector3& axis, RowList& r
     return row;
 }
 
-// Share of its A_jj that the softness of a row in a loop is. A ring of four bars that turns at 3 rad/s, where 6 N
-// are right, has 560 N with 1e-4, 5e4 N with 1e-6 and 1e6 N without; a bridge of twelve planks sags by 3e-5 m.
+// Share of its A_jj that the softness of a row in a loop is. Modes of the loop that are softer still, where bars
+// fold onto each other, count as none; a bridge of twelve planks sags by 3e-5 m.
 constexpr double softness_in_loops = 1e-4;
 
 // j_c M^-1 j_c^T of one body [1/kg].

@@ -23,7 +23,8 @@
 //
 // Rows of joints that close a loop may be redundant, and after a finite rotation they disagree slightly: the forces
 // that enforce all of them are huge and move nothing. So the rows without bounds of such a joint are soft,
-// s = 1e-4 j_c M^-1 j_c^T, which leaves roughly the force of least norm.
+// s = 1e-4 j_c M^-1 j_c^T, and what that gives way to is taken out of their targets (IslandSolver::lessen), which
+// leaves the forces of least norm, with rows in units of their own mobility.
 #pragma once
 
 #include "engine/constraints/constraint_source.h"

@@ -62,6 +62,28 @@ bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, 
     return any;
 }
 
+// Whether a joint keeps this row whatever it takes, but for the softness of loops (joint_constraints.h).
+bool is_of_loop(const ConstraintRow& row) {
+    return row.softness > 0.0 && (row.label.kind == RowKind::joint || row.label.kind == RowKind::limit);
+}
+
+// Adds `factor` times what the rows of loops give way to under `lambda` to their targets.
+void shift_targets(const Island& island, const Columns& lambda, double factor, SystemEquation& system) {
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        if (is_of_loop(row)) system.b(j, column) += factor * soft_part(row, lambda, j, column);
+    });
+}
+
+bool has_loops(const SystemEquation& system, const Island& island) {
+    if (!island.has(RowDigest::joins) || !island.has(RowDigest::soft)) return false;
+    return std::any_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
+        const auto rows =
+            system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
+        return std::any_of(rows.begin(), rows.end(), is_of_loop);
+    });
+}
+
 double larger(const std::array<double, 2>& residuals) {
     return std::max(residuals[0], residuals[1]);
 }
@@ -73,10 +95,9 @@ void IslandSolver::begin(std::size_t bodies, std::span<const int> awake) {
     for (const int body : awake) outcomes_[static_cast<std::size_t>(body)] = {};
 }
 
-solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual,
-                                        const SystemEquation& system, std::span<const Body> bodies,
-                                        const Island& island, Columns* first_guess, Columns& lambda,
-                                        ConstraintForces& forces) {
+solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination& usual, SystemEquation& system,
+                                        std::span<const Body> bodies, const Island& island, Columns* first_guess,
+                                        Columns& lambda, ConstraintForces& forces) {
     const bool fixed_number = usual.tolerance_high <= 0.0;
     const bool divides = bench.small_steps && choice::divides(island);
     Outcome outcome;
@@ -102,10 +123,32 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         own.worth = choice::worth_of(system.dt, bodies, island, larger(outcome.residuals),
                                      has_forces(island, lambda), divides);
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
+        if (outcome.method == Method::exact && has_loops(system, island))
+            lessen(bench, own, system, island, lambda, forces, outcome, count);
     }
     note(island, outcome);
     count.multiply_adds += 12.0 * island.rows * island.columns;
     return count;
+}
+
+// Where joints close a loop, no force reaches a part of their targets, and forces y for it move nothing. It is what
+// their softness s gives way to: with targets t - s y the forces are (A + S)^-1 A (A + S)^-1 b, without that part.
+void IslandSolver::lessen(Bench& bench, const solvers::Termination& termination, SystemEquation& system,
+                          const Island& island, Columns& lambda, ConstraintForces& forces, Outcome& outcome,
+                          solvers::SolveCount& count) {
+    save(island, lambda, bench);
+    shift_targets(island, lambda, -1.0, system);
+    const solvers::SolveCount again = bench.solver->solve(system, island, termination, lambda);
+    count.iterations += again.iterations;
+    count.multiply_adds += again.multiply_adds;
+    if (again.exact) {
+        outcome.residuals = measure(system, island, lambda, forces, bench);
+        return;
+    }
+    std::size_t number = 0;
+    each_force(island, [&](Eigen::Index j, Eigen::Index column) { lambda(j, column) = bench.saved[number++]; });
+    copy_to_last(island, lambda);
+    shift_targets(island, lambda, 1.0, system);
 }
 
 // The residual left by small steps is not compared with a tolerance: the next small step reduces it.

@@ -49,7 +49,7 @@ class IslandSolver {
     // Solves `island`, with the forces in `lambda` as warm start, which receives the solution; writes f_c of its
     // bodies. A re-solve within a step, because of additional rows, passes the warm start of the first solve as
     // `first_guess`, which may be clamped to its bounds. With small steps the island may be left unfinished.
-    solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, const SystemEquation& system,
+    solvers::SolveCount solve(Bench& bench, const solvers::Termination& usual, SystemEquation& system,
                               std::span<const Body> bodies, const Island& island, Columns* first_guess,
                               Columns& lambda, ConstraintForces& forces);
 
@@ -73,6 +73,8 @@ class IslandSolver {
     solvers::SolveCount find_better(Bench& bench, const solvers::Termination& termination,
                                     const SystemEquation& system, const Island& island, Columns* first_guess,
                                     Columns& lambda, ConstraintForces& forces, Outcome& outcome);
+    void lessen(Bench& bench, const solvers::Termination& termination, SystemEquation& system, const Island& island,
+                Columns& lambda, ConstraintForces& forces, Outcome& outcome, solvers::SolveCount& count);
     bool guard(const SystemEquation& system, const Island& island, const Residuals& guessed, Columns* first_guess,
                Columns& lambda, ConstraintForces& forces, Bench& bench, Residuals& found);
     void note(const Island& island, Outcome outcome);

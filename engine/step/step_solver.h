@@ -19,8 +19,8 @@ namespace pushfactor::engine {
 
 // What is solved in a step, and with what.
 struct StepProblem {
-    std::span<const Body> bodies;  // with the external forces
-    const SystemEquation& system;
+    std::span<const Body> bodies;       // with the external forces
+    SystemEquation& system;             // targets of joints in loops are lowered to what they reach
     solvers::Solver* solver = nullptr;  // null only without rows
     const solvers::Termination& termination;
     SmallSteps* small_steps = nullptr;  // null: solver iterations instead

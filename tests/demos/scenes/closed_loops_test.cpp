@@ -75,6 +75,43 @@ void drop(SceneDescription& scene, const Quaternion& turn, double height) {
     scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
 }
 
+// Of all forces that keep the bodies together those of least norm, with rows of unit length: -A^+ (J M^-1 t +
+// dJ/dt v), t being the torque of the spin and A = J M^-1 J^T.
+Eigen::VectorXd least_forces(const engine::World& world, std::span<const engine::Joint> joints) {
+    const auto rows = world.rows();
+    const auto count = static_cast<Eigen::Index>(rows.size()), bodies = std::ssize(world.bodies);
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(count, 6 * bodies), weighted = jacobian;
+    Eigen::VectorXd asked = Eigen::VectorXd::Zero(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const engine::ConstraintRow& row = rows[static_cast<std::size_t>(j)];
+        const engine::Joint& joint = joints[static_cast<std::size_t>(row.label.point)];
+        const auto spin_of = [&](int number) {
+            return angular_velocity(world.bodies[static_cast<std::size_t>(number)]);
+        };
+        if (row.jacobian.b.head<3>().isZero(0.0))  // an axis of the hinge
+            asked[j] = row.jacobian.b.tail<3>().dot(spin_of(row.body_b).cross(spin_of(row.body_a)));
+        for (const bool first : {true, false}) {
+            const int number = first ? row.body_a : row.body_b;
+            const engine::Vector6& axis = first ? row.jacobian.a : row.jacobian.b;
+            const engine::Body& body = world.bodies[static_cast<std::size_t>(number)];
+            const Vector3 spin = spin_of(number);
+            const Vector3 arm = body.orientation * (first ? joint.point_a : joint.point_b);
+            const engine::Matrix3 inertia = world_inverse_inertia(body);
+            jacobian.block<1, 6>(j, 6 * number) = axis.transpose();
+            weighted.block<1, 3>(j, 6 * number) = body.inverse_mass * axis.head<3>().transpose();
+            weighted.block<1, 3>(j, 6 * number + 3) = axis.tail<3>().transpose() * inertia;
+            asked[j] += axis.head<3>().dot(spin.cross(spin.cross(arm)));
+            asked[j] -= (inertia * axis.tail<3>()).dot(spin.cross(body.angular_momentum));
+        }
+    }
+    const Eigen::MatrixXd a = weighted * jacobian.transpose();
+    const Eigen::VectorXd unit = a.diagonal().cwiseSqrt().cwiseInverse();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+    inverse.setThreshold(1e-4);
+    inverse.compute(unit.asDiagonal() * a * unit.asDiagonal());
+    return -(unit.asDiagonal() * inverse.solve(unit.asDiagonal() * asked));
+}
+
 double largest_joint_force(const engine::JointConstraints& joints) {
     double largest = 0.0;
     for (const engine::JointForce& force : joints.forces()) {
@@ -101,6 +138,37 @@ TEST_CASE(
         CHECK(run.measurements.max_length_error() < 0.02);
         CHECK(largest_joint_force(*run.simulation.scene().joints) < 10.0 * weight);
         CHECK(run.measurements.substeps().largest < 32);
+    }
+}
+
+TEST_CASE("joints of a ring that turns freely have the least forces that hold it together") {
+    tests::Random random(6);
+    for (int trial = 0; trial < 8; ++trial) {
+        SceneDescription scene = ring(3 + trial / 2, random.in(0.5, 1.4), trial % 2 == 1);
+        const Vector3 spin = random.in(1.0, 4.0) * random.vector(-1.0, 1.0).normalized();
+        const Quaternion turn = random.rotation();
+        for (BodyDescription& body : scene.bodies) {
+            body.position = turn * body.position;
+            body.orientation = turn * body.orientation;
+            body.velocity = spin.cross(body.position);
+            body.angular_velocity = spin;
+        }
+        const Settings settings = preset_settings("default");
+        Simulation run(build_scene(scene, settings), settings);
+        const engine::JointConstraints& joints = *run.scene().joints;
+        std::vector<double> ratios;  // of norms
+        for (int n = 0; n < 180; ++n) {
+            run.advance();
+            double squared = 0.0;
+            for (const engine::JointForce& force : joints.forces()) {
+                for (const engine::Lambda& of_row : force) squared += of_row.last * of_row.last;
+            }
+            ratios.push_back(std::sqrt(squared) / least_forces(run.scene().world, joints.joints()).norm());
+        }
+        INFO(scene.joints.size() << " bars, trial " << trial);
+        std::sort(ratios.begin(), ratios.end());
+        CHECK(ratios[90] == Approx(1.0).epsilon(0.01));
+        CHECK(ratios[170] < 1.2);
     }
 }
 
