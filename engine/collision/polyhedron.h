@@ -9,7 +9,7 @@
 
 namespace pushfactor::engine::collision {
 
-// Limits that the features of contact points rely on: below 511 faces and 1024 edges.
+// Limits that the features of contact points rely on: below 1024 edges.
 inline constexpr int least_vertices = 4, most_vertices = 256;
 
 struct HullFace {

@@ -115,7 +115,7 @@ void add_piles(Structures& all) {
     all.add("200-cubes", "cubes", {{"count", "200"}, {"layers", "4"}}, piled, piled, {"creep"}, false, {0.25, {}});
     all.add("200-mixed", "mixed", {{"count", "200"}, {"layers", "4"}}, piled, {}, {"moving", {0.25, {}}});
     all.add("20-rods-on-50-cubes", "rods", {{"count", "50"}, {"layers", "4"}, {"rods", "20"}, {"speed", "5"}},
-            piled, {}, {"moving", {0.6, {}}});
+            piled, {}, {"creep"});
     all.add("wall-hit-by-50-kg", "wall-hit", {{"rows", "10"}, {"columns", "10"}, {"mass", "50"}, {"speed", "10"}},
             piled, {}, {"moving"});
 }

@@ -1,7 +1,3 @@
-// Choices that the paper leaves open, besides those of axis_choice.h:
-// - the incident face is the most anti-parallel one;
-// - two crossing edges make one point, midway between their closest points.
-//
 // A search of its own over the 15 axes, which keep their names from step to step without a look at any vertex:
 // boxes as hulls (polyhedron_pairs.h) would have the same contacts at higher cost.
 #include "engine/collision/pairs/box_box.h"
@@ -70,89 +66,43 @@ BoxAxes separate(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
     return best;
 }
 
-// Corner of the clipped incident face, in the frame of the reference face.
+// Corner of a clipped face, seen along the normal on the other.
 struct BoxCorner {
-    double u, v;    // m, along the two edges of the reference face
-    double height;  // m above it
-    unsigned edge;  // label of the edge to the next corner: 0..3 of the face, 4..7 made by that clipping side
+    double u, v;    // m, along the two edges of the other face
+    double gap;     // m along the normal
+    unsigned edge;  // label of the edge to the next corner: 0..11 of the first box, 16..27 of the second
 };
 
 BoxCorner between(const BoxCorner& from, const BoxCorner& to, double share) {
     return {from.u + share * (to.u - from.u), from.v + share * (to.v - from.v),
-            from.height + share * (to.height - from.height), from.edge};
+            from.gap + share * (to.gap - from.gap), from.edge};
 }
 
 using ClippedQuad = Polygon<BoxCorner, 8>;  // each of four lines adds a corner at most
+
+constexpr unsigned of_second = 16u;
 
 // A face of a box: its axis, and the sign of its outward normal along that axis.
 struct Face {
     int axis = 0;
     double sign = 1.0;
 
-    unsigned label() const { return static_cast<unsigned>(axis) * 2u + (sign > 0.0 ? 1u : 0u); }
+    // The number in the box of the face's edge on the side `side` of its axis `across`.
+    unsigned edge(int across, double side) const {
+        const int along = 3 - axis - across, first = (along + 1) % 3;
+        const double one = first == axis ? sign : side, other = first == axis ? side : sign;
+        return static_cast<unsigned>(along) * 4u + (one > 0.0 ? 2u : 0u) + (other > 0.0 ? 1u : 0u);
+    }
 };
 
-Face most_antiparallel(const Pose& pose, const Vector3& normal) {
-    const Vector3 along = pose.rotation.transpose() * normal;
+// The face whose outward normal is most along `direction`.
+Face face_along(const Pose& pose, const Vector3& direction) {
+    const Vector3 along = pose.rotation.transpose() * direction;
     int axis = 0;
     for (int i = 1; i < 3; ++i) {
         if (std::abs(along[i]) > std::abs(along[axis]) + 1e-6) axis = i;
     }
-    return {axis, along[axis] > 0.0 ? -1.0 : 1.0};
-}
-
-// Clips the incident face of `other` to the face `face` of `reference` and adds the points below `margin`.
-// `flipped`: the reference box is b.
-void clip_faces(const Box& reference, const Pose& reference_pose, Face face, const Box& other,
-                const Pose& other_pose, bool flipped, double tolerance, double margin, Manifold& manifold) {
-    const Vector3 normal = face.sign * reference_pose.rotation.col(face.axis);
-    const int u_axis = (face.axis + 1) % 3;
-    const int v_axis = (face.axis + 2) % 3;
-    const Vector3 u = reference_pose.rotation.col(u_axis);
-    const Vector3 v = reference_pose.rotation.col(v_axis);
-    const Vector3 centre = reference_pose.position + normal * reference.half_size[face.axis];
-
-    // The incident face in the frame of the reference face: its centre, and half of each edge.
-    const auto seen = [&](const Vector3& vector) {
-        return Vector3(u.dot(vector), v.dot(vector), normal.dot(vector));
-    };
-    const auto half_edge = [&](int axis) {
-        return Vector3(seen(other_pose.rotation.col(axis)) * other.half_size[axis]);
-    };
-    const Face incident = most_antiparallel(other_pose, normal);
-    const Vector3 middle = seen(other_pose.position - centre) + incident.sign * half_edge(incident.axis);
-    const Vector3 p = half_edge((incident.axis + 1) % 3);
-    const Vector3 q = half_edge((incident.axis + 2) % 3);
-
-    ClippedQuad first, second;
-    ClippedQuad *polygon = &first, *spare = &second;
-    unsigned edge = 0;
-    for (const Vector3& corner : {Vector3(p + q), Vector3(p - q), Vector3(-p - q), Vector3(q - p)}) {
-        polygon->add({middle[0] + corner[0], middle[1] + corner[1], middle[2] + corner[2], edge++});
-    }
-    for (unsigned side = 0; side < 4 && polygon->count > 0; ++side) {
-        // Within a limit along +-u or +-v.
-        const double limit = reference.half_size[side < 2 ? u_axis : v_axis] + tolerance;
-        const auto beyond = [side, limit](const BoxCorner& corner) {
-            const double coordinate = side < 2 ? corner.u : corner.v;
-            return ((side & 1u) ? -coordinate : coordinate) - limit;
-        };
-        if (clip(*polygon, beyond, 4 + side, *spare)) std::swap(polygon, spare);
-    }
-
-    manifold.normal = flipped ? Vector3(-normal) : normal;
-    const unsigned faces = (flipped ? 64u : 0u) + face.label() * 8u + incident.label();
-    for (int i = 0; i < polygon->count; ++i) {
-        const BoxCorner& corner = polygon->at(i);
-        if (corner.height >= margin) continue;
-        const unsigned before = polygon->at(i + polygon->count - 1).edge;
-        const Vector3 position = centre + u * corner.u + v * corner.v + normal * (0.5 * corner.height);
-        manifold.add({position, corner.height, (faces * 8u + before) * 8u + corner.edge});
-    }
-}
-
-double sign_of(double value) {
-    return value < 0.0 ? -1.0 : 1.0;
+    return {axis, along[axis] < 0.0 ? -1.0 : 1.0};
 }
 
 // The axis as a unit vector from a to b.
@@ -162,54 +112,64 @@ Vector3 axis_between(const BoxAxis& axis, const Pose& pose_a, const Pose& pose_b
     return normal.dot(pose_b.position - pose_a.position) < 0.0 ? Vector3(-normal) : normal;
 }
 
-// Adds the point midway between the closest points of the two edges that face each other along the axis.
-void cross_edges(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, const BoxAxis& axis,
-                 double margin, Manifold& manifold) {
-    const Vector3 edge_a = pose_a.rotation.col(axis.of_a);
-    const Vector3 edge_b = pose_b.rotation.col(axis.of_b);
-    const Vector3 normal = axis_between(axis, pose_a, pose_b);
+// Adds the points below `margin` of what the faces of two boxes have in common along `normal`, from `a` to `b`, the
+// face of `a` being widened by `tolerance` [m]. `flipped`: `a` is the second box of the pair.
+void clip_faces(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, const Vector3& normal,
+                bool flipped, double tolerance, double margin, Manifold& manifold) {
+    const Face face = face_along(pose_a, normal), other = face_along(pose_b, -normal);
+    const int u_axis = (face.axis + 1) % 3, v_axis = (face.axis + 2) % 3;
+    const Vector3 u = pose_a.rotation.col(u_axis), v = pose_a.rotation.col(v_axis);
+    const Vector3 out = face.sign * pose_a.rotation.col(face.axis);
+    const Vector3 centre = pose_a.position + out * a.half_size[face.axis];
 
-    // Midpoints of the edges: farthest along the normal on a, against it on b.
-    Vector3 corner_a = pose_a.position;
-    Vector3 corner_b = pose_b.position;
-    unsigned which = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double side_a = sign_of(normal.dot(pose_a.rotation.col(k)));
-        const double side_b = sign_of(normal.dot(pose_b.rotation.col(k)));
-        which *= 4u;
-        // Along the edges themselves the signs are rounding noise.
-        if (k != axis.of_a) {
-            corner_a += pose_a.rotation.col(k) * (side_a * a.half_size[k]);
-            which += side_a > 0.0 ? 2u : 0u;
-        }
-        if (k != axis.of_b) {
-            corner_b -= pose_b.rotation.col(k) * (side_b * b.half_size[k]);
-            which += side_b > 0.0 ? 1u : 0u;
-        }
+    // The face of b: its centre and half of each edge, moved along the normal onto the plane of the face of a.
+    const double share = 1.0 / out.dot(normal), along_u = u.dot(normal), along_v = v.dot(normal);
+    const auto seen = [&](const Vector3& vector) {
+        const double gap = share * out.dot(vector);
+        return Vector3(u.dot(vector) - gap * along_u, v.dot(vector) - gap * along_v, gap);
+    };
+    const auto half_edge = [&](int axis) { return Vector3(seen(pose_b.rotation.col(axis)) * b.half_size[axis]); };
+    const int p_axis = (other.axis + 1) % 3, q_axis = (other.axis + 2) % 3;
+    const Vector3 middle = seen(pose_b.position - centre) + other.sign * half_edge(other.axis);
+    const Vector3 p = half_edge(p_axis), q = half_edge(q_axis);
+
+    const unsigned of_a = flipped ? of_second : 0u, of_b = flipped ? 0u : of_second;
+    ClippedQuad first, second;
+    ClippedQuad *polygon = &first, *spare = &second;
+    const auto add = [&](const Vector3& corner, unsigned edge) {
+        polygon->add({middle[0] + corner[0], middle[1] + corner[1], middle[2] + corner[2], of_b + edge});
+    };
+    add(p + q, other.edge(p_axis, 1.0));
+    add(p - q, other.edge(q_axis, -1.0));
+    add(-p - q, other.edge(p_axis, -1.0));
+    add(q - p, other.edge(q_axis, 1.0));
+    for (unsigned side = 0; side < 4 && polygon->count > 0; ++side) {
+        // Within a limit along +-u or +-v.
+        const int across = side < 2 ? u_axis : v_axis;
+        const double way = (side & 1u) ? -1.0 : 1.0, limit = a.half_size[across] + tolerance;
+        const auto beyond = [side, way, limit](const BoxCorner& corner) {
+            return way * (side < 2 ? corner.u : corner.v) - limit;
+        };
+        if (clip(*polygon, beyond, of_a + face.edge(across, way), *spare)) std::swap(polygon, spare);
     }
-
-    const double half_a = a.half_size[axis.of_a], half_b = b.half_size[axis.of_b];
-    manifold.normal = normal;
-    const auto edges = static_cast<unsigned>(axis.of_a * 3 + axis.of_b);
-    const EdgePoints points =
-        closest_points({corner_a, edge_a, -half_a, half_a}, {corner_b, edge_b, -half_b, half_b});
-    const double gap = gap_between(points, axis.gap);
-    if (gap < margin) manifold.add({points.middle(), gap, (1u << 16) + edges * 64u + which});
+    for (int i = 0; i < polygon->count; ++i) {
+        const BoxCorner& corner = polygon->at(i);
+        if (corner.gap >= margin) continue;
+        const Vector3 position = centre + u * corner.u + v * corner.v + normal * (0.5 * corner.gap);
+        manifold.add({position, corner.gap, corner_of(polygon->at(i + polygon->count - 1).edge, corner.edge)});
+    }
 }
 
 // Collides the boxes along one axis.
 void collide_along(const BoxAxis& axis, const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b,
                    double margin, Manifold& manifold) {
-    const double tolerance = clip_tolerance * size_of(a, b);  // m, by which the reference face is widened
-    const Vector3 offset = pose_b.position - pose_a.position;
-    if (axis.of_b < 0) {
-        const Face face{axis.of_a, sign_of(pose_a.rotation.col(axis.of_a).dot(offset))};
-        clip_faces(a, pose_a, face, b, pose_b, false, tolerance, margin, manifold);
-    } else if (axis.of_a < 0) {
-        const Face face{axis.of_b, -sign_of(pose_b.rotation.col(axis.of_b).dot(offset))};
-        clip_faces(b, pose_b, face, a, pose_a, true, tolerance, margin, manifold);
+    const double tolerance = clip_tolerance * size_of(a, b);  // m
+    const Vector3 normal = axis_between(axis, pose_a, pose_b);
+    manifold.normal = normal;
+    if (axis.of_a < 0) {
+        clip_faces(b, pose_b, a, pose_a, -normal, true, tolerance, margin, manifold);
     } else {
-        cross_edges(a, pose_a, b, pose_b, axis, margin, manifold);
+        clip_faces(a, pose_a, b, pose_b, normal, false, axis.of_b < 0 ? tolerance : 0.0, margin, manifold);
     }
 }
 

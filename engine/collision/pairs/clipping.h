@@ -1,6 +1,9 @@
 // How two polyhedra touch along an axis, paper section 4: "clipping the most penetrating face of the first
-// polyhedron to the volume below the corresponding anti-parallel face on the second", or the point between two
-// edges.
+// polyhedron to the volume below the corresponding anti-parallel face on the second".
+//
+// Both faces are seen along the axis, whether it is normal to one of them or to two edges, of which the crossing is
+// then the lowest corner; so what touches does not change with the axis. (One point for two edges lets a rod that
+// lies across another roll to and fro between them.)
 #pragma once
 
 #include "engine/base/math.h"
@@ -12,9 +15,9 @@
 
 namespace pushfactor::engine::collision {
 
-// By which the reference face is widened before clipping, a fraction of the smaller polyhedron's least width: with
-// exactly aligned faces the corners of the incident face lie on its sides and would be clipped in one step and kept
-// in the next.
+// By which the face that the axis is normal to is widened before clipping, a fraction of the smaller polyhedron's
+// least width: with exactly aligned faces the corners of the other lie on its sides and would be clipped in one
+// step and kept in the next.
 inline constexpr double clip_tolerance = 2e-4;
 
 // A clipped face. A Corner has `edge`, the label of the edge to the next corner, and between().
@@ -33,6 +36,11 @@ struct Polygon {
         return corners[static_cast<std::size_t>(i < count ? i : i - count)];
     }  // i < 2 count
 };
+
+// The name of a corner between two edges, whichever comes first when one looks from the other side.
+inline std::uint32_t corner_of(std::uint32_t before, std::uint32_t after) {
+    return std::min(before, after) << 11 | std::max(before, after);
+}
 
 // Sutherland-Hodgman: keeps the part that is not beyond a side, whose edge gets the label `side`. `beyond(corner)`
 // is the distance from it [m], positive outside. Returns false if nothing is cut and `result` is not written.
@@ -56,35 +64,6 @@ bool clip(const Polygon<Corner, most>& polygon, const Beyond& beyond, std::uint3
         result.add(cut);
     }
     return true;
-}
-
-// Points `from` + s `along` with s between `low` and `high` [m]; `along` has unit length.
-struct EdgeSpan {
-    Vector3 from, along;
-    double low, high;
-};
-
-// The closest points of two edges that are not parallel (parallel_edges).
-struct EdgePoints {
-    Vector3 on_a, on_b;
-
-    Vector3 middle() const { return 0.5 * (on_a + on_b); }
-};
-
-inline EdgePoints closest_points(const EdgeSpan& a, const EdgeSpan& b) {
-    const Vector3 between = b.from - a.from;
-    const double cosine = a.along.dot(b.along);
-    const double denominator = 1.0 - cosine * cosine;
-    const double s = (a.along.dot(between) - cosine * b.along.dot(between)) / denominator;
-    const double t = (cosine * a.along.dot(between) - b.along.dot(between)) / denominator;
-    // Where nearly parallel lines cross is decided by rounding; clamping keeps the point on both edges.
-    return {a.from + a.along * std::clamp(s, a.low, a.high), b.from + b.along * std::clamp(t, b.low, b.high)};
-}
-
-// The gap of the point between two edges, `gap` along their common normal [m]. Edges that are apart may end before
-// they cross: then they are as far apart as their closest points.
-inline double gap_between(const EdgePoints& points, double gap) {
-    return gap > 0.0 ? std::max(gap, (points.on_b - points.on_a).norm()) : gap;
 }
 
 }  // namespace pushfactor::engine::collision

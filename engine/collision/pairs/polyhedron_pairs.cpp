@@ -45,75 +45,90 @@ Axes separate(const HullAxes& axes, double rounding, double much, double margin,
     return best;
 }
 
-// Corner of the clipped incident face, in the frame of the reference polyhedron.
+// Corner of a clipped face, moved along the normal onto the plane of the other; in the frame of the latter.
 struct Corner {
     Vector3 position;    // m
+    double gap;          // m along the normal
     std::uint32_t edge;  // label of the edge to the next corner
 };
 
-// Labels of edges: numbers in their polyhedron, and whether it is the reference.
-constexpr std::uint32_t of_reference = 1u << 10;
+// Labels of edges: numbers in their polyhedron, and whether it is the second one of the pair.
+constexpr std::uint32_t of_second = 1u << 10;
 
 Corner between(const Corner& from, const Corner& to, double share) {
-    return {from.position + share * (to.position - from.position), from.edge};
+    return {from.position + share * (to.position - from.position), from.gap + share * (to.gap - from.gap),
+            from.edge};
 }
 
 using ClippedFace = Polygon<Corner, Manifold::most_points>;
 
-// The face that is most against `normal` (frame of the hull) among those at the extreme vertices: another one may
+// The face that is most along `direction` (frame of the hull) among those at the extreme vertices: another one may
 // be more so and not reach as far.
-int incident_face(const Hull& hull, const Vector3& normal) {
+int face_along(const Hull& hull, const Vector3& direction) {
     std::array<double, most_vertices> heights;
-    double lowest = infinity;
+    double highest = -infinity;
     for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
-        heights[i] = normal.dot(hull.vertices[i]);
-        lowest = std::min(lowest, heights[i]);
+        heights[i] = direction.dot(hull.vertices[i]);
+        highest = std::max(highest, heights[i]);
     }
-    const double near = lowest + axis_rounding * hull.size;
+    const double near = highest - axis_rounding * hull.size;
     int best = 0;
     double most = -infinity;
     for (int f = 0; f < static_cast<int>(hull.faces.size()); ++f) {
-        const double against = -normal.dot(hull.face(f).normal);
-        if (against <= most + 1e-6) continue;
+        const double along = direction.dot(hull.face(f).normal);
+        if (along <= most + 1e-6) continue;
         const auto corners = hull.corners_of(hull.face(f));
         const bool reaches = std::any_of(corners.begin(), corners.end(), [&](const Hull::Corner& corner) {
-            return heights[static_cast<std::size_t>(corner.vertex)] <= near;
+            return heights[static_cast<std::size_t>(corner.vertex)] >= near;
         });
-        if (reaches) most = against, best = f;
+        if (reaches) most = along, best = f;
     }
     return best;
 }
 
-// The incident face of `other` in the frame of `reference`.
-void list_corners(const PlacedHull& reference, const PlacedHull& other, int number, ClippedFace& polygon) {
-    const HullFace& face = other.hull().face(number);
-    const Matrix3 turn = reference.pose().rotation.transpose() * other.pose().rotation;
-    const Vector3 offset =
-        reference.pose().rotation.transpose() * (other.pose().position - reference.pose().position);
-    const auto corners = other.hull().corners_of(face);
+// That of the two faces at an edge.
+int face_at(const Hull& hull, int edge, const Vector3& direction) {
+    const HullEdge& own = hull.edge(edge);
+    return direction.dot(hull.face(own.left).normal) >= direction.dot(hull.face(own.right).normal) ? own.left
+                                                                                                   : own.right;
+}
+
+// The corners of `other` of b, moved along `normal` (frame of a) onto the plane of `face` of a.
+void list_corners(const PlacedHull& a, const HullFace& face, const PlacedHull& b, const HullFace& other,
+                  const Vector3& normal, std::uint32_t label, ClippedFace& polygon) {
+    const Matrix3 turn = a.pose().rotation.transpose() * b.pose().rotation;
+    const Vector3 offset = a.pose().rotation.transpose() * (b.pose().position - a.pose().position);
+    const double share = 1.0 / face.normal.dot(normal);
+    const auto corners = b.hull().corners_of(other);
     const std::size_t count = corners.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = face.clockwise ? (count - i) % count : i;
-        const std::size_t edge = face.clockwise ? (count - i - 1) % count : i;
-        polygon.add({offset + turn * other.hull().vertex(corners[at].vertex),
-                     static_cast<std::uint32_t>(corners[edge].edge)});
+        const std::size_t at = other.clockwise ? (count - i) % count : i;
+        const std::size_t edge = other.clockwise ? (count - i - 1) % count : i;
+        const Vector3 place = offset + turn * b.hull().vertex(corners[at].vertex);
+        const double gap = share * (face.normal.dot(place) - face.offset);
+        polygon.add({place - gap * normal, gap, label + static_cast<std::uint32_t>(corners[edge].edge)});
     }
 }
 
-// Clips the incident face of `other` to the face `number` of `reference` and adds the points below `margin`.
-// `flipped`: the reference is b.
-void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other, bool flipped, double tolerance,
-                double margin, Manifold& manifold) {
-    const Hull& hull = reference.hull();
-    const HullFace& face = hull.face(number);
-    const Pose& pose = reference.pose();
-    const Vector3 normal = pose.rotation * face.normal;
-    manifold.normal = flipped ? Vector3(-normal) : normal;
+// Two faces that touch: their numbers in the polyhedra.
+struct FacePair {
+    int of_a, of_b;
+};
 
+// Adds the points below `margin` of what two faces have in common along the axis. `flipped`: `a` is the second
+// polyhedron of the pair.
+void clip_faces(const PlacedHull& a, const PlacedHull& b, FacePair faces, const Separation& axis, bool flipped,
+                double margin, Manifold& manifold) {
+    const Hull& hull = a.hull();
+    const HullFace& face = hull.face(faces.of_a);
+    const Pose& pose = a.pose();
+    const bool of_edges = axis.of_a >= 0 && axis.of_b >= 0;
+    const double tolerance = of_edges ? 0.0 : clip_tolerance * size_of(a, b);  // m
+    const Vector3 normal = (flipped ? -1.0 : 1.0) * (pose.rotation.transpose() * axis.normal);
+    const std::uint32_t of_a = flipped ? of_second : 0u, of_b = flipped ? 0u : of_second;
     ClippedFace first, second;
     ClippedFace *polygon = &first, *spare = &second;
-    list_corners(reference, other, incident_face(other.hull(), other.pose().rotation.transpose() * normal),
-                 *polygon);
+    list_corners(a, face, b, b.hull().face(faces.of_b), normal, of_b, *polygon);
     const auto corners = hull.corners_of(face);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Hull::Corner& corner = corners[static_cast<std::size_t>(corners[i].side)];
@@ -122,51 +137,33 @@ void clip_faces(const PlacedHull& reference, int number, const PlacedHull& other
         if (edge.from != corner.vertex) out = -out;
         const double offset = out.dot(hull.vertex(corner.vertex)) + tolerance;
         const auto beyond = [&](const Corner& of_polygon) { return out.dot(of_polygon.position) - offset; };
-        const std::uint32_t side = of_reference | static_cast<std::uint32_t>(corner.edge);
-        if (clip(*polygon, beyond, side, *spare)) std::swap(polygon, spare);
+        if (clip(*polygon, beyond, of_a + static_cast<std::uint32_t>(corner.edge), *spare))
+            std::swap(polygon, spare);
         if (polygon->count == 0) return;
     }
-
-    const std::uint32_t of_face = (flipped ? 1u << 31 : 0u) | static_cast<std::uint32_t>(number) << 22;
     for (int i = 0; i < polygon->count; ++i) {
         const Corner& corner = polygon->at(i);
-        const double height = face.normal.dot(corner.position) - face.offset;
-        if (height >= margin) continue;
-        const std::uint32_t before = polygon->at(i + polygon->count - 1).edge;
-        const Vector3 middle = corner.position - (0.5 * height) * face.normal;
-        manifold.add({pose.position + pose.rotation * middle, height, of_face | before << 11 | corner.edge});
+        const double gap = std::max(corner.gap, axis.gap);  // where edges are nearly parallel rounding may lower it
+        if (gap >= margin) continue;
+        const Vector3 middle = corner.position + (0.5 * gap) * normal;
+        manifold.add({pose.position + pose.rotation * middle, gap,
+                      corner_of(polygon->at(i + polygon->count - 1).edge, corner.edge)});
     }
 }
 
-// Adds the point midway between the closest points of the two edges.
-void cross_edges(const PlacedHull& a, const PlacedHull& b, const Separation& axis, double margin,
-                 Manifold& manifold) {
-    const HullEdge& edge_a = a.hull().edge(axis.of_a);
-    const HullEdge& edge_b = b.hull().edge(axis.of_b);
-    const Vector3 from_a = a.pose().position + a.pose().rotation * a.hull().vertex(edge_a.from);
-    const Vector3 from_b = b.pose().position + b.pose().rotation * b.hull().vertex(edge_b.from);
-    const Vector3 along_a = a.pose().rotation * edge_a.direction;
-    const Vector3 along_b = b.pose().rotation * edge_b.direction;
-
-    manifold.normal = axis.normal;
-    constexpr std::uint32_t of_edges = 511u << 22;  // no face has this number
-    const EdgePoints points =
-        closest_points({from_a, along_a, 0.0, edge_a.length}, {from_b, along_b, 0.0, edge_b.length});
-    const double gap = gap_between(points, axis.gap);
-    if (gap >= margin) return;
-    manifold.add({points.middle(), gap,
-                  of_edges | static_cast<std::uint32_t>(axis.of_a) << 11 | static_cast<std::uint32_t>(axis.of_b)});
-}
-
+// Collides the polyhedra along one axis.
 void collide_along(const Separation& axis, const PlacedHull& a, const PlacedHull& b, double margin,
                    Manifold& manifold) {
-    const double tolerance = clip_tolerance * size_of(a, b);
+    const Vector3 of_a = a.pose().rotation.transpose() * axis.normal;
+    const Vector3 of_b = -(b.pose().rotation.transpose() * axis.normal);
+    manifold.normal = axis.normal;
     if (axis.of_b < 0) {
-        clip_faces(a, axis.of_a, b, false, tolerance, margin, manifold);
+        clip_faces(a, b, {axis.of_a, face_along(b.hull(), of_b)}, axis, false, margin, manifold);
     } else if (axis.of_a < 0) {
-        clip_faces(b, axis.of_b, a, true, tolerance, margin, manifold);
+        clip_faces(b, a, {axis.of_b, face_along(a.hull(), of_a)}, axis, true, margin, manifold);
     } else {
-        cross_edges(a, b, axis, margin, manifold);
+        const FacePair faces{face_at(a.hull(), axis.of_a, of_a), face_at(b.hull(), axis.of_b, of_b)};
+        clip_faces(a, b, faces, axis, false, margin, manifold);
     }
 }
 
@@ -196,7 +193,7 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
 
 void collide_hulls_along(const Vector3& normal, const PlacedHull& a, const PlacedHull& b, double margin,
                          Manifold& manifold) {
-    Separation along{.normal = normal};
+    Separation along;
     double best = same_axis;
     const auto consider = [&](const PlacedHull& hull, double way, int& of_hull) {
         const Vector3 direction = way * (hull.pose().rotation.transpose() * normal);
@@ -204,7 +201,7 @@ void collide_hulls_along(const Vector3& normal, const PlacedHull& a, const Place
             const double cosine = hull.hull().face(f).normal.dot(direction);
             if (cosine <= best) continue;
             best = cosine;
-            along = {.normal = normal};
+            along = {.normal = way * (hull.pose().rotation * hull.hull().face(f).normal), .gap = -infinity};
             of_hull = f;
         }
     };

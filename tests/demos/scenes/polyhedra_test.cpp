@@ -111,7 +111,7 @@ void require_harmless(const SceneDescription& scene, double seconds) {
 }  // namespace
 
 // Positions and normals of the contacts of cubes differ by rounding. Forces with a residual of up to `--tolerance`
-// m/s are kept, so the difference grows to what that allows within ten seconds.
+// m/s are kept, so either run may be off by what that allows within ten seconds.
 TEST_CASE("a cube of eight points behaves as a box for ten seconds: standing, intersecting, tumbling") {
     Settings strict = preset_settings("default");
     strict.tolerance_high = strict.tolerance_low;
@@ -123,8 +123,8 @@ TEST_CASE("a cube of eight points behaves as a box for ten seconds: standing, in
         CHECK(largest_difference(tumbling(), settings, 10) < 1e-9);
     }
     const Settings settings = preset_settings("default");
-    CHECK(largest_difference(named("stack"), settings, 10) < settings.tolerance_high * 10);
-    CHECK(largest_difference(named("intersecting-stack"), settings, 10) < settings.tolerance_high * 10);
+    CHECK(largest_difference(named("stack"), settings, 10) < 2.0 * settings.tolerance_high * 10);
+    CHECK(largest_difference(named("intersecting-stack"), settings, 10) < 2.0 * settings.tolerance_high * 10);
     CHECK(largest_difference(tumbling(), settings, 10) < 1e-9);
 }
 

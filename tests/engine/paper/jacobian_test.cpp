@@ -165,25 +165,37 @@ std::array<Body, 2> random_pair(const ShapePair& shapes, double gap, Random& ran
     return bodies;
 }
 
-// The number of a point's coordinates that lie on the faces of a box: 3 for a corner, 2 for an edge.
-int faces_at(const Box& box, const Body& body, const Vector3& point) {
-    const Vector3 local = body.orientation.conjugate() * (point - body.position);
+// Where a point lies on the surface of a box: how many of its faces meet there, 3 at a corner and 2 on an edge, and
+// whether the edge, or one of the box's faces for a point of the other, is square to the normal.
+struct Spot {
     int faces = 0;
-    for (int axis = 0; axis < 3; ++axis) faces += std::abs(std::abs(local[axis]) - box.half_size[axis]) < 1e-9;
-    return faces;
-}
+    bool on_square_edge = false;
+    bool has_face_of_normal = false;
 
-// Whether the gap at a point follows from the motion of the bodies alone: at the corner of a box, where two edges
-// cross, and wherever a sphere takes part. A corner that was cut by the side of a face slides along its own edge as
-// well, which the tilt of the faces turns into gap.
+    Spot(const Box& box, const Body& body, const Vector3& point, const Vector3& normal) {
+        const Vector3 local = body.orientation.conjugate() * (point - body.position);
+        const Vector3 along = (body.orientation.conjugate() * normal).cwiseAbs();
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool on_face = std::abs(std::abs(local[axis]) - box.half_size[axis]) < 1e-9;
+            faces += on_face;
+            if (!on_face && along[axis] < 1e-12) on_square_edge = true;
+        }
+        has_face_of_normal = along.maxCoeff() > 1.0 - 1e-12;
+    }
+};
+
+// Whether the gap at a point follows from the motion of the bodies alone: at the corner of a box on a face to which
+// the normal belongs, where two edges to which it is square cross, and wherever a sphere takes part. Other corners
+// slide along an edge or a face that is tilted against the normal, which turns into gap.
 bool has_gap_of_its_own(const ShapePair& shapes, const Body& a, const Body& b, const ContactSite& site,
                         double gap) {
     const auto* box_a = std::get_if<Box>(&shapes.a);
     const auto* box_b = std::get_if<Box>(&shapes.b);
     if (!box_a || !box_b) return true;
-    const int on_a = faces_at(*box_a, a, site.position - 0.5 * gap * site.normal);
-    const int on_b = faces_at(*box_b, b, site.position + 0.5 * gap * site.normal);
-    return on_a == 3 || on_b == 3 || (on_a == 2 && on_b == 2);
+    const Spot on_a(*box_a, a, site.position - 0.5 * gap * site.normal, site.normal);
+    const Spot on_b(*box_b, b, site.position + 0.5 * gap * site.normal, site.normal);
+    const bool cross = on_a.faces == 2 && on_b.faces == 2 && on_a.on_square_edge && on_b.on_square_edge;
+    return (on_a.faces == 3 && on_b.has_face_of_normal) || (on_b.faces == 3 && on_a.has_face_of_normal) || cross;
 }
 
 // The number of points of a pair whose gap was compared, and of those that were apart.
