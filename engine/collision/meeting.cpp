@@ -10,10 +10,6 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Distance at which two bodies have met, as a fraction of the size: the gap up to which rows with the default slop
-// count a point as touching (contact_row.cpp).
-constexpr double meeting_gap = 2e-6;
-
 // By how much a corner may sink that the manifold leaves out, as a fraction of the size: as the slop, what is seen
 // of no body.
 constexpr double unseen = 2e-3;

@@ -16,6 +16,9 @@ constexpr std::size_t contacts_of_a_part = 128;
 // Share of the size above which a gap is real, not an error that the solver has left.
 constexpr double apart_share = 1e-5;
 
+// Sliding as a share of the velocity of an impact that is more than rounding.
+constexpr double has_direction = 1e-9;
+
 constexpr Correction at_once{PushKind::single_frame, 1.0};
 
 // Overlap along an axis up to which bodies count as separated along it, as a fraction of the size: the allowed
@@ -81,23 +84,24 @@ struct ContactConstraints::TouchFriction {
 };
 
 ContactConstraints::TouchFriction ContactConstraints::friction_of(const collision::Touch& touch,
-                                                                  const BodyPair& pair,
+                                                                  const BodyPair& pair, const Motion& motion_a,
+                                                                  const Motion& motion_b,
                                                                   const StepStart& step) const {
     const Vector3 belt = belt_of(touch, pair, step.time);
     const Vector3& normal = touch.normal;
-    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-    const FrictionBound bound = friction_->bound({.bodies = pair,
-                                                  .normal = normal,
-                                                  .friction = touch.friction,
-                                                  .points = static_cast<int>(touch.points.size()),
-                                                  .size = touch.size,
-                                                  .acceleration = std::max(accelerations_[a], accelerations_[b]),
-                                                  .dt = step.dt});
+    const FrictionBound bound = friction_->bound(
+        {.bodies = pair,
+         .normal = normal,
+         .friction = touch.friction,
+         .points = static_cast<int>(touch.points.size()),
+         .size = touch.size,
+         .acceleration = std::max(accelerations_[at(touch.body_a)], accelerations_[at(touch.body_b)]),
+         .dt = step.dt});
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,
-            .motion = RelativeMotion(pair, before_[a], before_[b], belt),
-            .resting = collision::tangent_fixed_in(detector_.poses()[a].rotation, normal)};
+            .motion = RelativeMotion(pair, motion_a, motion_b, belt),
+            .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), normal)};
 }
 
 void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
@@ -237,12 +241,40 @@ void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t beg
         const BodyPair pair{touch.body_a, touch.body_b, a_then ? *a_then : step.bodies[a],
                             b_then ? *b_then : step.bodies[b]};
         std::optional<TouchFriction> shared;
-        if (friction_) shared = friction_of(touch, pair, step);
+        if (friction_) shared = friction_of(touch, pair, before_[a], before_[b], step);
         for (; i < end && contacts[i].touch == &touch; ++i) {
             Contact& contact = contacts[i];
             const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);
             write_normal(contact, pair, at, step.dt, rows[static_cast<std::size_t>(contact.normal_row)]);
             if (friction_) write_friction(contact, at, *shared, rows);
+        }
+    }
+}
+
+void ContactConstraints::append_impact_rows(const collision::Touch& touch, const BodyPair& bodies,
+                                            const StepStart& step, RowList& rows) const {
+    const Motion motion_a = motion_of(bodies.body_a), motion_b = motion_of(bodies.body_b);
+    std::optional<TouchFriction> shared;
+    if (friction_) shared = friction_of(touch, bodies, motion_a, motion_b, step);
+    if (shared && !shared->bound.of_normal_force) shared->bound.limit *= step.dt;
+    for (const collision::ContactPoint& point : touch.points) {
+        const PairPoint place(bodies, point.position);
+        const auto normal_row = static_cast<int>(rows.size());
+        ConstraintRow& normal = rows.emplace_back();
+        place.place(normal, touch.normal);
+        normal.bounds.c_min = 0.0;
+        normal.label = {.kind = RowKind::contact, .point = 0, .gap = 0.0};
+        if (!shared) continue;
+        const double speed =
+            (velocity_at(bodies.body_b, point.position) - velocity_at(bodies.body_a, point.position) - shared->belt)
+                .norm();
+        const double least = std::max(shared->bound.least_sliding, has_direction * speed);
+        const auto tangents = friction_tangents(touch.normal, shared->motion.sliding(point.position, touch.normal),
+                                                least, shared->resting);
+        for (const Disc which : {Disc::first, Disc::second}) {
+            const Vector3& tangent = tangents[which == Disc::first ? 0 : 1];
+            write_friction_row(place, tangent, shared->bound.at(normal_row, which), tangent.dot(shared->belt),
+                               rows.emplace_back());
         }
     }
 }

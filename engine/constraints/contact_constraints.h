@@ -85,8 +85,11 @@ class ContactConstraints : public ConstraintSource {
     double touching_gap_of(double size) const { return touching_gap(choices_.slop * size); }  // m
     // A pair of colliders as a touch without points.
     collision::Touch touch_of(const collision::Pair& pair, std::span<const Body> bodies) const;
-    // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
-    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
+    // Appends per point of the touch a contact row and, with friction, its two friction rows. The bodies have the
+    // velocities with which they meet. The forces of the rows stand for impulses: bounds in newtons act for the
+    // step.
+    void append_impact_rows(const collision::Touch& touch, const BodyPair& bodies, const StepStart& step,
+                            RowList& rows) const;
     // Calls `visit(touch, point, its row of the step, the first of its two friction rows)` for each contact point;
     // the last is negative without friction.
     template <typename Visit>
@@ -127,7 +130,10 @@ class ContactConstraints : public ConstraintSource {
                         std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
     collision::StepScene scene_of(const StepStart& step, const StepMotions& motions) const;
-    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const StepStart& step) const;
+    TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const Motion& motion_a,
+                              const Motion& motion_b, const StepStart& step) const;
+    // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
+    Vector3 belt_of(const collision::Touch& touch, const BodyPair& pair, double time) const;
     void store_forces();
 
     std::vector<collision::Collider> colliders_;

@@ -1,31 +1,23 @@
 #include "engine/constraints/contact_order.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace pushfactor::engine {
 
 namespace {
 
-// Heights are rounded to 1/512 .. 1/256 of the size, because otherwise rounding errors would decide the order
-// within a layer, differently after each step. The quantum is a power of two, so that scaled lengths keep their
-// order; neither tenths nor halves of it are near the rounding threshold.
+// Heights are rounded to a share of the size, because otherwise rounding errors would decide the order within a
+// layer, differently after each step. In any unit: so scaled scenes keep their order. Neither tenths nor halves of
+// a quantum are near the rounding threshold.
 constexpr double quanta_a_size = 256.0;
 constexpr double rounds_up_at = 0.54;
 
 // Keys per thread task.
 constexpr std::size_t keys_of_a_part = 500;
 
-// Largest power of two that does not exceed a positive number.
-double power_of_two(double number) {
-    constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & exponent);
-}
-
 double rounded(double height, double size) {
-    const double quantum = power_of_two(size) / quanta_a_size;
+    const double quantum = size / quanta_a_size;
     if (!(quantum > 0.0) || !std::isfinite(size)) return height;
     return quantum * std::floor(height / quantum + (1.0 - rounds_up_at));
 }

@@ -3,7 +3,6 @@
 #include "engine/base/index.h"
 #include "engine/collision/meeting.h"
 #include "engine/constraints/carried.h"
-#include "engine/impacts/impact_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +17,6 @@ constexpr int most_per_body = 100;
 
 // Share of its speed that the rebounds of a pair leave it in a step before it counts as in contact.
 constexpr double least_left = 0.1;
-
-// A gap up to which a pair counts as touching before the step, as a fraction of its size (meeting.cpp).
-constexpr double touching_share = 2e-6;
-
-// Share of the speeds of both bodies that is an approach and not rounding.
-constexpr double rounding = 1e-10;
 
 // What a body has to be moved by, as a fraction of its size, to hit anything else.
 constexpr double noticed = 1e-3;
@@ -45,19 +38,6 @@ Vector6 acceleration_by(const Body& body, const Vector6& force) {
     return stacked(body.inverse_mass * force.head<3>(), world_inverse_inertia(body) * force.tail<3>());
 }
 
-// Farthest point from the centre [m].
-double radius_of(const collision::Shape& shape) {
-    const Vector3 extents = collision::half_extents(shape, Matrix3::Identity());
-    return std::max(std::sqrt(collision::squared_turning_radius(shape)), extents.maxCoeff());
-}
-
-// Velocity of a static body along a contact or friction row, as SystemEquation::carried has it [m/s].
-double carried_at(const ConstraintRow& row, const Body& a, const Body& b, const Vector3& point) {
-    if (a.is_static()) return row.jacobian.b.head<3>().dot(velocity_at(a, point));
-    if (b.is_static()) return row.jacobian.a.head<3>().dot(velocity_at(b, point));
-    return 0.0;
-}
-
 }  // namespace
 
 bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
@@ -70,6 +50,7 @@ bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::
     step_ = step;
     sources_ = sources;
     awake_ = &awake;
+    if (colliders_of_.empty()) measure_colliders();
     find_about_to_rebound();
     if (changed_.empty()) return false;
     begin(rows);
@@ -89,6 +70,16 @@ bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::
     return true;
 }
 
+void ContactImpacts::measure_colliders() {
+    colliders_of_.resize(step_.bodies.size());
+    for (const collision::Collider& own : contacts_.colliders()) {
+        colliders_of_[at(own.body)].push_back(static_cast<int>(turning_.size()));
+        turning_.push_back(std::sqrt(collision::squared_turning_radius(own.shape)));
+        const Vector3 extents = collision::half_extents(own.shape, Matrix3::Identity());
+        radii_.push_back(std::max(turning_.back(), extents.maxCoeff()));
+    }
+}
+
 // Bodies of pairs that meet by their free motions, fast enough to rebound.
 void ContactImpacts::find_about_to_rebound() {
     changed_.clear();
@@ -98,28 +89,23 @@ void ContactImpacts::find_about_to_rebound() {
         const ImpactLimits limits = limits_of(touch);
         const double least = limits.least_speed(touch.normal, a.inverse_mass * a.force, b.inverse_mass * b.force);
         const Motion of_a = motion_of(a, step_.dt), of_b = motion_of(b, step_.dt);
-        const double still = rounding * (of_a.velocity.norm() + of_b.velocity.norm());
+        const double still = rounding_of_speeds * (of_a.velocity.norm() + of_b.velocity.norm());
         double speed = 0.0;
         if (touch.time > 0.0) {  // at whatever point
-            speed = (of_a.velocity - of_b.velocity).norm() + turning_of(touch.pair.a, of_a) +
-                    turning_of(touch.pair.b, of_b);
+            speed = (of_a.velocity - of_b.velocity).norm() +
+                    turning_[at(touch.pair.a)] * of_a.angular_velocity.norm() +
+                    turning_[at(touch.pair.b)] * of_b.angular_velocity.norm();
         }
         for (const collision::ContactPoint& point : touch.points) {
             const double own =
                 collision::closing_speed(of_a, a.position, of_b, b.position, point.position, touch.normal);
-            if (point.gap <= touching_share * touch.size + own * step_.dt) speed = std::max(speed, own);
+            if (point.gap <= collision::meeting_gap * touch.size + own * step_.dt) speed = std::max(speed, own);
         }
         const bool rebounds = touch.restitution * speed > least && speed > still;
         if (!rebounds) continue;
         if (!a.is_static()) changed_.push_back(touch.body_a);
         if (!b.is_static()) changed_.push_back(touch.body_b);
     }
-}
-
-// m/s, of the points of a collider at most.
-double ContactImpacts::turning_of(int collider, const Motion& motion) const {
-    const collision::Shape& shape = contacts_.colliders()[at(collider)].shape;
-    return std::sqrt(collision::squared_turning_radius(shape)) * motion.angular_velocity.norm();
 }
 
 ImpactLimits ContactImpacts::limits_of(const collision::Touch& touch) const {
@@ -136,14 +122,6 @@ void ContactImpacts::begin(std::span<const ConstraintRow> rows) {
     next_.clear();
     known_.clear();
     number_.assign(count, -1);
-    if (colliders_of_.size() != count) {
-        colliders_of_.assign(count, {});
-        const auto colliders = contacts_.colliders();
-        for (std::size_t i = 0; i < colliders.size(); ++i) {
-            colliders_of_[at(colliders[i].body)].push_back(static_cast<int>(i));
-            radii_.push_back(radius_of(colliders[i].shape));
-        }
-    }
     find_what_holds(rows);
 }
 
@@ -238,8 +216,7 @@ void ContactImpacts::set_off(double time) {
 Flier ContactImpacts::flier(int collider) {
     const collision::Collider& own = contacts_.colliders()[at(collider)];
     fly_body(own.body);
-    return {own.shape, flight_of(own.body), radii_[at(collider)],
-            std::sqrt(collision::squared_turning_radius(own.shape))};
+    return {own.shape, flight_of(own.body), radii_[at(collider)], turning_[at(collider)]};
 }
 
 void ContactImpacts::foresee(int number, double from) {
@@ -343,13 +320,9 @@ void ContactImpacts::strike(int number, std::span<const ConstraintRow> rows) {
     problem_.carried.clear();
     const int a = add_to_problem(touch.body_a, time), b = add_to_problem(touch.body_b, time);
     const Body body_a = problem_.bodies[at(a)], body_b = problem_.bodies[at(b)];
-    append_impact_rows(contacts_, touch, {a, b, body_a, body_b}, {step_.time, step_.dt}, problem_.rows);
+    contacts_.append_impact_rows(touch, {a, b, body_a, body_b}, step_, problem_.rows);
     problem_.own_rows = problem_.rows.size();
-    const std::size_t rows_per_point = problem_.own_rows / touch.points.size();
-    for (std::size_t j = 0; j < problem_.own_rows; ++j) {
-        problem_.carried.push_back(
-            carried_at(problem_.rows[j], body_a, body_b, touch.points[j / rows_per_point].position));
-    }
+    carried_speeds(problem_.bodies, step_.dt, problem_.rows.all(), problem_.carried);
     add_what_holds(touch, time, rows);
     problem_.restitution = touch.restitution;
     problem_.least_rebound =

@@ -41,7 +41,7 @@ class ContactImpacts : public Impacts {
     };
 
     void find_about_to_rebound();
-    double turning_of(int collider, const Motion& motion) const;
+    void measure_colliders();
     ImpactLimits limits_of(const collision::Touch& touch) const;
     void begin(std::span<const ConstraintRow> rows);
     void find_what_holds(std::span<const ConstraintRow> rows);
@@ -62,7 +62,7 @@ class ContactImpacts : public Impacts {
     collision::Manifold manifold_;
 
     std::vector<std::vector<int>> colliders_of_;  // by body
-    std::vector<double> radii_;                   // m, by collider
+    std::vector<double> radii_, turning_;         // m, by collider, see Flier
 
     // Of the current step.
     StepStart step_{};

@@ -1,5 +1,6 @@
 #include "engine/impacts/next_impact.h"
 
+#include "engine/collision/meeting.h"
 #include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/time_of_impact.h"
 
@@ -10,8 +11,6 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Distance at which two bodies have met, as a fraction of the size.
-constexpr double meeting_gap = 2e-6;
 // Gap at which a meeting counts as found, and steps of Newton's method for it.
 constexpr double found_gap = 1e-12;
 constexpr int most_refinements = 8;
@@ -20,9 +19,6 @@ constexpr double looks_per_step = 16.0;
 constexpr int most_looks = 200;
 // Way of the points of a pair that separates after which it is looked at again, as a fraction of its size.
 constexpr double unseen_way = 1e-2;
-
-// Share of the speeds of both bodies that is an approach and not rounding.
-constexpr double rounding = 1e-10;
 
 collision::Moving moving(const Flier& flier, const Body& now, double time, double until) {
     return {flier.shape, collision::pose_of(now), flier.flight.motion(time, until)};
@@ -46,9 +42,11 @@ struct Look {
 };
 
 double fastest_approach(const Look& look, const collision::Manifold& manifold) {
+    const Motion a = motion_of(look.a), b = motion_of(look.b);
     double fastest = -infinity;
     for (const collision::ContactPoint& point : manifold.points()) {
-        fastest = std::max(fastest, approach_speed(look.a, look.b, point.position, manifold.normal));
+        fastest = std::max(fastest, collision::closing_speed(a, look.a.position, b, look.b.position, point.position,
+                                                             manifold.normal));
     }
     return fastest;
 }
@@ -63,13 +61,14 @@ double time_apart(const Flier& a, const Flier& b, const Look& look, double speed
     // Where nothing turns convex shapes go on to separate; else other points may follow.
     if (turning == 0.0) return std::max(usual, speed / std::max(change, speed / limits.dt));
     const double fastest = turning + (velocity(look.a) - velocity(look.b)).norm();
-    return std::min(usual, std::max(4.0 * meeting_gap * limits.size / speed, unseen_way * limits.size / fastest));
+    return std::min(
+        usual, std::max(4.0 * collision::meeting_gap * limits.size / speed, unseen_way * limits.size / fastest));
 }
 
 // Whether the balls around both shapes cannot meet from `from` on.
 bool are_apart(const Flier& a, const Flier& b, const ImpactLimits& limits, double from) {
     const double rest = limits.dt - from;
-    const double reach = a.radius + b.radius + 2.0 * meeting_gap * limits.size;
+    const double reach = a.radius + b.radius + 2.0 * collision::meeting_gap * limits.size;
     const double way = rest * (a.flight.velocity_at(from) - b.flight.velocity_at(from)).norm() +
                        rest * rest * (a.flight.acceleration() - b.flight.acceleration()).norm();
     return (a.flight.position_at(from) - b.flight.position_at(from)).norm() > reach + way;
@@ -82,13 +81,9 @@ double ImpactLimits::least_speed(const Vector3& normal, const Vector3& fall_a, c
     return std::max(weight * dt, std::sqrt(2.0 * weight * touching));
 }
 
-double approach_speed(const Body& a, const Body& b, const Vector3& point, const Vector3& normal) {
-    return normal.dot(velocity_at(a, point) - velocity_at(b, point));
-}
-
 double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
                    collision::Manifold& manifold) {
-    const double dt = limits.dt, tolerance = meeting_gap * limits.size;
+    const double dt = limits.dt, tolerance = collision::meeting_gap * limits.size;
     if (are_apart(a, b, limits, from)) return never;
     double time = from;
     for (int looks = 0; looks < most_looks && time < dt; ++looks) {
@@ -122,7 +117,7 @@ double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, d
         look = Look(a, b, meeting, 2.0 * tolerance, manifold);
         const double speed = fastest_approach(look, manifold);
         const double least = std::max(limits.least_speed(manifold.normal, a.flight.fall(), b.flight.fall()),
-                                      rounding * (velocity(look.a).norm() + velocity(look.b).norm()));
+                                      rounding_of_speeds * (velocity(look.a).norm() + velocity(look.b).norm()));
         if (manifold.count > 0 && look.gap <= 2.0 * tolerance && speed > least) return meeting;
         time = std::max(time, meeting) + time_apart(a, b, look, manifold.count > 0 ? -speed : 0.0, limits);
     }

@@ -14,6 +14,9 @@ struct Flier {
     double turning;  // m, the same of what turning moves: 0 for a ball
 };
 
+// Share of the speeds of both bodies that is an approach and not rounding.
+inline constexpr double rounding_of_speeds = 1e-10;
+
 // What counts as an impact of a pair: approach at more than the speed that its weight gives it in a step, and that
 // it would not lift it by what counts as touching. Anything slower is left to the rows of the step, so that what
 // lies at rest rests.
@@ -25,9 +28,6 @@ struct ImpactLimits {
     // m/s along `normal`, for bodies that fall with these accelerations [m/s^2].
     double least_speed(const Vector3& normal, const Vector3& fall_a, const Vector3& fall_b) const;
 };
-
-// Speed at which the bodies approach at `point` [m] along `normal` (from a to b), m/s.
-double approach_speed(const Body& a, const Body& b, const Vector3& point, const Vector3& normal);
 
 // The first time from `from` [s] on, within the step, at which the pair touches and approaches faster than the
 // limits say; `never` if there is none. `manifold` receives the points that touch then.

@@ -65,6 +65,15 @@ class Dissection {
         }
     }
 
+    // The same, last round first.
+    template <typename Visit>
+    void by_rounds_back(Team& team, const Visit& visit) const {
+        for (std::size_t k = rounds_.size(); k-- > 0;) {
+            in_any_order(team, rounds_[k], visit);
+            team.wait_for_all();
+        }
+    }
+
     // Without barriers: parts may share bodies, so `visit` must not write to them.
     template <typename Visit>
     void in_any_order(Team& team, const Visit& visit) const {

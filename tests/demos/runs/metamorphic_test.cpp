@@ -184,6 +184,8 @@ TEST_CASE("shifted, turned about the vertical, or in other units, a scene does t
         std::pair{"turned", Similarity{.turn = turn}},                    // 1.3e-11
         std::pair{"masses", Similarity{.mass = 10.0}},                    // 1.9e-12
         std::pair{"lengths", Similarity{.length = 9.0, .time = {3, 1}}},  // 3.9e-10
+        std::pair{"thirds", Similarity{.length = 1.0 / 3.0}},
+        std::pair{"sevenfold", Similarity{.length = 7.0}},
     };
     for (const Case& test : all_cases()) {
         for (const char* preset : presets_of_interest) {
