@@ -315,19 +315,14 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     double restless = hit * step.fastest / step.division.steps;
     double largest = infinity;
     for (int k = 0; k < step.division.sweeps || (largest > restless && k < most_sweeps); ++k) {
-        if (k < step.division.sweeps && which == Solve::without_push) {
-            dissection_.by_rounds_back(team, [&](const Part& part) {
-                PartState& state = state_of(part);
-                state.change = sweep_back(state.blocks);
-            });
-        } else {
-            dissection_.by_rounds(team, [&](const Part& part) {
-                PartState& state = state_of(part);
-                state.change = k < step.division.sweeps
-                                   ? sweep(state.blocks)
-                                   : sweep_restless(state, restless, k, k == step.division.sweeps);
-            });
-        }
+        const bool all = k < step.division.sweeps, back = all && which == Solve::without_push;
+        const auto visit = [&](const Part& part) {
+            PartState& state = state_of(part);
+            state.change = !all   ? sweep_restless(state, restless, k, k == step.division.sweeps)
+                           : back ? sweep_back(state.blocks)
+                                  : sweep(state.blocks);
+        };
+        dissection_.by_rounds(team, visit, back);
         largest = 0.0;
         for (const PartState& state : states_) largest = std::max(largest, state.change);
         if (k == 0) restless = std::max(restless, small_share * largest);

@@ -79,7 +79,7 @@ Chapter chains() {
                     with_paper("moving", "moving", reached), mass == 1000);
     };
     add(1, {0.03, 0.08});
-    add(100, {0.05, 0.5});
+    add(100, {0.04, 0.5});
     add(1000, {0.2, 200.0});
     return chapter;
 }
