@@ -315,14 +315,11 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     double restless = hit * step.fastest / step.division.steps;
     double largest = infinity;
     for (int k = 0; k < step.division.sweeps || (largest > restless && k < most_sweeps); ++k) {
-        const bool all = k < step.division.sweeps, back = all && which == Solve::without_push;
-        const auto visit = [&](const Part& part) {
+        dissection_.by_rounds(team, [&](const Part& part) {
             PartState& state = state_of(part);
-            state.change = !all   ? sweep_restless(state, restless, k, k == step.division.sweeps)
-                           : back ? sweep_back(state.blocks)
-                                  : sweep(state.blocks);
-        };
-        dissection_.by_rounds(team, visit, back);
+            state.change = k < step.division.sweeps ? sweep(state.blocks)
+                                                    : sweep_restless(state, restless, k, k == step.division.sweeps);
+        });
         largest = 0.0;
         for (const PartState& state : states_) largest = std::max(largest, state.change);
         if (k == 0) restless = std::max(restless, small_share * largest);
@@ -340,12 +337,6 @@ double SmallSteps::sweep(std::span<const Block> blocks) {
     Vector6 still = Vector6::Zero();
     return solvers::sweep<1, true>(
         rows_, blocks, [&](const Block& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
-}
-
-double SmallSteps::sweep_back(std::span<const Block> blocks) {
-    double largest = 0.0;
-    for (std::size_t k = blocks.size(); k-- > 0;) largest = std::max(largest, sweep(blocks.subspan(k, 1)));
-    return largest;
 }
 
 // Sweeps the blocks of bodies whose rows have changed by more than `least` [m/s] in sweep `number` or the one

@@ -5,10 +5,7 @@
 //     follow: gaps of the rows, and axes of bars and joints, where the bodies are now
 //     sweeps: y_j <- clamp(y_j + t_j - u_j . x), x along, with the push in t_j             7.1.1, f_cv of 8.1
 //     d <- d + h x                                                                         3.2.3
-//     sweeps without the push, last row first                                              f_c0 of 8.1
-//
-// The second solve goes through the rows in the other direction. If both went up a pile, waves in it would gain
-// energy: a tower of twenty plates would shake at 24 Hz for ever.
+//     sweeps without the push                                                              f_c0 of 8.1
 //
 // The first solve moves the bodies, the second one sets their momenta and is where the next small step starts. A
 // force has to hold a velocity error of g h only, and the next small step sees what is left, so load travels
@@ -143,7 +140,6 @@ class SmallSteps {
     void small_step(const Step& step, int number, Team& team);
     void solve(const Step& step, Solve which, double elapsed, Team& team);
     double sweep(std::span<const Block> blocks);
-    double sweep_back(std::span<const Block> blocks);
     double sweep_restless(PartState& state, double least, int number, bool is_first);
     void aim(const Step& step, Solve which, double elapsed, const Part& part);
     void follow(const Step& step, const Part& part);

@@ -58,9 +58,9 @@ class Dissection {
 
     // Calls `visit(part)` for all parts of this member of the team, round by round, with a barrier after each.
     template <typename Visit>
-    void by_rounds(Team& team, const Visit& visit, bool last_first = false) const {
-        for (std::size_t k = 0; k < rounds_.size(); ++k) {
-            in_any_order(team, rounds_[last_first ? rounds_.size() - 1 - k : k], visit);
+    void by_rounds(Team& team, const Visit& visit) const {
+        for (const Round& round : rounds_) {
+            in_any_order(team, round, visit);
             team.wait_for_all();
         }
     }
