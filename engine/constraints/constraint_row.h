@@ -68,7 +68,7 @@ struct ConstraintRow {
     double error = 0.0;
     const Correction* correction = nullptr;
     // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
-    // Soft rows have no bounds: springs, and joints that close a loop.
+    // Springs, and what closes a loop of joints (loop_row.h).
     double softness = 0.0;
     Bounds bounds;
     Lambda guess;  // warm start of iterative solvers (6.2.3); zero if nothing is cached

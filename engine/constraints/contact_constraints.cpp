@@ -2,6 +2,7 @@
 
 #include "engine/base/index.h"
 #include "engine/constraints/carried.h"
+#include "engine/constraints/loop_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,10 @@ ContactConstraints::TouchFriction ContactConstraints::friction_of(const collisio
             .resting = collision::tangent_fixed_in(pair.body_a.orientation.toRotationMatrix(), normal)};
 }
 
+bool ContactConstraints::closes_loop(const BodyPair& pair) const {
+    return !mechanisms_.empty() && mechanisms_[at(pair.a)] == mechanisms_[at(pair.b)];
+}
+
 void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                                       ConstraintRow& row) const {
     const collision::Touch& touch = *contact.touch;
@@ -120,6 +125,7 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
         row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
         if (row.push.lasting < 0.0) row.error = point.gap;  // it does not aim at rest
     }
+    if (closes_loop(pair)) soften(pair, row);
     row.label.point = contact.point;
     row.guess = forces_[contact.force].normal;
 }

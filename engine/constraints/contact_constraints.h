@@ -51,6 +51,9 @@ class ContactConstraints : public ConstraintSource {
         continuous_collision_ = std::move(part);
     }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
+    // By body, a number of what joints connect it with: contacts between bodies of one number close a loop
+    // (loop_row.h). None: no contact does.
+    void set_mechanisms(std::vector<int> of_bodies) { mechanisms_ = std::move(of_bodies); }
     // Pairs that do not touch, and what is known of pairs of materials; null: none. Before the first step.
     void set_filter(std::unique_ptr<const collision::PairFilter> filter);
     void set_materials(std::unique_ptr<const collision::MaterialPairs> materials);
@@ -124,6 +127,7 @@ class ContactConstraints : public ConstraintSource {
     void find_motions(const StepStart& step);
     void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
                     std::span<const Motion> paths, std::span<ConstraintRow> rows) const;
+    bool closes_loop(const BodyPair& pair) const;
     void write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                       ConstraintRow& row) const;
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
@@ -138,6 +142,7 @@ class ContactConstraints : public ConstraintSource {
 
     std::vector<collision::Collider> colliders_;
     ContactChoices choices_;
+    std::vector<int> mechanisms_;  // by body, or empty
     std::unique_ptr<const collision::PairFilter> filter_;
     std::unique_ptr<const collision::MaterialPairs> materials_;
     std::unique_ptr<const FrictionRule> friction_;

@@ -2,6 +2,7 @@
 
 #include "engine/base/index.h"
 #include "engine/constraints/carried.h"
+#include "engine/constraints/loop_row.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
@@ -63,20 +64,8 @@ ConstraintRow& append_turn(const BodyPair& pair, const Vector3& axis, RowList& r
     return row;
 }
 
-// Share of its A_jj that the softness of a row in a loop is. Modes of the loop that are softer still, where bars
-// fold onto each other, count as none; a bridge of twelve planks sags by 3e-5 m.
-constexpr double softness_in_loops = 1e-4;
-
-// j_c M^-1 j_c^T of one body [1/kg].
-double mobility_along(const Body& body, const Vector6& axis) {
-    const Vector3 turning = body.orientation.conjugate() * axis.tail<3>();
-    return body.inverse_mass * axis.head<3>().squaredNorm() + turning.cwiseAbs2().dot(body.inverse_inertia);
-}
-
-void soften(const BodyPair& bodies, ConstraintRow& row) {
-    if (row.bounds.c_min > -infinity || row.bounds.c_max < infinity) return;
-    row.softness = softness_in_loops *
-                   (mobility_along(bodies.body_a, row.jacobian.a) + mobility_along(bodies.body_b, row.jacobian.b));
+bool is_bounded(const ConstraintRow& row) {
+    return row.bounds.c_min > -infinity || row.bounds.c_max < infinity;
 }
 
 bool needs_angle(const Joint& joint) {
@@ -132,7 +121,9 @@ void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies,
     }
     if (joint.hinge) append_hinge(index, bodies, dt, rows);
     assert(rows.size() - first == row_count(joint));
-    for (std::size_t j = first; joint.closes_loop && j < rows.size(); ++j) soften(bodies, rows[j]);
+    for (std::size_t j = first; joint.closes_loop && j < rows.size(); ++j) {
+        if (!is_bounded(rows[j])) soften(bodies, rows[j]);
+    }
     for (std::size_t j = first; cached_ && j < rows.size(); ++j) rows[j].guess = forces_[index][j - first];
 }
 

@@ -21,10 +21,7 @@
 // like contacts: open ones may close within the step, closed ones are corrected. Two equal limits are one row that
 // acts both ways: the bodies are welded.
 //
-// Rows of joints that close a loop may be redundant, and after a finite rotation they disagree slightly: the forces
-// that enforce all of them are huge and move nothing. So the rows without bounds of such a joint are soft,
-// s = 1e-4 j_c M^-1 j_c^T, and what that gives way to is taken out of their targets (IslandSolver::lessen), which
-// leaves the forces of least norm, with rows in units of their own mobility.
+// The rows without bounds of joints that close a loop are soft (loop_row.h).
 #pragma once
 
 #include "engine/constraints/constraint_source.h"

@@ -1,5 +1,6 @@
 #include "engine/step/island_solver.h"
 
+#include "engine/constraints/loop_row.h"
 #include "engine/step/choice.h"
 
 #include <algorithm>
@@ -60,11 +61,6 @@ bool clamp(const SystemEquation& system, const Island& island, Columns& lambda, 
     }
     if (any) copy_to_last(island, lambda);
     return any;
-}
-
-// Whether a joint keeps this row whatever it takes, but for the softness of loops (joint_constraints.h).
-bool is_of_loop(const ConstraintRow& row) {
-    return row.softness > 0.0 && (row.label.kind == RowKind::joint || row.label.kind == RowKind::limit);
 }
 
 // Adds `factor` times what the rows of loops give way to under `lambda` to their targets.
@@ -131,7 +127,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     return count;
 }
 
-// Where joints close a loop, no force reaches a part of their targets, and forces y for it move nothing. It is what
+// Where rows close a loop, no force reaches a part of their targets, and forces y for it move nothing. It is what
 // their softness s gives way to: with targets t - s y the forces are (A + S)^-1 A (A + S)^-1 b, without that part.
 void IslandSolver::lessen(Bench& bench, const solvers::Termination& termination, SystemEquation& system,
                           const Island& island, Columns& lambda, ConstraintForces& forces, Outcome& outcome,

@@ -9,6 +9,7 @@ namespace {
 // A forest that spans the graph, as it grows breadth first.
 struct Forest {
     std::vector<int> parent, edge, depth;  // by node; the edge to its parent
+    std::vector<int> root;                 // by node, the lowest of its tree
     std::vector<char> has;                 // by node
 };
 
@@ -19,11 +20,12 @@ Forest spanning(std::span<const std::pair<int, int>> edges, int nodes) {
         edges_of[at(edges[k].second)].push_back(static_cast<int>(k));
     }
     Forest forest{std::vector<int>(at(nodes), -1), std::vector<int>(at(nodes), -1), std::vector<int>(at(nodes), 0),
-                  std::vector<char>(at(nodes), 0)};
+                  std::vector<int>(at(nodes), -1), std::vector<char>(at(nodes), 0)};
     std::vector<int> found;
     for (int root = 0; root < nodes; ++root) {
         if (forest.has[at(root)]) continue;
         forest.has[at(root)] = 1;
+        forest.root[at(root)] = root;
         found.assign(1, root);
         for (std::size_t next = 0; next < found.size(); ++next) {
             const int node = found[next];
@@ -32,6 +34,7 @@ Forest spanning(std::span<const std::pair<int, int>> edges, int nodes) {
                 const int other = a == node ? b : a;
                 if (forest.has[at(other)]) continue;
                 forest.has[at(other)] = 1;
+                forest.root[at(other)] = root;
                 forest.parent[at(other)] = node;
                 forest.edge[at(other)] = k;
                 forest.depth[at(other)] = forest.depth[at(node)] + 1;
@@ -59,6 +62,10 @@ std::vector<char> on_loops(std::span<const std::pair<int, int>> edges, int nodes
         }
     }
     return loops;
+}
+
+std::vector<int> connected(std::span<const std::pair<int, int>> edges, int nodes) {
+    return spanning(edges, nodes).root;
 }
 
 }  // namespace pushfactor::engine

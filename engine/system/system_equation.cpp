@@ -145,6 +145,8 @@ inline void weigh(std::size_t j, SystemEquation& system) {
         if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
     } else if (row.label.kind > RowKind::distance) {
         traits |= traits_of_kind(row, system.carried_by(j));
+    } else if (row.softness > 0.0) {
+        traits |= RowDigest::soft;
     }
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;

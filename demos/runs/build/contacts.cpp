@@ -140,6 +140,7 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
             description.state ? description.state->contact_forces : engine::ContactCache{}));
     }
     contacts->set_materials(std::move(materials));
+    contacts->set_mechanisms(mechanisms_of(scene));
     scene.no_contacts = pairs_without_contacts(description);
     contacts->set_filter(make_filter(description, scene.no_contacts));
     scene.contacts = contacts.get();

@@ -71,8 +71,8 @@ engine::Hinge make_hinge(const HingeDescription& described, const Body& a, const
             .limits = described.limits};
 }
 
-// Springs give way by themselves, and hold nothing together.
-void find_loops(const BuiltScene& scene, std::vector<engine::Joint>& joints) {
+// Static bodies are node 0. Springs give way by themselves, and hold nothing together.
+std::vector<std::pair<int, int>> connections(const BuiltScene& scene, std::span<const engine::Joint> joints) {
     std::vector<std::pair<int, int>> edges;
     const std::span<const Body> bodies = scene.world.bodies;
     const auto node = [&](int body) { return bodies[static_cast<std::size_t>(body)].is_static() ? 0 : body + 1; };
@@ -82,7 +82,12 @@ void find_loops(const BuiltScene& scene, std::vector<engine::Joint>& joints) {
             if (!distance.spring) edges.emplace_back(node(distance.body_a), node(distance.body_b));
         }
     }
-    const std::vector<char> loops = engine::on_loops(edges, static_cast<int>(bodies.size()) + 1);
+    return edges;
+}
+
+void find_loops(const BuiltScene& scene, std::vector<engine::Joint>& joints) {
+    const auto edges = connections(scene, joints);
+    const std::vector<char> loops = engine::on_loops(edges, static_cast<int>(scene.world.bodies.size()) + 1);
     for (std::size_t k = 0; k < joints.size(); ++k) joints[k].closes_loop = loops[k] != 0;
 }
 
@@ -136,6 +141,17 @@ void add_joints(BuiltScene& scene, const SceneDescription& description, const Se
     }
     scene.joints = source.get();
     scene.world.constraints.push_back(std::move(source));
+}
+
+std::vector<int> mechanisms_of(const BuiltScene& scene) {
+    if (!scene.joints) return {};
+    const auto edges = connections(scene, scene.joints->joints());
+    std::vector<int> of_bodies = engine::connected(edges, static_cast<int>(scene.world.bodies.size()) + 1);
+    of_bodies.erase(of_bodies.begin());
+    for (std::size_t i = 0; i < of_bodies.size(); ++i) {
+        if (scene.world.bodies[i].is_static()) of_bodies[i] = 0;
+    }
+    return of_bodies;
 }
 
 }  // namespace pushfactor::demos

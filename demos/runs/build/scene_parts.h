@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -17,6 +18,10 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
                    std::optional<int>& world);
 void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
                 std::optional<int>& world);
+
+// By body, a number that those have in common which joints and bars connect; static bodies are one. Empty without
+// joints.
+std::vector<int> mechanisms_of(const BuiltScene& scene);
 
 // Contacts with their friction, restitution, and pairs that they leave out.
 void add_contacts(BuiltScene& scene, const SceneDescription& description, const Settings& settings);

@@ -64,6 +64,52 @@ SceneDescription scissors(int storeys, double length, double angle) {
     return scene;
 }
 
+// A plate on four arms with wheels that touch its sides, springs from the arms to the plate, and a load that falls
+// on it.
+SceneDescription cart(double load, double speed, double radius) {
+    SceneDescription scene;
+    scene.name = "cart";
+    scene.contacts = true;
+    scene.gravity = {0, -9.81, 0};
+    const auto box = [&](const char* name, const Vector3& size, double mass, const Vector3& position) {
+        scene.bodies.push_back(
+            {.name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = 0.5});
+    };
+    const double height = radius + 0.25;
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
+    box("plate", {2, 0.3, 1}, 5, {0, height, 0});
+    box("load", {0.5, 1.5, 0.5}, load, {0, height + 1.0, 0});
+    scene.bodies.back().velocity = {0, -speed, 0};
+    int number = 0;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double z : {-1.0, 1.0}) {
+            const std::string arm = "arm " + std::to_string(number), wheel = "wheel " + std::to_string(number);
+            ++number;
+            const double out = 0.5 + radius;
+            box(arm.c_str(), {0.5, 0.1, 0.1}, 0.3, {0.48 * x, radius, 0.6 * z});
+            scene.bodies.push_back({.name = wheel,
+                                    .shape = SphereShape{radius},
+                                    .mass = 0.2,
+                                    .position = {0.73 * x, radius, out * z},
+                                    .friction = 0.8});
+            const Vector3 inner(-0.25 * x, 0, 0), outer(0.25 * x, 0, 0);
+            const HingeDescription free{.axis = Vector3::UnitZ()};
+            HingeDescription limited = free;
+            limited.limits = engine::AngleLimits{-0.6, 0.6};
+            scene.joints.push_back({.a = {.body = "plate", .point = {0.23 * x, -0.25, 0.6 * z}},
+                                    .b = {.body = arm, .point = inner},
+                                    .hinge = limited});
+            scene.joints.push_back({.a = {.body = arm, .point = outer + Vector3(0, 0, (out - 0.6) * z)},
+                                    .b = {.body = wheel},
+                                    .hinge = free});
+            scene.distances.push_back({.a = {.body = "plate", .point = {0.73 * x, 0.15, 0.6 * z}},
+                                       .b = {.body = arm, .point = outer},
+                                       .spring = engine::Spring{.stiffness = 2000, .damping = 50}});
+        }
+    }
+    return scene;
+}
+
 // Turns and lifts all bodies, and puts a ground under them.
 void drop(SceneDescription& scene, const Quaternion& turn, double height) {
     for (BodyDescription& body : scene.bodies) {
@@ -138,6 +184,21 @@ TEST_CASE(
         CHECK(run.measurements.max_length_error() < 0.02);
         CHECK(largest_joint_force(*run.simulation.scene().joints) < 10.0 * weight);
         CHECK(run.measurements.substeps().largest < 32);
+    }
+}
+
+TEST_CASE("wheels that touch their cart do not jam it, however hard a load hits it") {
+    tests::Random random(7);
+    for (const double load : {2.0, 20.0, 200.0}) {
+        for (int trial = 0; trial < 3; ++trial) {
+            const SceneDescription scene = cart(load, random.in(1.0, 5.0), random.in(0.2, 0.4));
+            tests::Run run(Simulation(build_scene(scene, preset_settings("default")), preset_settings("default")));
+            run.advance(4.0);
+            INFO(load << " kg, trial " << trial << ", mean substeps " << run.measurements.substeps().mean());
+            CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
+            CHECK(largest_joint_force(*run.simulation.scene().joints) < 9.81 * (load + 7.0));
+            CHECK(run.measurements.substeps().largest < 60);
+        }
     }
 }
 

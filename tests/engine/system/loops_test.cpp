@@ -46,3 +46,7 @@ TEST_CASE("an edge closes a loop if its ends stay connected without it") {
         for (std::size_t k = 0; k < edges.size(); ++k) CHECK((loops[k] != 0) == is_bypassed(edges, k, nodes));
     }
 }
+
+TEST_CASE("what edges connect has the number of its lowest node") {
+    CHECK(connected(Edges{{3, 1}, {4, 3}, {2, 5}}, 6) == std::vector<int>{0, 1, 2, 1, 1, 2});
+}
