@@ -16,6 +16,8 @@
 
 namespace pushfactor::engine {
 
+struct Body;
+
 // The first three are those of nearly all rows; the others have traits of their own (RowDigest).
 enum class RowKind { contact, friction, distance, joint, motor, limit, spring };
 inline constexpr std::size_t row_kind_count = 7;
@@ -68,11 +70,20 @@ struct ConstraintRow {
     double error = 0.0;
     const Correction* correction = nullptr;
     // s, added to A_jj [1/kg, >= 0]: the row gives way to its force, and reaches v - dt s lambda. 0 is a rigid row.
-    // Springs, and what closes a loop of joints (loop_row.h).
+    // Springs, and what closes a loop.
     double softness = 0.0;
     Bounds bounds;
     Lambda guess;  // warm start of iterative solvers (6.2.3); zero if nothing is cached
     RowLabel label;
 };
+
+// Rows that close a loop of joints, bars and contacts may be redundant, and after a finite rotation they disagree
+// slightly: the forces that enforce all of them are huge and move nothing, or jam what rubs. So they are soft,
+// s = 1e-4 j_c M^-1 j_c^T, and what that gives way to is taken out of their targets (IslandSolver::lessen), which
+// leaves the forces of least norm, with rows in units of their own mobility.
+void soften(const Body& a, const Body& b, ConstraintRow& row);
+
+// Whether the row is rigid but for that.
+bool is_of_loop(const ConstraintRow& row);
 
 }  // namespace pushfactor::engine

@@ -2,7 +2,6 @@
 
 #include "engine/base/index.h"
 #include "engine/constraints/carried.h"
-#include "engine/constraints/loop_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +124,7 @@ void ContactConstraints::write_normal(const Contact& contact, const BodyPair& pa
         row.push = restitution_(row.push, impact_of(row, pair, touch.restitution, dt));
         if (row.push.lasting < 0.0) row.error = point.gap;  // it does not aim at rest
     }
-    if (closes_loop(pair)) soften(pair, row);
+    if (closes_loop(pair)) soften(pair.body_a, pair.body_b, row);
     row.label.point = contact.point;
     row.guess = forces_[contact.force].normal;
 }

@@ -52,7 +52,7 @@ class ContactConstraints : public ConstraintSource {
     }
     void set_cache(std::unique_ptr<ContactCache> cache) { cache_ = std::move(cache); }
     // By body, a number of what joints connect it with: contacts between bodies of one number close a loop
-    // (loop_row.h). None: no contact does.
+    // (constraint_row.h). None: no contact does.
     void set_mechanisms(std::vector<int> of_bodies) { mechanisms_ = std::move(of_bodies); }
     // Pairs that do not touch, and what is known of pairs of materials; null: none. Before the first step.
     void set_filter(std::unique_ptr<const collision::PairFilter> filter);

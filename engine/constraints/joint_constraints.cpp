@@ -2,7 +2,6 @@
 
 #include "engine/base/index.h"
 #include "engine/constraints/carried.h"
-#include "engine/constraints/loop_row.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
@@ -122,7 +121,7 @@ void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies,
     if (joint.hinge) append_hinge(index, bodies, dt, rows);
     assert(rows.size() - first == row_count(joint));
     for (std::size_t j = first; joint.closes_loop && j < rows.size(); ++j) {
-        if (!is_bounded(rows[j])) soften(bodies, rows[j]);
+        if (!is_bounded(rows[j])) soften(bodies.body_a, bodies.body_b, rows[j]);
     }
     for (std::size_t j = first; cached_ && j < rows.size(); ++j) rows[j].guess = forces_[index][j - first];
 }

@@ -21,7 +21,7 @@
 // like contacts: open ones may close within the step, closed ones are corrected. Two equal limits are one row that
 // acts both ways: the bodies are welded.
 //
-// The rows without bounds of joints that close a loop are soft (loop_row.h).
+// The rows without bounds of joints that close a loop are soft (constraint_row.h).
 #pragma once
 
 #include "engine/constraints/constraint_source.h"

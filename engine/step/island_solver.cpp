@@ -1,6 +1,5 @@
 #include "engine/step/island_solver.h"
 
-#include "engine/constraints/loop_row.h"
 #include "engine/step/choice.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
-#include "engine/constraints/loop_row.h"
+#include "engine/constraints/constraint_row.h"
+
+#include "engine/bodies/body.h"
 
 namespace pushfactor::engine {
 
@@ -16,9 +18,8 @@ double mobility_along(const Body& body, const Vector6& axis) {
 
 }  // namespace
 
-void soften(const BodyPair& bodies, ConstraintRow& row) {
-    row.softness = softness_in_loops *
-                   (mobility_along(bodies.body_a, row.jacobian.a) + mobility_along(bodies.body_b, row.jacobian.b));
+void soften(const Body& a, const Body& b, ConstraintRow& row) {
+    row.softness = softness_in_loops * (mobility_along(a, row.jacobian.a) + mobility_along(b, row.jacobian.b));
 }
 
 bool is_of_loop(const ConstraintRow& row) {
