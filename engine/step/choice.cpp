@@ -7,8 +7,8 @@ namespace pushfactor::engine::choice {
 
 namespace {
 
-// Share of the bodies that are faster than their forces make them above which most of an island moves.
-constexpr double a_part = 0.25;
+// Share of the bodies that move above which an island is a heap, and no structure that stands.
+constexpr double a_part = 0.02;
 
 constexpr SmallStepDivision moving{.steps = 8, .sweeps = 1}, carrying{.steps = 16, .sweeps = 1};
 
