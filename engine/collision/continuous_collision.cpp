@@ -13,7 +13,7 @@ namespace {
 // Extra depth that a pair with rows may end the step with, as a fraction of the size: a tenth of it makes 3 more of
 // 2700 falls of thin bodies hold (tests/fuzz_scenes --thin-falls 2700) and heaps of rods and plates a sixth slower.
 constexpr double deep = 0.02;
-// The same of a pair without rows.
+// The same of a pair without rows, of which nothing holds a part off or pushes it out again in this step.
 constexpr double deep_without_rows = 0.005;
 
 // Upper bound on the path of a point of the shape [m].

@@ -5,8 +5,7 @@
 //   - It is solved directly if that costs no more than a few small steps. One that stands and has no forces yet may
 //     cost more, because once found they last.
 //   - Everything else takes small steps: few in a heap in which bodies move, because impacts change it anyway; more
-//   in
-//     a structure that stands, because what carries load is compressed by g h^2.
+//     in a structure that stands, because what carries load is compressed by g h^2.
 #pragma once
 
 #include "engine/bodies/body.h"

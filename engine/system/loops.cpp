@@ -9,8 +9,7 @@ namespace {
 // A forest that spans the graph, as it grows breadth first.
 struct Forest {
     std::vector<int> parent, edge, depth;  // by node; the edge to its parent
-    std::vector<int> root;                 // by node, the lowest of its tree
-    std::vector<char> has;                 // by node
+    std::vector<int> root;                 // by node, the lowest of its tree; -1 while it has none
 };
 
 Forest spanning(std::span<const std::pair<int, int>> edges, int nodes) {
@@ -20,11 +19,10 @@ Forest spanning(std::span<const std::pair<int, int>> edges, int nodes) {
         edges_of[at(edges[k].second)].push_back(static_cast<int>(k));
     }
     Forest forest{std::vector<int>(at(nodes), -1), std::vector<int>(at(nodes), -1), std::vector<int>(at(nodes), 0),
-                  std::vector<int>(at(nodes), -1), std::vector<char>(at(nodes), 0)};
+                  std::vector<int>(at(nodes), -1)};
     std::vector<int> found;
     for (int root = 0; root < nodes; ++root) {
-        if (forest.has[at(root)]) continue;
-        forest.has[at(root)] = 1;
+        if (forest.root[at(root)] >= 0) continue;
         forest.root[at(root)] = root;
         found.assign(1, root);
         for (std::size_t next = 0; next < found.size(); ++next) {
@@ -32,8 +30,7 @@ Forest spanning(std::span<const std::pair<int, int>> edges, int nodes) {
             for (const int k : edges_of[at(node)]) {
                 const auto [a, b] = edges[at(k)];
                 const int other = a == node ? b : a;
-                if (forest.has[at(other)]) continue;
-                forest.has[at(other)] = 1;
+                if (forest.root[at(other)] >= 0) continue;
                 forest.root[at(other)] = root;
                 forest.parent[at(other)] = node;
                 forest.edge[at(other)] = k;

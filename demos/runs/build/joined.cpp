@@ -145,12 +145,10 @@ void add_joints(BuiltScene& scene, const SceneDescription& description, const Se
 
 std::vector<int> mechanisms_of(const BuiltScene& scene) {
     if (!scene.joints) return {};
-    const auto edges = connections(scene, scene.joints->joints());
+    auto edges = connections(scene, scene.joints->joints());
+    std::erase_if(edges, [](const auto& edge) { return edge.first == 0 || edge.second == 0; });
     std::vector<int> of_bodies = engine::connected(edges, static_cast<int>(scene.world.bodies.size()) + 1);
     of_bodies.erase(of_bodies.begin());
-    for (std::size_t i = 0; i < of_bodies.size(); ++i) {
-        if (scene.world.bodies[i].is_static()) of_bodies[i] = 0;
-    }
     return of_bodies;
 }
 

@@ -19,8 +19,8 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
 void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
                 std::optional<int>& world);
 
-// By body, a number that those have in common which joints and bars connect; static bodies are one. Empty without
-// joints.
+// By body, a number that movable ones have in common which joints and bars connect, but not through static ones:
+// what lies on the ground must not sink. Empty without joints.
 std::vector<int> mechanisms_of(const BuiltScene& scene);
 
 // Contacts with their friction, restitution, and pairs that they leave out.
