@@ -110,15 +110,21 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         return count;
     }
     solvers::SolveCount count;
+    const bool loops = has_loops(system, island);
+    if (loops) shift_targets(island, lambda, 1.0, system);  // the last forces were found with targets like these
     outcome.residuals = measure(system, island, lambda, forces, bench);
     if (!choice::will_do(larger(outcome.residuals), usual, bodies, island)) {
+        if (loops) {
+            shift_targets(island, lambda, -1.0, system);
+            outcome.residuals = measure(system, island, lambda, forces, bench);
+        }
         solvers::Termination own = usual;
         if (divides) own.iterations = 0;
         if (divides) own.will_do = choice::good_residual(system.dt, bodies, island);
         own.worth = choice::worth_of(system.dt, bodies, island, larger(outcome.residuals),
                                      has_forces(island, lambda), divides);
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
-        if (outcome.method == Method::exact && has_loops(system, island))
+        if (outcome.method == Method::exact && loops)
             lessen(bench, own, system, island, lambda, forces, outcome, count);
     }
     note(island, outcome);
@@ -126,24 +132,26 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     return count;
 }
 
-// Where rows close a loop, no force reaches a part of their targets, and forces y for it move nothing. It is what
-// their softness s gives way to: with targets t - s y the forces are (A + S)^-1 A (A + S)^-1 b, without that part.
+// Where rows close a loop, no force reaches a part of their targets t, and forces for it move nothing: they are what
+// the softness s gives way to. With targets t - s y of the first forces y, that part is left out, but what carries
+// load gives way twice as much; with t - s y + 2 s z of the second forces z it gives way by 3 (s / A)^2 only.
 void IslandSolver::lessen(Bench& bench, const solvers::Termination& termination, SystemEquation& system,
                           const Island& island, Columns& lambda, ConstraintForces& forces, Outcome& outcome,
                           solvers::SolveCount& count) {
-    save(island, lambda, bench);
-    shift_targets(island, lambda, -1.0, system);
-    const solvers::SolveCount again = bench.solver->solve(system, island, termination, lambda);
-    count.iterations += again.iterations;
-    count.multiply_adds += again.multiply_adds;
-    if (again.exact) {
-        outcome.residuals = measure(system, island, lambda, forces, bench);
-        return;
+    for (const double share : {-1.0, 2.0}) {
+        save(island, lambda, bench);
+        shift_targets(island, lambda, share, system);
+        const solvers::SolveCount again = bench.solver->solve(system, island, termination, lambda);
+        count.iterations += again.iterations;
+        count.multiply_adds += again.multiply_adds;
+        if (again.exact) continue;
+        std::size_t number = 0;
+        each_force(island, [&](Eigen::Index j, Eigen::Index column) { lambda(j, column) = bench.saved[number++]; });
+        copy_to_last(island, lambda);
+        shift_targets(island, lambda, -share, system);
+        break;
     }
-    std::size_t number = 0;
-    each_force(island, [&](Eigen::Index j, Eigen::Index column) { lambda(j, column) = bench.saved[number++]; });
-    copy_to_last(island, lambda);
-    shift_targets(island, lambda, 1.0, system);
+    outcome.residuals = measure(system, island, lambda, forces, bench);
 }
 
 // The residual left by small steps is not compared with a tolerance: the next small step reduces it.

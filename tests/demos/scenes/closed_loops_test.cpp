@@ -202,6 +202,40 @@ TEST_CASE("wheels that touch their cart do not jam it, however hard a load hits 
     }
 }
 
+TEST_CASE("an arm that lies on its own frame rests there, not in it") {
+    for (const double mass : {1.0, 100.0}) {
+        SceneDescription scene;
+        scene.contacts = true;
+        scene.gravity = {0, -9.81, 0};
+        const auto box = [&](const char* name, const Vector3& size, double of, const Vector3& position) {
+            scene.bodies.push_back(
+                {.name = name, .shape = BoxShape{size}, .mass = of, .position = position, .friction = 0.5});
+        };
+        scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
+        box("base", {3, 0.1, 0.5}, 5, {0, 0.05, 0});
+        box("post", {0.1, 0.5, 0.5}, 1, {-1, 0.35, 0});
+        box("stand", {0.1, 0.45, 0.5}, 1, {1, 0.325, 0});
+        box("arm", {2.3, 0.1, 0.4}, mass, {0.1, 0.6, 0});
+        const HingeDescription free{.axis = Vector3::UnitZ()};
+        HingeDescription weld = free;
+        weld.limits = engine::AngleLimits{0.0, 0.0};
+        const auto join = [&](const char* a, const Vector3& at_a, const char* b, const Vector3& at_b,
+                              const HingeDescription& how) {
+            scene.joints.push_back(
+                {.a = {.body = a, .point = at_a}, .b = {.body = b, .point = at_b}, .hinge = how});
+        };
+        join("base", {-1, 0.05, 0}, "post", {0, -0.25, 0}, weld);
+        join("base", {1, 0.05, 0}, "stand", {0, -0.225, 0}, weld);
+        join("post", {0, 0.25, 0}, "arm", {-1.1, 0, 0}, free);
+        const Settings settings = preset_settings("default");
+        tests::Run run(Simulation(build_scene(scene, settings), settings));
+        run.advance(5.0);
+        INFO("arm of " << mass << " kg");
+        CHECK(run.measurements.max_penetration() < 1e-5);
+        CHECK(engine::kinetic_energy(run.simulation.scene().world.bodies) < 1e-10);
+    }
+}
+
 TEST_CASE("joints of a ring that turns freely have the least forces that hold it together") {
     tests::Random random(6);
     for (int trial = 0; trial < 8; ++trial) {
