@@ -237,11 +237,10 @@ void World::prepare(double dt) {
 
 void World::kick_back_half(double dt) {
     prepare(dt);
-    const ConstraintForces& solved = step_solver_.forces();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Body& body = bodies[i];
         if (body.is_static()) continue;
-        const Vector6& f_c = step_solver_.has_lasting_force(i) ? solved.lasting[i] : solved.moving[i];
+        const Vector6& f_c = step_solver_.lasting_force(i);
         body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c.head<3>(), -0.5 * dt);
         body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c.tail<3>(), -0.5 * dt);
     }
@@ -329,7 +328,7 @@ void World::settle(double dt) {
         }
     }
     if (turns_unseen_.size() != bodies.size()) find_what_turns_unseen();
-    rest->end_step(bodies, turns_unseen_, system_, islands(), lambda(), dt);
+    rest->end_step(bodies, turns_unseen_, system_, step_solver_, dt);
 }
 
 StepCount World::count(const SolveWork& work) const {

@@ -12,6 +12,9 @@ namespace pushfactor::demos {
 // Option names without dashes, and their texts as on the command line.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
+// The options with `--rest off` where they say nothing else: figures and reports measure how things stand.
+OptionTexts awake(OptionTexts options);
+
 // A run of a scene of the catalogue, of a file in assets/scenes, or of the file "PATH.json".
 Choices run_of(const std::string& scene, const OptionTexts& options);
 

@@ -34,6 +34,7 @@ Settings paper() {
 Settings recommended() {
     Settings settings;
     settings.preset = "default";
+    settings.rest = true;
     return settings;
 }
 
@@ -55,7 +56,8 @@ Settings exact() {
 
 std::span<const Preset> presets() {
     static constexpr std::array table{
-        Preset{"default", "single-frame push, contact caching, slop and margin, solver auto with two tolerances",
+        Preset{"default",
+               "single-frame push, contact caching, slop and margin, solver auto with two tolerances, rest",
                recommended},
         Preset{"exact", "every step solved to rounding, beta 1, no slop", exact},
         Preset{"paper", "the original method: persistent push, 25 iterations from zero, no caching", paper},

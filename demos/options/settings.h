@@ -59,7 +59,7 @@ struct Settings {
     Rotation rotation = Rotation::splitting;
 
     int threads = 0;    // per step, with bit-identical results; 0: all hardware threads
-    bool rest = false;  // sleeping islands are skipped (engine/step/rest.h)
+    bool rest = false;  // sleeping islands are skipped (engine/step/rest.h); never in RATTLE steps
 };
 
 struct Preset {

@@ -268,7 +268,8 @@ const std::array simulation_table{
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
     SimulationOption{
         "rest", "on|off",
-        "sleeping: skip islands that have not moved for half a second until something wakes them [off]",
+        "sleeping: skip what stands in equilibrium for half a second until something wakes it; not in RATTLE "
+        "steps",
         "on or off", [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
         [](const Settings& s) { return name_of(s.rest, switch_names); }},
 };
@@ -280,8 +281,7 @@ std::string scheme_name(const Settings& settings) {
 }
 
 bool is_of_preset(std::string_view option) {
-    static constexpr std::array<std::string_view, 6> of_run{"seconds",     "dt",      "friction",
-                                                            "restitution", "threads", "rest"};
+    static constexpr std::array<std::string_view, 5> of_run{"seconds", "dt", "friction", "restitution", "threads"};
     if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
     return std::any_of(simulation_table.begin(), simulation_table.end(),
                        [&](const auto& known) { return known.name == option; });

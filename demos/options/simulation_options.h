@@ -22,7 +22,7 @@ struct SimulationOption {
 // In display order, without `preset`, which the others start from.
 std::span<const SimulationOption> simulation_options();
 
-// Whether presets set this option: options of the method, not duration, step, material, threads or rest.
+// Whether presets set this option: options of the method, not duration, step, material or threads.
 bool is_of_preset(std::string_view option);
 
 // Text of the option `scheme`.

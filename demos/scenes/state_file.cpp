@@ -154,9 +154,11 @@ std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescrip
         entry.require_object(place_keys);
         const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
         const BodyDescription& body = scene.bodies[index];
-        const bool wide = entry.has("wide") && entry.at("wide").boolean();
-        Rest::Stay& stay = memory[index].stays[wide ? 1 : 0];
-        stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
+        const bool wide = entry.has("wide") && entry.at("wide").boolean();  // of earlier versions, not used
+        Rest::Memory unused;
+        Rest::Memory& stay = wide ? unused : memory[index];
+        stay.position = body.position;
+        stay.orientation = body.orientation;
         if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
         if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
         if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
@@ -241,16 +243,17 @@ Json places_json(const RunState& state, const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.bodies.size() && i < state.rest.size(); ++i) {
         const BodyDescription& body = scene.bodies[i];
         if (!body.mass) continue;
-        for (const Rest::Stay& stay : state.rest[i].stays) {
-            const engine::Quaternion& q = stay.orientation;
-            Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
-            if (&stay != &state.rest[i].stays.front()) place["wide"] = true;
-            if (stay.position != body.position) place["position_m"] = to_json(stay.position);
-            if (q.coeffs() != body.orientation.coeffs()) {
-                place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
-            }
-            if (!stay.spin.isZero(0.0)) place["angular_momentum_kg_m2_per_s"] = to_json(stay.spin);
+        const Rest::Memory& stay = state.rest[i];
+        const engine::Quaternion& q = stay.orientation;
+        const bool is_noted = stay.still > 0.0 || !stay.position.isZero(0.0) || !stay.spin.isZero(0.0) ||
+                              q.coeffs() != engine::Quaternion::Identity().coeffs();
+        if (!is_noted) continue;  // not yet
+        Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
+        if (stay.position != body.position) place["position_m"] = to_json(stay.position);
+        if (q.coeffs() != body.orientation.coeffs()) {
+            place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
         }
+        if (!stay.spin.isZero(0.0)) place["angular_momentum_kg_m2_per_s"] = to_json(stay.spin);
     }
     return json;
 }

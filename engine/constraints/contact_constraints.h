@@ -39,6 +39,13 @@ struct ContactSite {
     bool swept = false;  // found by continuous collision: the rows act where the bodies meet within the step
 };
 
+// A contact point between bodies that rest, with the force that it had when they came to rest.
+struct RestingContact {
+    ContactSite site;                 // without rows
+    double normal = 0.0;              // N
+    Vector3 force = Vector3::Zero();  // N, with friction, on b
+};
+
 class ContactConstraints : public ConstraintSource {
   public:
     ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices);
@@ -81,6 +88,7 @@ class ContactConstraints : public ConstraintSource {
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;
+    std::vector<RestingContact> sites_at_rest(std::span<const Body> bodies) const;
 
     // For impacts within the step (impacts.h), after append_rows().
     std::span<const collision::Touch> touches() const { return touches_; }

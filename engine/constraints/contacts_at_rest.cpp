@@ -85,6 +85,27 @@ SomeBodies ContactConstraints::met_by_moved(const StepStart& step) const {
     return met;
 }
 
+// Their points are remembered with the forces; the normal is that of the places where they rest.
+std::vector<RestingContact> ContactConstraints::sites_at_rest(std::span<const Body> bodies) const {
+    std::vector<RestingContact> found;
+    const collision::StepScene scene{colliders_, bodies, detector_.poses(), choices_.detection};
+    for (const ContactCache::Entry& entry : at_rest_.entries()) {
+        collision::Manifold manifold;
+        collision::Touch touch;
+        if (!collision::find_touch(entry.pair, scene, manifold, touch)) continue;
+        for (const ContactCache::Point& point : at_rest_.of(entry)) {
+            const double normal = point.force.normal.last;
+            found.push_back({.site = {.body_a = touch.body_a,
+                                      .body_b = touch.body_b,
+                                      .position = point.position,
+                                      .normal = touch.normal},
+                             .normal = normal,
+                             .force = touch.normal * normal + point.force.friction_last});
+        }
+    }
+    return found;
+}
+
 void ContactConstraints::all_forces(ContactCache& into) const {
     into = cache_ ? *cache_ : ContactCache{};
     if (at_rest_.entries().empty()) return;

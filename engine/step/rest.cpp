@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pushfactor::engine {
@@ -19,34 +20,31 @@ struct Sizes {
     double small, large;
 };
 
-// Whether the body is within `bound` of its size of the place.
-bool is_near(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
-    const double limit = bound * sizes.small;
+// Whether the body is within the bound of the place.
+bool is_near(const Body& body, const Sizes& sizes, const Rest::Memory& place) {
+    const double limit = Rest::bound * sizes.small;
     return (body.position - place.position).squaredNorm() <= limit * limit;
 }
 
 // Whether it has turned by no more than that.
-bool is_turned_alike(const Body& body, const Sizes& sizes, double bound, const Rest::Stay& place) {
-    const double limit = bound * sizes.small;
+bool is_turned_alike(const Body& body, const Sizes& sizes, const Rest::Memory& place) {
+    const double limit = Rest::bound * sizes.small;
     // |q - q'| of unit quaternions is half of a small angle between them.
     const double apart = std::min((body.orientation.coeffs() - place.orientation.coeffs()).squaredNorm(),
                                   (body.orientation.coeffs() + place.orientation.coeffs()).squaredNorm());
     return 4.0 * sizes.large * sizes.large * apart <= limit * limit;
 }
 
-// Whether its spin has changed so little that over the span the additional turn stays within the bound.
-bool spins_alike(const Body& body, const Rest::Span& span, const Rest::Stay& place) {
+// Whether its spin has changed so little that in the time the additional turn stays within the bound.
+bool spins_alike(const Body& body, const Rest::Memory& place) {
     const double change = (body.angular_momentum - place.spin).norm() * body.inverse_inertia.maxCoeff();
-    return change * span.time <= span.bound;
+    return change * Rest::time <= Rest::bound;
 }
 
-// Whether it has turned by at most this angle [rad].
-bool is_turned_within(const Body& body, double angle, const Rest::Stay& place) {
-    return std::abs(body.orientation.dot(place.orientation)) >= std::cos(0.5 * angle);
-}
-
-void forget_stays(Rest::Memory& memory) {
-    for (Rest::Stay& stay : memory.stays) stay.still = 0.0;
+bool is_in_equilibrium(const Body& body, const Vector6& force_of_rows) {
+    const double limit = Rest::share_of_weight * body.force.norm();
+    return (body.force + force_of_rows.head<3>()).norm() <= limit &&
+           (body.torque + force_of_rows.tail<3>()).norm() <= limit * Sizes(body).large;
 }
 
 bool has_force(const Columns& lambda, std::size_t row) {
@@ -56,13 +54,7 @@ bool has_force(const Columns& lambda, std::size_t row) {
 }  // namespace
 
 bool Rest::is_still(int body) const {
-    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) { return is_still(body, span); });
-}
-
-bool Rest::is_still(int body, const Span& span) const {
-    if (at(body) >= memory_.size()) return false;
-    const auto number = static_cast<std::size_t>(&span - spans.data());
-    return memory_[at(body)].stays[number].still >= span.time;
+    return at(body) < memory_.size() && memory_[at(body)].still >= time;
 }
 
 Awake Rest::awake(std::size_t bodies) const {
@@ -83,15 +75,20 @@ void Rest::list_turning(std::span<const Body> bodies) {
     }
 }
 
+void Rest::join_group(int body, int leader) {
+    memory_[at(body)].group = leader;
+    if (body != leader) next_[at(body)] = std::exchange(next_[at(leader)], body);
+    ++count_;
+    changed_ = true;
+}
+
 void Rest::wake(int body) {
     if (at(body) >= memory_.size()) return;
-    const int group = memory_[at(body)].group;
-    forget_stays(memory_[at(body)]);
-    if (group < 0) return;
-    for (Memory& memory : memory_) {
-        if (memory.group != group) continue;
-        memory.group = -1;
-        forget_stays(memory);
+    memory_[at(body)].still = 0.0;
+    if (memory_[at(body)].group < 0) return;
+    for (int next = body; memory_[at(next)].group >= 0; next = std::exchange(next_[at(next)], next)) {
+        memory_[at(next)].group = -1;
+        memory_[at(next)].still = 0.0;
         --count_;
     }
     std::erase_if(turning_, [this](int other) { return !is_at_rest(other); });
@@ -99,13 +96,7 @@ void Rest::wake(int body) {
 }
 
 void Rest::wake_all() {
-    for (Memory& memory : memory_) {
-        memory.group = -1;
-        forget_stays(memory);
-    }
-    count_ = 0;
-    turning_.clear();
-    changed_ = true;
+    for (std::size_t body = 0; body < memory_.size(); ++body) wake(static_cast<int>(body));
 }
 
 bool Rest::wake_pushed(const SystemEquation& system, const Columns& lambda) {
@@ -123,15 +114,15 @@ bool Rest::wake_pushed(const SystemEquation& system, const Columns& lambda) {
 }
 
 void Rest::end_step(std::span<Body> bodies, std::span<const char> turns_unseen, const SystemEquation& system,
-                    const Islands& islands, const Columns& lambda, double dt) {
-    memory_.resize(bodies.size());
+                    const StepSolver& solved, double dt) {
+    if (memory_.empty()) set_memory(std::vector<Memory>(bodies.size()), bodies);
     note_places(bodies, turns_unseen, system.awake, dt);
     const int before = count_;
-    for (const Island& island : islands.all()) {
+    for (const Island& island : solved.islands().all()) {
         const bool any_still =
             std::any_of(island.bodies.begin(), island.bodies.end(), [this](int body) { return is_still(body); });
         if (!any_still) continue;
-        find_groups(bodies, system, island, lambda);
+        find_groups(bodies, system, solved, island);
         bring_to_rest(bodies, island);
     }
     if (count_ != before) list_turning(bodies);
@@ -144,31 +135,18 @@ void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns
         const Body& body = bodies[at(index)];
         if (!(body.inverse_inertia.minCoeff() > 0.0)) continue;
         const Sizes sizes(body);
-        const bool unseen = turns_unseen[at(index)];
-        for (std::size_t k = 0; k < spans.size(); ++k) {
-            Stay& stay = memory_[at(index)].stays[k];
-            const bool spins_on = unseen && spins_alike(body, spans[k], stay);
-            const bool is_alike = spins_on || is_turned_alike(body, sizes, spans[k].bound, stay) ||
-                                  (unseen && is_turned_within(body, spans[k].unseen_turn, stay));
-            if (is_alike && is_near(body, sizes, spans[k].bound, stay)) {
-                stay.still += dt;
-                if (!spins_on) stay.spin.setZero();
-            } else {
-                stay = {.still = 0.0, .position = body.position, .orientation = body.orientation};
-                if (unseen) stay.spin = body.angular_momentum;
-            }
+        Memory& memory = memory_[at(index)];
+        const bool spins_on = turns_unseen[at(index)] && spins_alike(body, memory);
+        if ((spins_on || is_turned_alike(body, sizes, memory)) && is_near(body, sizes, memory)) {
+            memory.still += dt;
+            if (!spins_on) memory.spin.setZero();
+        } else {
+            memory.still = 0.0;
+            memory.position = body.position;
+            memory.orientation = body.orientation;
+            memory.spin = turns_unseen[at(index)] ? body.angular_momentum : Vector3::Zero();
         }
     }
-}
-
-// Whether it was still in position only, with a constant spin of its own. A rocking body has none.
-bool Rest::turns_on(const Body& body, const Memory& memory) const {
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-        if (memory.stays[k].still < spans[k].time) continue;
-        const bool spins_on = !memory.stays[k].spin.isZero(0.0);
-        if (!spins_on || is_turned_alike(body, Sizes(body), spans[k].bound, memory.stays[k])) return false;
-    }
-    return true;
 }
 
 int Rest::root_of(int number) {
@@ -178,8 +156,8 @@ int Rest::root_of(int number) {
     return number;
 }
 
-void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& system, const Island& island,
-                       const Columns& lambda) {
+void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& system, const StepSolver& solved,
+                       const Island& island) {
     groups_.clear();
     for (int k = 0; k < island.movable(); ++k) groups_.push_back({.parent = k});
     const auto join = [this](int a, int b) {
@@ -190,7 +168,9 @@ void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& syste
         groups_[at(high)].parent = low;
     };
     for (int k = 0; k < island.movable(); ++k) {
-        if (!is_still(island.bodies[at(k)])) groups_[at(k)].may_rest = false;
+        const int body = island.bodies[at(k)];
+        groups_[at(k)].may_rest =
+            is_still(body) && is_in_equilibrium(bodies[at(body)], solved.lasting_force(at(body)));
     }
     for (const RowRun& run : island.runs) {
         // A running belt or motor or a moved body does not move what is held on it now, but may take it along
@@ -199,17 +179,12 @@ void Rest::find_groups(std::span<const Body> bodies, const SystemEquation& syste
         const bool runs_along =
             bodies[at(rows.front().body_a)].is_moved() || bodies[at(rows.front().body_b)].is_moved() ||
             std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) { return row.has(RowDigest::drives); });
-        // What hangs may swing by little for ever.
-        const bool hangs = std::any_of(rows.begin(), rows.end(), [](const RowDigest& row) {
-            return row.kind != RowKind::contact && row.kind != RowKind::friction;
-        });
         bool any_force = false;
-        for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(lambda, at(j));
+        for (int j = run.begin; j < run.end && !any_force; ++j) any_force = has_force(solved.lambda(), at(j));
         for (const auto& [number, other] : {std::pair{run.a, run.b}, std::pair{run.b, run.a}}) {
             if (number >= island.movable()) continue;
             Group& group = groups_[at(root_of(number))];
-            if (runs_along || (hangs && !is_still(island.bodies[at(number)], spans.front())))
-                group.may_rest = false;
+            if (runs_along) group.may_rest = false;
             if (!any_force) continue;
             if (other < island.movable()) {
                 join(number, other);
@@ -229,17 +204,21 @@ void Rest::bring_to_rest(std::span<Body> bodies, const Island& island) {
         const int index = island.bodies[at(k)];
         Body& body = bodies[at(index)];
         body.linear_momentum.setZero();
-        if (!turns_on(body, memory_[at(index)])) body.angular_momentum.setZero();
-        memory_[at(index)].group = island.bodies[at(root)];
-        ++count_;
-        changed_ = true;
+        const Memory& memory = memory_[at(index)];
+        if (memory.spin.isZero(0.0) || is_turned_alike(body, Sizes(body), memory)) body.angular_momentum.setZero();
+        join_group(index, island.bodies[at(root)]);
     }
 }
 
 void Rest::set_memory(std::span<const Memory> memory, std::span<const Body> bodies) {
     memory_.assign(memory.begin(), memory.end());
-    count_ = static_cast<int>(
-        std::count_if(memory_.begin(), memory_.end(), [](const Memory& own) { return own.group >= 0; }));
+    memory_.resize(bodies.size());
+    next_.resize(bodies.size());
+    std::iota(next_.begin(), next_.end(), 0);
+    count_ = 0;
+    for (int body = 0; at(body) < memory_.size(); ++body) {
+        if (memory_[at(body)].group >= 0) join_group(body, memory_[at(body)].group);
+    }
     list_turning(bodies);
     changed_ = true;
 }

@@ -3,16 +3,13 @@
 // out.
 //
 // "Not moved" refers to positions, not velocities: the single-frame push (8.1) separates overlaps without any
-// velocity. Two time spans are checked, so that a body that has begun to slide, roll or tip is not stopped: in 0.5
-// s it may move by 1e-5 of its size, which corresponds to an acceleration of 8 bound / time^2 = 3e-4 m/s^2 per
-// metre; in 8 s by 2 % of it (2.5e-3 m/s^2), for balls that rock in a hollow of a standing heap, which never ends
-// because nothing brakes rolling. Bars, joints and springs let bodies swing by as little: what hangs on one has to
-// be still for the short span. Bodies that nothing static holds never rest.
+// velocity. In 0.5 s a body may move by 1e-5 of its size. That alone would stop what is about to turn back, begins
+// to slide or tips slowly; so each body of the group also has to be in equilibrium, with a net force below 1e-6 of
+// its weight. Bodies that nothing static holds never rest.
 //
 // A ball that turns in place moves nothing either, e.g. one pinched between two others, whose turn about the line
 // through both contacts is not braked: while its spin is constant it counts as still, and it goes on turning while
-// it and everything around it rest. It keeps its angular momentum. One that turns to and fro in place, pinched
-// slightly off its middle, counts as still in the long span.
+// it and everything around it rest. It keeps its angular momentum.
 //
 // Rows without any force do not connect bodies here: a body that rolls by within the margin neither keeps others
 // awake nor wakes them. So groups of bodies that push each other come to rest, which are parts of islands.
@@ -26,10 +23,9 @@
 
 #include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
-#include "engine/system/islands.h"
+#include "engine/step/step_solver.h"
 #include "engine/system/system_equation.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -37,31 +33,25 @@ namespace pushfactor::engine {
 
 class Rest {
   public:
-    struct Span {
-        double time;         // s
-        double bound;        // of the size of a body
-        double unseen_turn;  // rad, for bodies that turn unseen; below half a turn, so that none goes around
-    };
-    static constexpr std::array<Span, 2> spans{{{0.5, 1e-5, 0.0}, {8.0, 2e-2, 2.5}}};
+    static constexpr double time = 0.5;    // s, for which a body has to be still
+    static constexpr double bound = 1e-5;  // of the size of a body, by which it may move in that time
+    static constexpr double share_of_weight =
+        1e-6;  // that the net force on it may be, and its moment over its size
 
-    // Where a body has been within the bound of a span, and for how long.
-    struct Stay {
-        double still = 0.0;                  // s
+    // State per body that is carried to the next step.
+    struct Memory {
+        int group = -1;      // at rest: number shared by bodies that came to rest together; negative otherwise
+        double still = 0.0;  // s, for which it has been within the bound of this place
         Vector3 position = Vector3::Zero();  // m
         Quaternion orientation = Quaternion::Identity();
         Vector3 spin = Vector3::Zero();  // kg m^2/s, angular momentum kept by a body whose turning no row sees
-    };
-    // State per body that is carried to the next step.
-    struct Memory {
-        int group = -1;  // at rest: number shared by bodies that came to rest together; negative otherwise
-        std::array<Stay, spans.size()> stays{};
     };
 
     bool is_at_rest(int body) const {
         return static_cast<std::size_t>(body) < memory_.size() &&
                memory_[static_cast<std::size_t>(body)].group >= 0;
     }
-    // Whether the body has been still for at least one of the spans.
+    // Whether the body has been still for long enough.
     bool is_still(int body) const;
     int count() const { return count_; }  // bodies at rest
     // All other bodies, out of `bodies` in the world.
@@ -83,7 +73,7 @@ class Rest {
     // brings groups to rest that have been still for long enough and are held by something static other than a
     // running belt or a moved body. `turns_unseen`, by body: no row depends on its orientation.
     void end_step(std::span<Body> bodies, std::span<const char> turns_unseen, const SystemEquation& system,
-                  const Islands& islands, const Columns& lambda, double dt);
+                  const StepSolver& solved, double dt);
 
     std::span<const Memory> memory() const { return memory_; }  // by body; empty before the first step
     void set_memory(std::span<const Memory> memory, std::span<const Body> bodies);
@@ -98,15 +88,15 @@ class Rest {
 
     void note_places(std::span<const Body> bodies, std::span<const char> turns_unseen, std::span<const int> awake,
                      double dt);
-    bool is_still(int body, const Span& span) const;
-    bool turns_on(const Body& body, const Memory& memory) const;
     void list_turning(std::span<const Body> bodies);
-    void find_groups(std::span<const Body> bodies, const SystemEquation& system, const Island& island,
-                     const Columns& lambda);
+    void join_group(int body, int leader);
+    void find_groups(std::span<const Body> bodies, const SystemEquation& system, const StepSolver& solved,
+                     const Island& island);
     int root_of(int number);
     void bring_to_rest(std::span<Body> bodies, const Island& island);
 
     std::vector<Memory> memory_;
+    std::vector<int> next_;      // by body: the next one of its group, around; itself if it is awake
     std::vector<Group> groups_;  // of the current island
     std::vector<int> turning_;
     int count_ = 0;

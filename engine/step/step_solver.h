@@ -65,6 +65,11 @@ class StepSolver {
         return of_body.columns == 2 || outcome_of(of_body).method == IslandSolver::Method::in_small_steps;
     }
 
+    // What sets the momenta of a body.
+    const Vector6& lasting_force(std::size_t body) const {
+        return (has_lasting_force(body) ? forces_.lasting : forces_.moving)[body];
+    }
+
     // How an island was solved.
     const IslandSolver::Outcome& outcome_of(const Island& island) const {
         return island_solver_.outcome_of(island);

@@ -3,6 +3,7 @@
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/named/view.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ const SceneEntry entry{"dominoes", "The first of a row of dominoes tips over and
 Simulation simulation_of(const SceneEntry& scene, const char* tip) {
     ParameterValues values(scene.parameters);
     REQUIRE(values.set(scene.parameters[1], tip));
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     return Simulation(build_scene(scene.describe(values), settings), settings);
 }
 

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <optional>
 #include <span>
-#include <thread>
 
 namespace pushfactor::tests {
 
@@ -22,24 +19,6 @@ std::vector<const Family*> wanted_families(const std::string& only) {
     }
     return wanted;
 }
-
-// The members of a request by number.
-class Members {
-  public:
-    explicit Members(const FamilyRequest& request) : request_(request), families_(wanted_families(request.only)) {}
-
-    demos::families::Member operator()(long i) const {
-        const auto count = static_cast<long>(families_.size());
-        return draw_member(*families_[static_cast<std::size_t>(i % count)],
-                           {.seed = request_.first_seed + static_cast<int>(i / count),
-                            .small = request_.small,
-                            .most_bodies = request_.most_bodies});
-    }
-
-  private:
-    const FamilyRequest& request_;
-    std::vector<const Family*> families_;
-};
 
 struct Line {
     long members = 0, hold = 0;
@@ -76,31 +55,24 @@ struct Line {
 
 }  // namespace
 
-std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on) {
-    const Members members(request);
-    std::vector<std::optional<JudgedMember>> found(static_cast<std::size_t>(request.members));
-    std::atomic<long> next = 0, done = 0;
-    std::atomic<bool> stopped = false;
-    {
-        std::vector<std::jthread> workers;
-        for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k) {
-            workers.emplace_back([&] {
-                for (long i = next++; i < request.members && !stopped; i = next++) {
-                    JudgedMember judged{.member = members(i), .judgement = {}};
-                    judged.judgement = judge_member(judged.member, request.preset);
-                    found[static_cast<std::size_t>(i)] = std::move(judged);
-                    ++done;
-                }
-            });
-        }
-        while (done < request.members && go_on(done)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        stopped = true;
-    }
-    std::vector<JudgedMember> all;
-    for (std::optional<JudgedMember>& judged : found) {
-        if (judged) all.push_back(std::move(*judged));
-    }
-    return all;
+demos::families::Member member_of(const FamilyRequest& request, long number) {
+    const std::vector<const Family*> families = wanted_families(request.only);
+    const auto count = static_cast<long>(families.size());
+    return draw_member(*families[static_cast<std::size_t>(number % count)],
+                       {.seed = request.first_seed + static_cast<int>(number / count),
+                        .small = request.small,
+                        .most_bodies = request.most_bodies});
+}
+
+std::vector<JudgedMember> judge_members(const FamilyRequest& request, const GoOn& go_on) {
+    return results_of<JudgedMember>(
+        request.members,
+        [&](long i) {
+            JudgedMember judged{.member = member_of(request, i), .judgement = {}};
+            judged.judgement = judge_member(judged.member, request.preset);
+            return judged;
+        },
+        go_on);
 }
 
 std::vector<std::vector<std::string>> family_lines(const std::vector<JudgedMember>& judged) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/fuzz/structures.h"
+#include "tests/fuzz/workers.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,9 +23,11 @@ struct JudgedMember {
     Judgement judgement;
 };
 
-// In the order in which they are drawn. `go_on` is called now and then in the calling thread, with the number of
-// members judged so far; when it returns false, the running ones are finished and returned.
-std::vector<JudgedMember> judge_members(const FamilyRequest& request, const std::function<bool(long)>& go_on);
+// The member of this number, from 0.
+demos::families::Member member_of(const FamilyRequest& request, long number);
+
+// In the order in which they are drawn.
+std::vector<JudgedMember> judge_members(const FamilyRequest& request, const GoOn& go_on);
 
 // One line per family: members, how many hold, the worst of each property, which fail how often. The first is the
 // header, the last is that of all families.

@@ -1,5 +1,6 @@
-// Judges random scenes, members of the families, pairs that pass or touch, falls of thin bodies, or given scene
-// files. Exit status: 0 all hold, 1 interrupted, 2 wrong usage, 3 some fail, 4 a failure could not be written.
+// Judges random scenes, members of the families, what sleeps in them, pairs that pass or touch, falls of thin
+// bodies, or given scene files. Exit status: 0 all hold, 1 interrupted, 2 wrong usage, 3 some fail, 4 a failure
+// could not be written.
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/scenes/scene_file.h"
@@ -8,6 +9,7 @@
 #include "tests/fuzz/family_campaign.h"
 #include "tests/fuzz/family_page.h"
 #include "tests/fuzz/meeting_campaign.h"
+#include "tests/fuzz/sleepers.h"
 #include "tests/fuzz/thin_falls.h"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +29,7 @@ struct OptionTexts {
     std::vector<std::filesystem::path> files;
     FamilyRequest families;
     bool page = false;
-    long meetings = 0, thin_falls = 0;
+    long meetings = 0, thin_falls = 0, sleepers = 0;
 };
 
 void report(const Failure& failure, const std::filesystem::path& folder) {
@@ -161,6 +163,27 @@ int fuzz_thin_falls(const OptionTexts& options) {
     return static_cast<long>(judged.size()) < options.thin_falls ? demos::run_failed : demos::done;
 }
 
+int fuzz_sleepers(const OptionTexts& options) {
+    FamilyRequest request = options.families;
+    request.members = options.sleepers;
+    demos::note_interrupts();
+    demos::ProgressBar bar("members", request.members);
+    const std::vector<JudgedSleepers> judged = judge_sleepers(request, [&](long done) {
+        bar.show(done);
+        return !is_interrupted();
+    });
+    bool all_hold = true;
+    for (const JudgedSleepers& one : judged) {
+        if (one.holds()) continue;
+        all_hold = false;
+        fmt::print("pushfactor family {} --seed {}: moves by {:.2g} of a size {}\n", one.family->name, one.seed,
+                   one.drift, one.error);
+    }
+    fmt::print("{}", sleepers_table(judged));
+    if (!all_hold) return demos::check_failed;
+    return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
+}
+
 bool holds(const std::filesystem::path& file) {
     const Verdict verdict = judge(demos::read_scene_file(file));
     const std::string text =
@@ -174,6 +197,7 @@ bool holds(const std::filesystem::path& file) {
 int run(const OptionTexts& options) {
     try {
         if (options.families.members > 0) return judge_families(options);
+        if (options.sleepers > 0) return fuzz_sleepers(options);
         if (options.meetings > 0) return fuzz_meetings(options);
         if (options.thin_falls > 0) return fuzz_thin_falls(options);
         if (options.files.empty()) return fuzz(options);
@@ -210,6 +234,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1L, 1'000'000'000L));
     app.add_option("--thin-falls", options.thin_falls,
                    "judge this number of falls of rods, plates and coins instead")
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--sleepers", options.sleepers,
+                   "judge what sleeps in this number of members of the families instead")
         ->check(CLI::Range(1L, 1'000'000'000L));
     app.add_option("--preset", families.preset, "preset of the runs of members, pairs and falls")
         ->check(CLI::IsMember({"default", "exact", "paper"}))

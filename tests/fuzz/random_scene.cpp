@@ -44,7 +44,7 @@ const std::array option_choices{
     OptionChoices{"start-kick", {"", "", "on", "off"}},
     OptionChoices{"rotation", {"", "paper", "exponential", "splitting"}},
     OptionChoices{"substeps", {"", "", "", "2", "3"}},
-    OptionChoices{"rest", {"", "", "on"}},
+    OptionChoices{"rest", {"", "off", "on"}},
 };
 
 class Generator {

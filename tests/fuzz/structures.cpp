@@ -157,6 +157,7 @@ bool Judgement::holds() const {
 demos::SceneDescription as_judged(const Member& member, const std::string& preset) {
     demos::SceneDescription scene = member.prospect.scene;
     scene.options["preset"] = preset;
+    scene.options["rest"] = "off";  // what stands has to, awake
     return scene;
 }
 

@@ -102,10 +102,11 @@ Run run_program(const Program& program, const std::string& arguments, std::size_
                 bool whole_steps) {
     const std::string trajectory = program.folder + "/trajectory.csv";
     const std::string steps_file = program.folder + "/steps.csv";
-    const int status =
-        call(program, fmt::format("run {} --seconds {} --timing --trajectory '{}' --csv '{}' --summary '{}' 2>'{}'",
-                                  arguments, steps / 60, trajectory, steps_file, program.folder + "/summary.json",
-                                  program.folder + "/warnings.txt"));
+    const int status = call(
+        program,
+        fmt::format("run {} --rest off --seconds {} --timing --trajectory '{}' --csv '{}' --summary '{}' 2>'{}'",
+                    arguments, steps / 60, trajectory, steps_file, program.folder + "/summary.json",
+                    program.folder + "/warnings.txt"));
     constexpr int non_finite = 5;
     if (status != 0 && status != non_finite)
         throw std::runtime_error(

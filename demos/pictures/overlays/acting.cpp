@@ -45,23 +45,47 @@ void add_contacts(const BuiltScene& scene, std::vector<Acting>& found) {
                          .correcting = row.push.correcting * outwards,
                          .lasting = row.push.lasting * outwards});
     }
+    for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies)) {
+        const double side = drawn_on(contact.site, scene.world);
+        found.push_back({.kind = contact.normal > 0.0 ? Acting::Kind::touching : Acting::Kind::within_margin,
+                         .body = side > 0.0 ? contact.site.body_b : contact.site.body_a,
+                         .other = side > 0.0 ? contact.site.body_a : contact.site.body_b,
+                         .place = contact.site.position,
+                         .force = side * contact.force});
+    }
 }
 
-// Adds the movable ends of something between two bodies whose point has the given rows: one along the span, or
-// three along the world's axes.
+// What acts at the second of two ends: vectors of three numbers along the world's axes, or of one along the span.
+struct AtEnd {
+    Vector3 force = Vector3::Zero(), correcting = Vector3::Zero(), lasting = Vector3::Zero();
+
+    AtEnd(const engine::World& world, std::size_t first_row, int rows) {
+        for (int k = 0; k < rows; ++k) {
+            const auto& [row, lasting_force] = answer_of(world, first_row + static_cast<std::size_t>(k));
+            force[k] = lasting_force;
+            correcting[k] = row.push.correcting;
+            lasting[k] = row.push.lasting;
+        }
+    }
+    // At rest nothing is pushed.
+    AtEnd(std::span<const engine::Lambda> kept, int rows) {
+        for (int k = 0; k < rows; ++k) force[k] = kept[static_cast<std::size_t>(k)].last;
+    }
+};
+
+// Adds the movable ends of something between two bodies.
 void add_ends(const engine::World& world, Acting::Kind kind, int body_a, int body_b, const engine::Span& span,
-              std::size_t first_row, bool along_axes, std::vector<Acting>& found) {
-    const auto vector_of = [&](const auto& number_of) {
-        if (!along_axes) return Vector3(number_of(first_row) * (span.to - span.from).normalized());
-        return Vector3(number_of(first_row), number_of(first_row + 1), number_of(first_row + 2));
+              const AtEnd& at_b, bool along_axes, std::vector<Acting>& found) {
+    const auto vector_of = [&](const Vector3& numbers) {
+        return along_axes ? numbers : Vector3(numbers.x() * (span.to - span.from).normalized());
     };
-    Acting end{.kind = kind,
-               .body = body_b,
-               .other = body_a,
-               .place = span.to,
-               .force = vector_of([&](std::size_t row) { return answer_of(world, row).lasting_force; }),
-               .correcting = vector_of([&](std::size_t row) { return world.rows()[row].push.correcting; }),
-               .lasting = vector_of([&](std::size_t row) { return world.rows()[row].push.lasting; })};
+    const Acting end{.kind = kind,
+                     .body = body_b,
+                     .other = body_a,
+                     .place = span.to,
+                     .force = vector_of(at_b.force),
+                     .correcting = vector_of(at_b.correcting),
+                     .lasting = vector_of(at_b.lasting)};
     if (!is_static(world, body_a)) {
         found.push_back({.kind = kind,
                          .body = body_a,
@@ -74,36 +98,49 @@ void add_ends(const engine::World& world, Acting::Kind kind, int body_a, int bod
     if (!is_static(world, body_b)) found.push_back(end);
 }
 
+// Calls `visit(i, acts)` for all of `count` items; those that act are `acting`, ascending.
+template <typename Visit>
+void each_item(std::size_t count, std::span<const std::size_t> acting, const Visit& visit) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool acts = !acting.empty() && acting.front() == i;
+        if (acts) acting = acting.subspan(1);
+        visit(i, acts);
+    }
+}
+
 void add_distances(const BuiltScene& scene, std::vector<Acting>& found) {
     const engine::World& world = scene.world;
+    const auto is_of_distance = [](engine::RowKind kind) {
+        return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
+    };
     std::size_t row = 0;
-    for (const std::size_t acting : scene.distances->acting()) {
-        const engine::Distance& distance = scene.distances->distances()[acting];
-        const auto is_of_distance = [](engine::RowKind kind) {
-            return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
-        };
-        while (!is_of_distance(world.rows()[row].label.kind)) ++row;
-        const bool ball = is_ball_joint(distance);
-        add_ends(world, Acting::Kind::distance, distance.body_a, distance.body_b, span_of(distance, world.bodies),
-                 row, ball, found);
-        row += ball ? 3 : 1;
-    }
+    const auto& distances = scene.distances->distances();
+    each_item(distances.size(), scene.distances->acting(), [&](std::size_t i, bool acts) {
+        const bool ball = is_ball_joint(distances[i]);
+        const int rows = ball ? 3 : 1;
+        while (acts && !is_of_distance(world.rows()[row].label.kind)) ++row;
+        const AtEnd end = acts ? AtEnd(world, row, rows) : AtEnd(scene.distances->forces()[i], rows);
+        add_ends(world, Acting::Kind::distance, distances[i].body_a, distances[i].body_b,
+                 span_of(distances[i], world.bodies), end, ball, found);
+        if (acts) row += static_cast<std::size_t>(rows);
+    });
 }
 
 // Of a joint the part at its point.
 void add_joints(const BuiltScene& scene, std::vector<Acting>& found) {
     const engine::World& world = scene.world;
     std::size_t row = 0;
-    for (const std::size_t acting : scene.joints->acting()) {
-        const engine::Joint& joint = scene.joints->joints()[acting];
+    const auto& joints = scene.joints->joints();
+    each_item(joints.size(), scene.joints->acting(), [&](std::size_t i, bool acts) {
         const auto is_of_joint = [&](const engine::RowLabel& label) {
-            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(acting);
+            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(i);
         };
-        while (!is_of_joint(world.rows()[row].label)) ++row;
-        add_ends(world, Acting::Kind::joint, joint.body_a, joint.body_b, span_of(joint, world.bodies), row, true,
-                 found);
-        row += 3;
-    }
+        while (acts && !is_of_joint(world.rows()[row].label)) ++row;
+        const AtEnd end = acts ? AtEnd(world, row, 3) : AtEnd(scene.joints->forces()[i], 3);
+        add_ends(world, Acting::Kind::joint, joints[i].body_a, joints[i].body_b, span_of(joints[i], world.bodies),
+                 end, true, found);
+        if (acts) row += 3;
+    });
 }
 
 }  // namespace
@@ -124,9 +161,13 @@ std::vector<Acting> applied_in(const BuiltScene& scene) {
     return found;
 }
 
+bool any_forces(const BuiltScene& scene) {
+    return !scene.world.rows().empty() || (scene.world.rest && scene.world.rest->count() > 0);
+}
+
 std::vector<Acting> acting_in(const BuiltScene& scene) {
     std::vector<Acting> found;
-    if (scene.world.rows().empty()) return found;
+    if (!any_forces(scene)) return found;
     if (scene.contacts) add_contacts(scene, found);
     if (scene.distances) add_distances(scene, found);
     if (scene.joints) add_joints(scene, found);

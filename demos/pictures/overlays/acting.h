@@ -24,6 +24,9 @@ struct Acting {
 // Forces of the scene on single bodies as they are now, at the points where they act.
 std::vector<Acting> applied_in(const BuiltScene& scene);
 
+// Whether the last step, if there was one, has left forces in rows or between bodies at rest.
+bool any_forces(const BuiltScene& scene);
+
 // Contacts, then the movable ends of distances, then those of joints. None before the first step.
 std::vector<Acting> acting_in(const BuiltScene& scene);
 

@@ -166,7 +166,7 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (kind == OverlayKind::no_contacts) add_untouching(scene, 0, 1, found);
     if (kind == OverlayKind::islands) add_islands(scene, found);
     if (kind == OverlayKind::rest) add_rest(scene, found);
-    if (scene.world.rows().empty()) return found;
+    if (!any_forces(scene)) return found;
     if (kind == OverlayKind::contacts) add_contacts(acting_in(scene), found);
     if (kind == OverlayKind::forces) add_forces(acting_in(scene), found);
     if (kind == OverlayKind::push) add_push(acting_in(scene), found);

@@ -12,13 +12,16 @@ std::vector<PressureCentre> pressure_centres(const BuiltScene& scene) {
         double force = 0.0;                // N
     };
     std::map<std::pair<int, int>, Pressure> pairs;
-    const engine::Columns& lambda = scene.world.lambda();
-    for (const engine::ContactSite& site : scene.contacts->sites()) {
-        const double force = lambda(static_cast<Eigen::Index>(site.normal_row), lambda.cols() - 1);
+    const auto add = [&](const engine::ContactSite& site, double force) {
         Pressure& pressure = pairs[{site.body_a, site.body_b}];
         pressure.moment += force * site.position;
         pressure.force += force;
-    }
+    };
+    const engine::Columns& lambda = scene.world.lambda();
+    for (const engine::ContactSite& site : scene.contacts->sites())
+        add(site, lambda(static_cast<Eigen::Index>(site.normal_row), lambda.cols() - 1));
+    for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies))
+        add(contact.site, contact.normal);
     std::vector<PressureCentre> centres;
     for (const auto& [bodies, pressure] : pairs) {
         if (!(pressure.force > 0.0)) continue;

@@ -107,6 +107,7 @@ MeasuredState moment_of(const SceneDescription& scene, double start, const std::
     Choices choices;
     choices.description = scene;
     choices.settings = preset_settings("default");
+    choices.settings.rest = false;
     choices.settings.substeps = 1;
     choices.settings.threads = 1;
     return moment_at(choices, start, check);

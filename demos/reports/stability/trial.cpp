@@ -56,6 +56,7 @@ Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
       options_{{"preset", expected.preset}},
       start_(one.own() ? *one.own() : run_of(scene_, one.options).description) {
     options_.insert(options_.end(), one.options.begin(), one.options.end());
+    options_ = awake(std::move(options_));
     command_ = command_text("run", scene_, options_);
     for (const Check& check : one.checks) {
         const std::string output = output_for(check.measure);

@@ -160,10 +160,7 @@ void set_scheme(BuiltScene& scene, const SceneDescription& description, const Se
 }
 
 void set_rest(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
-    if (!settings.rest) return;
-    if (is_rattle(settings.scheme)) {
-        throw engine::InvalidInput("--rest", "on", "off with --scheme " + scheme_name(settings));
-    }
+    if (!settings.rest || is_rattle(settings.scheme)) return;
     scene.world.rest = std::make_unique<engine::Rest>();
     if (description.state) scene.world.rest->set_memory(description.state->rest, scene.world.bodies);
 }

@@ -12,6 +12,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <map>
@@ -255,7 +256,7 @@ bool names(const std::string& message, const Field& field) {
 }
 
 bool refuses(const SimulationOption& option, const std::string& text) {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     return !option.set(settings, text);
 }
 

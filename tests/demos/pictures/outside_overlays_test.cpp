@@ -5,6 +5,7 @@
 #include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <numbers>
 
@@ -19,7 +20,7 @@ BodyDescription ball(const char* name, const Vector3& position) {
 }
 
 Simulation after(const SceneDescription& scene, long steps) {
-    const Settings settings = preset_settings("default");
+    const Settings settings = pushfactor::tests::awake_settings("default");
     Simulation run(build_scene(scene, settings), settings);
     while (run.sample().step < steps) run.advance();
     return run;

@@ -9,6 +9,7 @@
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 
 using namespace pushfactor::demos;
 using namespace pushfactor::demos::pictures;
@@ -72,7 +73,7 @@ TEST_CASE("the line of thrust of a leaning tower is where the weight above is") 
 
 TEST_CASE("a contact force turns with the body on which it acts: the upper of two, the movable one of a pair") {
     // Cubes whose contacts are made in either order of bodies give the same picture.
-    const Simulation run = after(run_of("funnel", {}), 1200);
+    const Simulation run = after(run_of("funnel", {{"rest", "off"}}), 1200);
     Vector3 from_walls = Vector3::Zero();
     const auto sites = run.scene().contacts->sites();
     const auto forces = quantities(run.scene(), OverlayKind::forces);
@@ -151,7 +152,7 @@ TEST_CASE("islands: bodies have the colour of their island, another one than the
     add("upper", 0, 1.5);
     add("alone", 3, 0.5);
     add("flying", 6, 5);
-    const Settings settings = preset_settings("default");
+    const Settings settings = pushfactor::tests::awake_settings("default");
     Simulation run(build_scene(scene, settings), settings);
     const auto picture = [&] {
         auto all = draw_list(run.scene(), run.scene().view);

@@ -5,6 +5,7 @@
 #include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <set>
@@ -95,7 +96,7 @@ TEST_CASE("direct solves the systems of heaps with friction on the cone from zer
             for (const double seconds : {0.5, 1.0}) {
                 INFO(family << " " << seed << " at " << seconds << " s");
                 Choices choices;
-                choices.settings = preset_settings("default");
+                choices.settings = tests::awake_settings("default");
                 choices.description =
                     draw_member(*families::find_family(family), {.seed = seed, .given = {{"count", "40"}}})
                         .prospect.scene;

@@ -8,6 +8,7 @@
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/settings.h"
 
 #include <cmath>
 #include <map>
@@ -54,7 +55,7 @@ void check_same(const Json& file, const Json& scene) {
 
 // The deepest overlap of a scene's bodies at its start, m.
 double penetration_of(const SceneDescription& scene) {
-    const Settings settings = preset_settings("default");
+    const Settings settings = pushfactor::tests::awake_settings("default");
     return Simulation(build_scene(scene, settings), settings).sample().penetration.max;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/collision/pairs/box_box.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -34,7 +35,7 @@ void counted_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
 namespace {
 
 int box_box_calls_of(std::string_view scene) {
-    auto simulation = simulate(scene, preset_settings("default"));
+    auto simulation = simulate(scene, tests::awake_settings("default"));
     box_box_calls = 0;
     advance(simulation, 2.0);
     return box_box_calls;
@@ -66,7 +67,7 @@ TEST_CASE("a scene of spheres never enters the box-box code") {
 }
 
 TEST_CASE("the pendulum wave has one force source, one constraint source, bars alone for rows and one column") {
-    auto wave = simulate("pendulum-wave", preset_settings("default"));
+    auto wave = simulate("pendulum-wave", tests::awake_settings("default"));
     const BuiltScene& scene = wave.scene();
     CHECK(scene.world.forces.size() == 1);
     CHECK(scene.world.constraints.size() == 1);
@@ -80,7 +81,7 @@ TEST_CASE("the pendulum wave has one force source, one constraint source, bars a
 }
 
 TEST_CASE("without friction there is no rule, and no friction row") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     auto rough = simulate("funnel", settings);
     CHECK(rough.scene().contacts->friction() != nullptr);
     CHECK(most_of(rough, 3.0).friction_rows > 0);
@@ -92,7 +93,7 @@ TEST_CASE("without friction there is no rule, and no friction row") {
 }
 
 TEST_CASE("without restitution, sweep or cache there is no such part") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     CHECK(simulate("stack", settings).scene().world.impacts == nullptr);
     CHECK(simulate("stack", settings).scene().contacts->continuous_collision() != nullptr);
     CHECK(simulate("stack", settings).scene().contacts->cache() != nullptr);
@@ -105,7 +106,7 @@ TEST_CASE("without restitution, sweep or cache there is no such part") {
 }
 
 TEST_CASE("only a push for a single frame has a second column, and only while something is to be corrected") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     auto corrected = simulate("intersecting-stack", settings);
     CHECK(most_of(corrected, 0.5).columns == 2);
     advance(corrected, 20.0);
@@ -126,7 +127,7 @@ TEST_CASE(
     SceneDescription free;
     free.gravity.setZero();
     free.bodies.push_back({.name = "ball", .shape = SphereShape{}, .mass = 1.0});
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     BuiltScene scene = build_scene(free, settings);
     CHECK(scene.world.forces.empty());
     CHECK(scene.world.constraints.empty());

@@ -5,6 +5,7 @@
 #include "demos/scenes/named/cube_tower.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 
 #include <cmath>
 #include <limits>
@@ -16,7 +17,7 @@ using engine::Vector3;
 namespace {
 
 Settings settings() {
-    return preset_settings("default");
+    return tests::awake_settings("default");
 }
 
 // One cube at rest on the ground, to be disturbed by a test.
@@ -42,7 +43,7 @@ Judged judge(BuiltScene scene, double seconds) {
 }
 
 Outcome outcome_of(const SceneDescription& scene, double seconds, const std::string& preset = "default") {
-    const Settings settings = preset_settings(preset);
+    const Settings settings = tests::awake_settings(preset);
     Simulation simulation(build_scene(scene, settings), settings);
     Measurements measurements(simulation);
     for (int i = 0; i < seconds * 60; ++i) {
@@ -165,7 +166,7 @@ TEST_CASE("a slack rope is not torn, one that holds nothing back is") {
     scene.bodies = {{.name = "ball", .shape = SphereShape{0.1}, .mass = 1.0, .position = Vector3(0, -0.2, 0)}};
     scene.distances = {
         {.a = {.body = "world"}, .b = {.body = "ball"}, .length = 1.0, .acts = engine::Distance::Acts::pulls}};
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     BuiltScene built = build_scene(scene, settings);
     CHECK(Stretch(built).worst(built) == 0.0);
     built.world.bodies[0].position.y() = -1.6;

@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/demos/scenes/similar_scene.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <numbers>
 
@@ -87,7 +88,7 @@ struct Outcomes {
 Outcomes run_both(
     const Case& test, const std::string& preset, const Similarity& similarity,
     Settings (*change)(Settings) = [](Settings settings) { return settings; }) {
-    Settings settings = change(preset_settings(preset));
+    Settings settings = change(tests::awake_settings(preset));
     settings.seconds = test.seconds;
     // Convex: with Coulomb's bound a moving heap has several solutions, and rounding decides between them.
     settings.friction_model = FrictionModel::paper;

@@ -50,9 +50,9 @@ TEST_CASE("the summary and the CSV say how many bodies rest, and since when all 
     CHECK(last_column(csv, 132) == "24");
     CHECK_THAT(folder.read("one.json"),
                Catch::Contains("\"bodies\": 24") && Catch::Contains("\"all_since_s\": null"));
-    shell(folder, "pushfactor run stack --gap 0 --seconds 2 --rest on --summary all.json");
+    shell(folder, "pushfactor run stack --gap 0 --seconds 2 --summary all.json");
     CHECK_THAT(folder.read("all.json"), Catch::Contains("\"all_since_s\": 0.") && Catch::Contains("\"bodies\": 5"));
-    shell(folder, "pushfactor run stack --gap 0 --seconds 1 --summary off.json");
+    shell(folder, "pushfactor run stack --gap 0 --seconds 1 --rest off --summary off.json");
     CHECK_THAT(folder.read("off.json"), !Catch::Contains("at_rest"));
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("the overlay of rest is green where bodies rest and red where they mov
     CHECK(pixels_of(before, 0, 1) < 300);  // the ball in flight, if it is in the picture, and the legend
     CHECK(pixels_of(after, 1, 0) < 0.8 * pixels_of(before, 1, 0));
     CHECK(pixels_of(after, 0, 1) > 1000);
-    const Ended refused = shell(folder, "pushfactor render stack --overlay rest --at 0 --out refused");
+    const Ended refused = shell(folder, "pushfactor render stack --rest off --overlay rest --at 0 --out refused");
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, Catch::Contains("--overlay rest"));
 }

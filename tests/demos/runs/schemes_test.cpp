@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <cmath>
 
@@ -15,7 +16,7 @@ using tests::simulate;
 namespace {
 
 double wave_error(Scheme scheme, Rational dt, double seconds) {
-    Settings settings = tests::solved_exactly(preset_settings("default"));
+    Settings settings = tests::solved_exactly(tests::awake_settings("default"));
     settings.scheme = scheme;
     settings.dt = dt;
     Run run(simulate("pendulum-wave", settings, {{"count", "10"}}));
@@ -36,7 +37,7 @@ TEST_CASE("the wave shows orders 2, 4 and 6 against the two-angle reference") {
 }
 
 TEST_CASE("with the default tolerances the composed integrators follow the wave for a minute") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.scheme = Scheme::rattle4;
     Run suzuki(simulate("pendulum-wave", settings));
     suzuki.advance(60);
@@ -50,7 +51,7 @@ TEST_CASE("with the default tolerances the composed integrators follow the wave 
 }
 
 TEST_CASE("the push of distances does not matter to rattle") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.scheme = Scheme::rattle;
     const auto place = [](const Settings& chosen) {
         auto simulation = simulate("pendulum-wave", chosen, {{"count", "3"}});
@@ -74,7 +75,7 @@ TEST_CASE("schemes of bars are refused where they do not fit, in one line") {
     SceneDescription scene;
     scene.bodies.push_back({.name = "ball", .shape = SphereShape{0.1}, .mass = 1.0});
     scene.distances.push_back({.a = {"world", {0, 1, 0}}, .b = {"ball"}, .acts = engine::Distance::Acts::pulls});
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.scheme = Scheme::rattle6;
     CHECK_THROWS_WITH(build_scene(scene, settings),
                       "--scheme rattle6: must be auto or whole for a scene with ropes or struts");

@@ -7,6 +7,7 @@
 #include "tests/demos/scenes/similar_scene.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <map>
 #include <tuple>
@@ -70,7 +71,7 @@ std::vector<SceneDescription> all_scenes() {
 }
 
 Settings fixed_settings(const std::string& preset) {
-    Settings settings = preset_settings(preset);
+    Settings settings = tests::awake_settings(preset);
     settings.substeps = 1;
     settings.start_kick = StartKick::off;
     return settings;

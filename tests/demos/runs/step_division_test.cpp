@@ -3,6 +3,7 @@
 
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <cmath>
 #include <set>
@@ -21,14 +22,14 @@ StepDivision asking(const double& parts, const DivisionMemory& before = {}, bool
 }
 
 Settings divided() {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.substeps = std::nullopt;
     return settings;
 }
 
 std::set<std::string_view> rules_of(std::string_view scene) {
     std::set<std::string_view> names;
-    for (const StepRule& rule : step_rules(tests::simulate(scene, preset_settings("default")).scene())) {
+    for (const StepRule& rule : step_rules(tests::simulate(scene, tests::awake_settings("default")).scene())) {
         names.insert(rule.name);
     }
     return names;

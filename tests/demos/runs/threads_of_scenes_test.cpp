@@ -4,6 +4,7 @@
 #include "demos/scenes/families/family.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -38,7 +39,7 @@ TEST_CASE("members of all families have the same bits with one thread and with m
     for (const families::Family& family : families::families()) {
         const families::Member member = draw_member(family, {.seed = 3, .small = true});
         INFO(member.command());
-        const Settings settings = preset_settings("default");
+        const Settings settings = tests::awake_settings("default");
         const std::uint64_t one = hash_of(member.prospect.scene, settings, 1, 60);
         CHECK(hash_of(member.prospect.scene, settings, 2, 60) == one);
     }

@@ -5,6 +5,7 @@
 #include "tests/demos/scenes/similar_scene.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <numbers>
@@ -216,7 +217,7 @@ TEST_CASE("turned with their gravity towers, walls, slopes, plates, chains and b
         for (const char* preset : {"default", "exact"}) {
             if (preset == std::string("exact") && test.scene.bodies.size() > 60) continue;
             for (const auto& [name, turn] : turns()) {
-                Settings settings = preset_settings(preset);
+                Settings settings = tests::awake_settings(preset);
                 settings.seconds = 5.0;
                 INFO(test.name << ", " << preset << ", " << name);
                 CHECK(difference(test.scene, {.turn = turn}, settings) < 1e-6);
@@ -226,7 +227,7 @@ TEST_CASE("turned with their gravity towers, walls, slopes, plates, chains and b
 }
 
 TEST_CASE("turned, a tower swept by 25 iterations stands as well") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.solver = "pgs";
     settings.seconds = 20.0;
     for (const auto& [name, turn] : turns()) {
@@ -240,7 +241,7 @@ TEST_CASE("turned, scenes without gravity do the same") {
          {Case{"hit cubes", hit_cubes()}, Case{"pressed row", pressed_row()}, Case{"ring", ring()}}) {
         for (const char* preset : {"default", "exact"}) {
             for (const auto& [name, turn] : turns()) {
-                Settings settings = preset_settings(preset);
+                Settings settings = tests::awake_settings(preset);
                 settings.seconds = 5.0;
                 INFO(test.name << ", " << preset << ", " << name);
                 CHECK(difference(test.scene, {.turn = turn}, settings) < 1e-6);
@@ -260,7 +261,7 @@ struct Settled {
 
 Settled settle(bool balls, const Quaternion& turn) {
     constexpr int heaps = 24, last_steps = 60;
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.seconds = 4.0;
     Settled settled;
     std::vector<double> overlaps;

@@ -11,6 +11,7 @@
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -38,7 +39,7 @@ SceneDescription read(const std::string& text) {
 }
 
 Settings with(const char* preset, int substeps) {
-    Settings settings = preset_settings(preset);
+    Settings settings = tests::awake_settings(preset);
     settings.substeps = substeps;
     return settings;
 }
@@ -47,7 +48,7 @@ Settings with(const char* preset, int substeps) {
 
 TEST_CASE(
     "a distance without a length whose points coincide as written is a ball joint, one of a millimetre is a bar") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     const auto lengths = [&](const std::string& text) {
         const BuiltScene scene = build_scene(read(text), settings);
         return std::pair{scene.distances->distances()[0].length, scene.distances->distances()[1].length};
@@ -60,7 +61,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a rope, a strut or a limit on a ball joint is refused, whether the length is written or found") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     for (const char* const rest : {R"(, "acts": "pulls")", R"(, "acts": "pushes")", R"(, "max_force_n": 5)"}) {
         const std::string allowed =
             "0: must be above 0, or it is a ball joint, which acts both ways and without max_force_n";
@@ -96,7 +97,7 @@ TEST_CASE("a gate on ball joints falls with its points together, under every pre
 TEST_CASE("a run of joints and bars that is saved and read goes on bit for bit, with every force of its joints") {
     const std::string text = gate("[-1, 0, 0]", "[1, 0, 0]");
     for (const char* const solver : {"auto", "pgs"}) {
-        Settings settings = preset_settings("default");
+        Settings settings = tests::awake_settings("default");
         settings.solver = solver;
         settings.iterations = 3;
         Simulation whole(build_scene(read(text), settings), settings);
@@ -127,7 +128,7 @@ TEST_CASE("a state from the time when a bar of length zero was one row loads, wi
 }
 
 TEST_CASE("a ball joint is drawn as a ball, and its force as one arrow on each movable end") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation run(build_scene(read(gate("[-1, 0, 0]", "[1, -0.1, 0]")), settings), settings);
     for (int i = 0; i < 20; ++i) run.advance();
     const renderer::Picture picture = pictures::draw_list(run.scene(), run.scene().view);

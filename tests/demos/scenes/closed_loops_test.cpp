@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <numbers>
 
@@ -177,7 +178,8 @@ TEST_CASE(
                                                 : ring(3 + trial % 6, length, trial % 3 == 1);
         const double weight = 9.81 * static_cast<double>(scene.bodies.size());
         drop(scene, random.rotation(), random.in(4.0, 6.0));
-        tests::Run run(Simulation(build_scene(scene, preset_settings("default")), preset_settings("default")));
+        tests::Run run(
+            Simulation(build_scene(scene, tests::awake_settings("default")), tests::awake_settings("default")));
         run.advance(4.0);
         INFO(scene.name << " " << trial << ", length error " << run.measurements.max_length_error());
         CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
@@ -192,7 +194,8 @@ TEST_CASE("wheels that touch their cart do not jam it, however hard a load hits 
     for (const double load : {2.0, 20.0, 200.0}) {
         for (int trial = 0; trial < 3; ++trial) {
             const SceneDescription scene = cart(load, random.in(1.0, 5.0), random.in(0.2, 0.4));
-            tests::Run run(Simulation(build_scene(scene, preset_settings("default")), preset_settings("default")));
+            tests::Run run(
+                Simulation(build_scene(scene, tests::awake_settings("default")), tests::awake_settings("default")));
             run.advance(4.0);
             INFO(load << " kg, trial " << trial << ", mean substeps " << run.measurements.substeps().mean());
             CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
@@ -227,7 +230,7 @@ TEST_CASE("an arm that lies on its own frame rests there, not in it") {
         join("base", {-1, 0.05, 0}, "post", {0, -0.25, 0}, weld);
         join("base", {1, 0.05, 0}, "stand", {0, -0.225, 0}, weld);
         join("post", {0, 0.25, 0}, "arm", {-1.1, 0, 0}, free);
-        const Settings settings = preset_settings("default");
+        const Settings settings = tests::awake_settings("default");
         tests::Run run(Simulation(build_scene(scene, settings), settings));
         run.advance(5.0);
         INFO("arm of " << mass << " kg");
@@ -248,7 +251,7 @@ TEST_CASE("joints of a ring that turns freely have the least forces that hold it
             body.velocity = spin.cross(body.position);
             body.angular_velocity = spin;
         }
-        const Settings settings = preset_settings("default");
+        const Settings settings = tests::awake_settings("default");
         Simulation run(build_scene(scene, settings), settings);
         const engine::JointConstraints& joints = *run.scene().joints;
         std::vector<double> ratios;  // of norms
@@ -286,7 +289,7 @@ TEST_CASE("a door with one, two and three hinges opens alike, and three share it
             joint.hinge = HingeDescription{.axis = Vector3::UnitY()};
             scene.joints.push_back(joint);
         }
-        const Settings settings = preset_settings("default");
+        const Settings settings = tests::awake_settings("default");
         Simulation run(build_scene(scene, settings), settings);
         tests::advance(run, 1.0);
         angles.push_back(angle_of(run.scene().joints->joints()[0], run.scene().world.bodies));

@@ -5,6 +5,7 @@
 #include "demos/runs/simulation.h"
 #include "tests/catch.h"
 #include "tests/random.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <string>
@@ -77,7 +78,7 @@ struct Seen {
 };
 
 Seen run(const SceneDescription& scene, FrictionModel friction, double seconds) {
-    Settings settings = preset_settings("exact");
+    Settings settings = tests::awake_settings("exact");
     settings.friction_model = friction;
     Simulation simulation(build_scene(scene, settings), settings);
     const auto energy = [&] { return simulation.sample().kinetic_energy + simulation.sample().potential_energy; };

@@ -5,6 +5,7 @@
 #include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -35,7 +36,7 @@ TEST_CASE("every member is a scene file that is accepted and read back as it was
             folder.write("member.json", scene_file_text(scene));
             const SceneDescription read = read_scene_file(folder / "member.json");
             CHECK(scene_file_text(read) == scene_file_text(scene));
-            const Settings settings = preset_settings("default");
+            const Settings settings = tests::awake_settings("default");
             Simulation simulation(build_scene(read, settings), settings);
             CHECK(simulation.scene().world.bodies.size() == scene.bodies.size());
             // No bodies overlap at the start, up to rounding.

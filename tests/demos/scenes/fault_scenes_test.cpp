@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <string>
 #include <utility>
@@ -33,7 +34,7 @@ template <typename Check>
 void in_all_settings(Check check) {
     for (const char* preset : {"default", "exact"}) {
         for (const int substeps : {1, 16}) {
-            Settings settings = preset_settings(preset);
+            Settings settings = tests::awake_settings(preset);
             settings.substeps = substeps;
             INFO(preset << ", substeps " << substeps);
             check(settings);
@@ -59,7 +60,7 @@ TEST_CASE(
 TEST_CASE("a cube that slides at 0.3 m/s along the diagonal of its edges loses mu g t, with 1 to 64 substeps") {
     for (const char* preset : {"default", "exact"}) {
         for (const int substeps : {1, 4, 16, 64}) {
-            Settings settings = preset_settings(preset);
+            Settings settings = tests::awake_settings(preset);
             settings.substeps = substeps;
             INFO(preset << ", substeps " << substeps);
             Simulation simulation = load("fault-4-slow-slide.json", settings);
@@ -106,6 +107,7 @@ TEST_CASE(
     // By sweeps, because an exact solve responds in the same step.
     Choices choices = understand(file_of("fault-7-heap-then-force.json"), {});
     choices.settings.solver = "pgs";
+    choices.settings.rest = false;
     Simulation heap(choices);
     int kept = 0;
     for (int i = 0; i < 600; ++i) {

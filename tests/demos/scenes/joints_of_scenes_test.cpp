@@ -12,6 +12,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"
+#include "tests/settings.h"
 
 #include <cmath>
 
@@ -50,7 +51,7 @@ std::string cart(const std::string& hinge, const std::string& rest = "") {
 constexpr const char* driven = R"(, "motor": {"speed_rad_per_s": -5, "max_torque_n_m": 3})";
 
 Settings with_rest() {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.rest = true;
     return settings;
 }
@@ -58,7 +59,7 @@ Settings with_rest() {
 }  // namespace
 
 TEST_CASE("a cart on driven wheels runs at speed x radius, and its motors' work is its energy") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation run(build_scene(read(cart(driven)), settings), settings);
     for (int i = 0; i < 300; ++i) run.advance();
     const engine::Body& box = run.scene().world.bodies[1];
@@ -109,7 +110,7 @@ TEST_CASE("a motor that hangs on a moved body: its work and that of the motion a
     // What is left is of first order in the step.
     std::vector<double> gains;
     for (const long division : {60, 240}) {
-        Settings settings = preset_settings("exact");
+        Settings settings = tests::awake_settings("exact");
         settings.dt = {1, division};
         Simulation run(build_scene(scene, settings), settings);
         double most = 0.0;
@@ -128,7 +129,7 @@ TEST_CASE("a motor that hangs on a moved body: its work and that of the motion a
 }
 
 TEST_CASE("joined bodies touch each other only where the joint says so") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation apart(build_scene(read(cart("")), settings), settings);
     CHECK(apart.sample().penetration.max < 0.001);
     Simulation touching(build_scene(read(cart(R"(, "collide": true)")), settings), settings);
@@ -175,7 +176,7 @@ TEST_CASE("a saved run with hinges, motors and limits goes on to the same bits, 
 }
 
 TEST_CASE("joints are drawn, a hinge as a pin along its axis, and their forces are arrows") {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation run(build_scene(read(cart("")), settings), settings);
     for (int i = 0; i < 60; ++i) run.advance();
     const renderer::Picture picture = pictures::draw_list(run.scene(), run.scene().view);
@@ -190,7 +191,7 @@ TEST_CASE("joints are drawn, a hinge as a pin along its axis, and their forces a
 }
 
 TEST_CASE("a scene without joints has none, and RATTLE is for bars") {
-    const BuiltScene none = build_scene(read(R"({"version": 1, "bodies": []})"), preset_settings("default"));
+    const BuiltScene none = build_scene(read(R"({"version": 1, "bodies": []})"), tests::awake_settings("default"));
     CHECK(none.joints == nullptr);
     const std::string arm = R"({"version": 1, "gravity_m_per_s2": [0, -10, 0],
         "bodies": [{"name": "arm", "shape": "box", "size_m": [0.1, 1, 0.1], "mass_kg": 1}],

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"
+#include "tests/settings.h"
 
 #include <cmath>
 
@@ -40,7 +41,7 @@ SceneDescription balls() {
 
 // m/s along x of each body after a second.
 std::vector<double> speeds_of(const SceneDescription& scene) {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation simulation(build_scene(scene, settings), settings);
     for (int i = 0; i < 60; ++i) simulation.advance();
     std::vector<double> speeds;
@@ -69,7 +70,7 @@ SceneDescription slope_of(double slope, const std::vector<std::string>& material
 
 // m along the slope of each cube after a second.
 std::vector<double> slid(const SceneDescription& scene) {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation simulation(build_scene(scene, settings), settings);
     std::vector<double> distances;
     for (int i = 0; i < 60; ++i) simulation.advance();
@@ -112,7 +113,7 @@ TEST_CASE("bodies of a group, and pairs that are named, pass through each other 
 TEST_CASE("a pair that does not touch has no rows, no pairs and no penetration, also with a plane") {
     SceneDescription scene = slope_of(0.0, {"", ""});
     scene.bodies[1].position = scene.bodies[2].position;
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation with(build_scene(scene, settings), settings);
     CHECK(with.sample().penetration.max > 0.5);
     scene.no_contacts = {{"cube 0", "cube 1"}, {"plate", "cube 1"}};
@@ -144,7 +145,7 @@ TEST_CASE("the friction of a pair decides from which slope a cube slides, and ho
 TEST_CASE("the option --friction is the friction of all pairs, those of materials too") {
     SceneDescription scene = slope_of(std::atan(0.2) + 0.05, {"ice"});
     scene.materials = {{.a = "ice", .b = "plate", .friction = 0.2}};
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.friction = 0.5;
     Simulation simulation(build_scene(scene, settings), settings);
     for (int i = 0; i < 60; ++i) simulation.advance();

@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ BodyDescription cube_on_edge(const char* name, const Vector3& position) {
 
 // The largest deviation from free flight of any movable body after any of the steps [m/s and rad/s].
 double disturbance(const SceneDescription& scene, const char* preset, int steps) {
-    const Settings settings = preset_settings(preset);
+    const Settings settings = tests::awake_settings(preset);
     Simulation simulation(build_scene(scene, settings), settings);
     double most = 0.0;
     for (int n = 1; n <= steps; ++n) {
@@ -100,7 +101,7 @@ double change_on(const Floor& floor, const Vector3& size, double turn, const Qua
         body.orientation = tilt * body.orientation;
         body.velocity = tilt * body.velocity;
     }
-    const Settings settings = preset_settings(preset);
+    const Settings settings = tests::awake_settings(preset);
     const SceneDescription scene = without_friction(std::move(bodies), tilt * Vector3(0, -10, 0));
     Simulation simulation(build_scene(scene, settings), settings);
     double most = 0.0;

@@ -4,6 +4,7 @@
 #include "engine/collision/polyhedron.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +29,14 @@ double farthest_way(Simulation run, double seconds) {
 
 double way_of_arch(const char* voussoirs, double thickness, double friction, double seconds) {
     const std::string thick = std::to_string(thickness);
-    Settings settings = preset_settings("exact");
+    Settings settings = tests::awake_settings("exact");
     settings.friction = friction;
     return farthest_way(simulate("arch", settings, {{"voussoirs", voussoirs}, {"thickness", thick}}), seconds);
 }
 
 // Times at which each domino has leaned by 0.2 rad [s].
 std::vector<double> falls(const char* height, double seconds) {
-    Simulation run = simulate("dominoes", preset_settings("default"), {{"height", height}, {"count", "30"}});
+    Simulation run = simulate("dominoes", tests::awake_settings("default"), {{"height", height}, {"count", "30"}});
     std::vector<double> times;
     while (run.sample().time < seconds) {
         run.advance();
@@ -88,7 +89,7 @@ TEST_CASE("the wave along dominoes settles to a speed, which doubles when they a
 }
 
 TEST_CASE("a hundred regular solids come to rest in the funnel within 20 s") {
-    Run run(simulate("platonic", preset_settings("default")));
+    Run run(simulate("platonic", tests::awake_settings("default")));
     run.advance(20.0);
     CHECK(run.measurements.outcome() != Outcome::tunnel);
     CHECK(run.simulation.sample().max_speed < 0.01);

@@ -2,6 +2,7 @@
 #include "tests/catch.h"
 #include "tests/engine/collision/hulls.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 
@@ -88,7 +89,7 @@ SceneDescription dropped_hulls(int count, int side, std::uint64_t seed) {
 // Steps the scene and requires that no hull gets through the ground or through another, that all numbers stay
 // finite, and that no energy is gained.
 void require_harmless(const SceneDescription& scene, double seconds) {
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     Simulation simulation(build_scene(scene, settings), settings);
     const double start = simulation.sample().kinetic_energy + simulation.sample().potential_energy;
     double deepest = 0.0, gain = 0.0;
@@ -113,16 +114,16 @@ void require_harmless(const SceneDescription& scene, double seconds) {
 // Positions and normals of the contacts of cubes differ by rounding. Forces with a residual of up to `--tolerance`
 // m/s are kept, so either run may be off by what that allows within ten seconds.
 TEST_CASE("a cube of eight points behaves as a box for ten seconds: standing, intersecting, tumbling") {
-    Settings strict = preset_settings("default");
+    Settings strict = tests::awake_settings("default");
     strict.tolerance_high = strict.tolerance_low;
     strict.solver = "direct";  // in whole steps
-    for (const Settings& settings : {preset_settings("paper"), preset_settings("exact"), strict}) {
+    for (const Settings& settings : {tests::awake_settings("paper"), tests::awake_settings("exact"), strict}) {
         INFO(settings.preset);
         CHECK(largest_difference(named("stack"), settings, 10) < 1e-9);
         CHECK(largest_difference(named("intersecting-stack"), settings, 10) < 1e-9);
         CHECK(largest_difference(tumbling(), settings, 10) < 1e-9);
     }
-    const Settings settings = preset_settings("default");
+    const Settings settings = tests::awake_settings("default");
     CHECK(largest_difference(named("stack"), settings, 10) < 2.0 * settings.tolerance_high * 10);
     CHECK(largest_difference(named("intersecting-stack"), settings, 10) < 2.0 * settings.tolerance_high * 10);
     CHECK(largest_difference(tumbling(), settings, 10) < 1e-9);

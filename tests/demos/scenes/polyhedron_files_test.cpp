@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/engine/collision/hulls.h"
+#include "tests/settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -118,7 +119,7 @@ std::string hanging_boxes(const FrameOfFile& frame) {
 using Corners = std::vector<std::vector<Vector3>>;
 Corners corners_after(const std::string& text, long steps) {
     const SceneDescription scene = read(text);
-    Settings settings = preset_settings("exact");
+    Settings settings = tests::awake_settings("exact");
     settings.rotation = Rotation::exponential;  // splitting depends on the order of the principal axes
     Simulation run(build_scene(scene, settings), settings);
     while (run.sample().step < steps) run.advance();
@@ -293,7 +294,7 @@ TEST_CASE("a static polyhedron is passed by what gets through the middle of it, 
     const SceneDescription scene = read(scene_of(R"({"name": "a", "static": true, "shape": "polyhedron",
         "points_m": [[-1, -1, -1], [1, -1, -1], [0, 1, -1], [-1, -1, 1], [1, -1, 1], [0, 1, 1]]})",
                                                  R"(, "contacts": true)"));
-    const BuiltScene built = build_scene(scene, preset_settings("default"));
+    const BuiltScene built = build_scene(scene, tests::awake_settings("default"));
     const Obstacles obstacles(built);
     const Vector3 middle = built.world.bodies[0].position;
     CHECK(obstacles.is_passed(middle + Vector3(-3, 0, 0), middle + Vector3(3, 0, 0)));

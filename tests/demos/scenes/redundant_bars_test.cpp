@@ -2,6 +2,7 @@
 #include "demos/scenes/scene_description.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -44,7 +45,7 @@ Extremes run(const SceneDescription& scene, const Settings& settings, double sec
 }
 
 Settings with_solver(std::string_view preset, const std::string& solver) {
-    Settings settings = preset_settings(preset);
+    Settings settings = tests::awake_settings(preset);
     settings.solver = solver;
     return settings;
 }
@@ -82,7 +83,7 @@ TEST_CASE("two bars that contradict each other stay finite, and the residual say
 TEST_CASE(
     "where steps are solved to rounding, the forces of bars that contradict each other do not grow, nor do "
     "substeps") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.substeps = std::nullopt;
     const auto largest_force = [&](double seconds) {
         return run(hanging({1.0, 1.1}, {0, -1.05, 0}), settings, seconds).force;

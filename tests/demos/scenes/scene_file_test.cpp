@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 
@@ -90,7 +91,7 @@ TEST_CASE("the schema knows the keys that the reader knows, and no other") {
 TEST_CASE("what a file does not mention is not constructed") {
     const Folder folder;
     folder.write("my.json", scene_of(ball));
-    const BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
+    const BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), tests::awake_settings("default"));
     CHECK(scene.world.bodies.size() == 1);
     CHECK(scene.world.forces.empty());
     CHECK(scene.world.constraints.empty());
@@ -194,7 +195,7 @@ TEST_CASE("a moved body of a file moves as the file says, and the file of the fi
         folder.write("my.json", scene_of(R"({"name": "table", "shape": "box", "size_m": [1, 1, 1], "static": true,
                                              "motion": )" +
                                          motion + "}"));
-        BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), preset_settings("default"));
+        BuiltScene scene = build_scene(read_scene_file(folder / "my.json"), tests::awake_settings("default"));
         CHECK(scene.world.constraints.empty());
         for (int i = 0; i < 60; ++i) scene.step(scene.world, 1.0 / 60.0);
         INFO(motion);

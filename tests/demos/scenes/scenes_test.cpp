@@ -4,6 +4,7 @@
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +16,7 @@ using tests::simulate;
 
 TEST_CASE("the balls in the funnel come to rest and none is lost, for several starts") {
     for (const char* seed : {"1", "2", "3"}) {
-        Run run(simulate("funnel", preset_settings("default"), {{"seed", seed}}));
+        Run run(simulate("funnel", tests::awake_settings("default"), {{"seed", seed}}));
         run.advance(30);
         CHECK(run.measurements.outcome() == Outcome::rest);
         CHECK(run.measurements.max_kinetic_energy_last_second() < 1e-6);  // measured 8e-17 J
@@ -23,14 +24,14 @@ TEST_CASE("the balls in the funnel come to rest and none is lost, for several st
 }
 
 TEST_CASE("under the paper's settings the funnel is reasonably stable") {
-    Run run(simulate("funnel", preset_settings("paper")));
+    Run run(simulate("funnel", tests::awake_settings("paper")));
     run.advance(30);
     CHECK(run.measurements.max_kinetic_energy_last_second() < 0.1);  // measured 0.015 J at 60 s
     CHECK(run.measurements.outcome() != Outcome::tunnel);
 }
 
 TEST_CASE("two hundred balls fall as a heap, not as a tower") {
-    auto simulation = simulate("funnel", preset_settings("default"), {{"count", "200"}});
+    auto simulation = simulate("funnel", tests::awake_settings("default"), {{"count", "200"}});
     double highest = 0.0;
     for (const auto& body : simulation.scene().world.bodies) highest = std::max(highest, body.position.y());
     CHECK(highest < 10.0);  // a tower would be 220 m
@@ -38,14 +39,14 @@ TEST_CASE("two hundred balls fall as a heap, not as a tower") {
 }
 
 TEST_CASE("the pendulum grid holds all five objects for a minute") {
-    Run run(simulate("pendulum-grid", preset_settings("default")));
+    Run run(simulate("pendulum-grid", tests::awake_settings("default")));
     run.advance(60);
     CHECK(run.measured("on_top") == 5.0);
     CHECK(run.measurements.max_length_error() < 1e-3);
 }
 
 TEST_CASE("a poke of 60 N presses one sphere through the grid, the other four stay") {
-    Run run(simulate("pendulum-grid", preset_settings("default"), {{"poke", "60"}, {"poke-at", "2"}}));
+    Run run(simulate("pendulum-grid", tests::awake_settings("default"), {{"poke", "60"}, {"poke-at", "2"}}));
     run.advance(1.9);
     CHECK(run.measured("on_top") == 5.0);
     run.advance(8.1);
@@ -53,7 +54,7 @@ TEST_CASE("a poke of 60 N presses one sphere through the grid, the other four st
 }
 
 TEST_CASE("the wave follows the two-angle reference: 0.06 degrees at 60 Hz, 0.0025 at 240 Hz, over 60 s") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     Run coarse(simulate("pendulum-wave", settings));
     coarse.advance(60);
     CHECK(coarse.measured("angle_error_rms_deg") < 0.06);  // measured 0.0557
@@ -64,7 +65,7 @@ TEST_CASE("the wave follows the two-angle reference: 0.06 degrees at 60 Hz, 0.00
 }
 
 TEST_CASE("without the kick at the start the wave is of first order") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.start_kick = StartKick::off;
     Run run(simulate("pendulum-wave", settings));
     run.advance(30);
@@ -72,7 +73,7 @@ TEST_CASE("without the kick at the start the wave is of first order") {
 }
 
 TEST_CASE("the wave forms two, three and four groups after 60, 40 and 30 s and is in phase after 120 s") {
-    Run run(simulate("pendulum-wave", preset_settings("default")));
+    Run run(simulate("pendulum-wave", tests::awake_settings("default")));
     double at = 0.0;
     for (const auto& [time, groups] : {std::pair{30.0, 4}, {40.0, 3}, {60.0, 2}, {120.0, 1}}) {
         run.advance(time - at);
@@ -90,7 +91,7 @@ TEST_CASE("the wave forms two, three and four groups after 60, 40 and 30 s and i
 }
 
 TEST_CASE("the wave has no contact stage, makes no pair and has one column") {
-    auto simulation = simulate("pendulum-wave", preset_settings("default"));
+    auto simulation = simulate("pendulum-wave", tests::awake_settings("default"));
     simulation.advance();
     CHECK(simulation.scene().contacts == nullptr);
     CHECK(simulation.scene().world.constraints.size() == 1);
@@ -127,7 +128,7 @@ TEST_CASE("the bars of the wave have the lengths that give 40 to 89 swings in 12
 }
 
 TEST_CASE("a chain keeps its links under substeps, better than without") {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.iterations = 500;
     Run one(simulate("chain", settings, {{"links", "10"}}));
     one.advance(3);
@@ -138,11 +139,11 @@ TEST_CASE("a chain keeps its links under substeps, better than without") {
 }
 
 TEST_CASE("a cube ten times as heavy stands on a light one, a thousand times is beyond 25 sweeps") {
-    Run ten(simulate("heavy-on-light", preset_settings("default"), {{"mass-ratio", "10"}}));
+    Run ten(simulate("heavy-on-light", tests::awake_settings("default"), {{"mass-ratio", "10"}}));
     ten.advance(10);
     CHECK(ten.measurements.outcome() == Outcome::rest);
     // A record of what a sweep cannot do and the direct solver can.
-    Settings sweeping = preset_settings("default");
+    Settings sweeping = tests::awake_settings("default");
     sweeping.solver = "pgs";
     Run thousand(simulate("heavy-on-light", sweeping, {{"mass-ratio", "1000"}}));
     thousand.advance(10);

@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,7 @@ SceneDescription scene_of(const Trip& trip, bool tiles) {
 }
 
 Settings with(const char* preset, int substeps) {
-    Settings settings = preset_settings(preset);
+    Settings settings = tests::awake_settings(preset);
     settings.substeps = substeps;
     return settings;
 }

@@ -3,6 +3,7 @@
 #include "demos/scenes/named/cube_tower.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -16,7 +17,7 @@ tests::Run tower_run(double side, int count, Settings settings) {
 }
 
 Settings with_step(Rational dt) {
-    Settings settings = preset_settings("default");
+    Settings settings = tests::awake_settings("default");
     settings.dt = dt;
     return settings;
 }

@@ -3,6 +3,7 @@
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <cmath>
 #include <map>
@@ -40,7 +41,7 @@ std::map<int, double> pair_forces(const Simulation& simulation) {
 
 TEST_CASE("the stack of the original method falls between 40 and 150 s") {
     // The paper saw 85 s. Measured 69.25 s from the exact start.
-    Run run(simulate("stack", preset_settings("paper")));
+    Run run(simulate("stack", tests::awake_settings("paper")));
     run.advance(150);
     REQUIRE(run.measurements.fall_time());
     CHECK(*run.measurements.fall_time() > 40.0);
@@ -50,7 +51,7 @@ TEST_CASE("the stack of the original method falls between 40 and 150 s") {
 TEST_CASE("nine of nine jittered stacks stand for 600 s and do not creep", "[long]") {
     for (const char* seed : {"1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
         INFO("seed " << seed);
-        Run run(simulate("stack", preset_settings("default"), {{"jitter", "0.01"}, {"seed", seed}}));
+        Run run(simulate("stack", tests::awake_settings("default"), {{"jitter", "0.01"}, {"seed", seed}}));
         run.advance(600);
         CHECK(run.measurements.outcome() == Outcome::rest);
         CHECK(!run.measurements.lean_time());
@@ -60,7 +61,7 @@ TEST_CASE("nine of nine jittered stacks stand for 600 s and do not creep", "[lon
 }
 
 TEST_CASE("a jittered stack stands for an hour", "[long]") {
-    Run run(simulate("stack", preset_settings("default"), {{"jitter", "0.01"}}));
+    Run run(simulate("stack", tests::awake_settings("default"), {{"jitter", "0.01"}}));
     run.advance(3600);
     CHECK(run.measurements.outcome() == Outcome::rest);
     CHECK(*run.measurements.drift_after_10_s() < 1e-6);
@@ -68,7 +69,7 @@ TEST_CASE("a jittered stack stands for an hour", "[long]") {
 }
 
 TEST_CASE("a touching stack of ten stands for a minute") {
-    Run run(simulate("stack", preset_settings("default"), {{"count", "10"}, {"gap", "-0.0001"}}));
+    Run run(simulate("stack", tests::awake_settings("default"), {{"count", "10"}, {"gap", "-0.0001"}}));
     run.advance(60);
     CHECK(run.measurements.outcome() == Outcome::rest);
     CHECK(!run.measurements.lean_time());
@@ -76,7 +77,7 @@ TEST_CASE("a touching stack of ten stands for a minute") {
 
 TEST_CASE("in a settled stack of n each pair carries the weight above it") {
     for (const int n : {3, 5}) {
-        auto simulation = simulate("stack", preset_settings("default"), {{"count", std::to_string(n)}});
+        auto simulation = simulate("stack", tests::awake_settings("default"), {{"count", std::to_string(n)}});
         advance(simulation, 30);
         const auto forces = pair_forces(simulation);
         REQUIRE(forces.size() == static_cast<std::size_t>(n));
@@ -87,7 +88,7 @@ TEST_CASE("in a settled stack of n each pair carries the weight above it") {
 }
 
 TEST_CASE("the single-frame push sets the intersecting stack down") {
-    Run run(simulate("intersecting-stack", preset_settings("default")));
+    Run run(simulate("intersecting-stack", tests::awake_settings("default")));
     run.advance(0.36);
     CHECK(run.simulation.sample().penetration.max < 0.02);  // reached at 0.333 s
     run.advance(5.0 - 0.36);
@@ -99,7 +100,7 @@ TEST_CASE("the single-frame push sets the intersecting stack down") {
 }
 
 TEST_CASE("the original method throws the intersecting stack apart") {
-    Run run(simulate("intersecting-stack", preset_settings("paper")));
+    Run run(simulate("intersecting-stack", tests::awake_settings("paper")));
     run.advance(0.5);
     CHECK(run.simulation.sample().count.rows() == 0);  // nothing touches any more
     double below = 0.0;
@@ -115,7 +116,7 @@ TEST_CASE("the original method throws the intersecting stack apart") {
 TEST_CASE(
     "solved exactly, the persistent push gives cube i the speed beta (1.2 + 0.4 (i - 1)) / dt and then it flies") {
     for (const double beta : {0.2, 0.5}) {
-        Settings settings = solved_exactly(preset_settings("paper"));
+        Settings settings = solved_exactly(tests::awake_settings("paper"));
         settings.contacts.beta = beta;
         auto simulation = simulate("intersecting-stack", settings);
         for (int n = 1; n <= 30; ++n) {
@@ -132,7 +133,7 @@ TEST_CASE(
 
 TEST_CASE("solved exactly, the single-frame push shrinks every overlap by 1 - beta a step at speed zero") {
     for (const double beta : {0.05, 0.2}) {
-        Settings settings = solved_exactly(preset_settings("default"));
+        Settings settings = solved_exactly(tests::awake_settings("default"));
         settings.contacts.beta = beta;
         settings.slop = 0.0;
         auto simulation = simulate("intersecting-stack", settings);
@@ -152,7 +153,7 @@ TEST_CASE("solved exactly, the single-frame push shrinks every overlap by 1 - be
 TEST_CASE("a higher beta throws higher under the persistent push, and never under the single-frame push") {
     double last_peak = 0.0;
     for (const double beta : {0.05, 0.1, 0.2, 0.4}) {
-        Settings settings = preset_settings("paper");
+        Settings settings = tests::awake_settings("paper");
         settings.contacts.beta = beta;
         Run original(simulate("intersecting-stack", settings));
         original.advance(1.0);
@@ -169,7 +170,7 @@ TEST_CASE("a higher beta throws higher under the persistent push, and never unde
 
 TEST_CASE("two runs of a scene give one state hash, and the first step with another seed gives another") {
     const auto hash = [](const char* seed) {
-        auto simulation = simulate("stack", preset_settings("default"), {{"jitter", "0.01"}, {"seed", seed}});
+        auto simulation = simulate("stack", tests::awake_settings("default"), {{"jitter", "0.01"}, {"seed", seed}});
         advance(simulation, 5);
         return engine::state_hash(simulation.scene().world.bodies);
     };
@@ -178,7 +179,7 @@ TEST_CASE("two runs of a scene give one state hash, and the first step with anot
 }
 
 TEST_CASE("a settled step has one column, a step that corrects has two") {
-    auto simulation = simulate("intersecting-stack", preset_settings("default"));
+    auto simulation = simulate("intersecting-stack", tests::awake_settings("default"));
     simulation.advance();
     CHECK(simulation.sample().count.columns == 2);
     advance(simulation, 10);
@@ -186,9 +187,9 @@ TEST_CASE("a settled step has one column, a step that corrects has two") {
 }
 
 TEST_CASE("substeps divide the step: their number times the rate gives the same run") {
-    Settings divided = preset_settings("default");
+    Settings divided = tests::awake_settings("default");
     divided.substeps = 4;
-    Settings fast = preset_settings("default");
+    Settings fast = tests::awake_settings("default");
     fast.dt = Rational{1, 240};
     auto a = simulate("stack", divided);
     auto b = simulate("stack", fast);

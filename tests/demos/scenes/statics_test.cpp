@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ struct End {
 };
 
 End end_of(const SceneDescription& scene, const char* preset, double seconds) {
-    const Settings settings = preset_settings(preset);
+    const Settings settings = tests::awake_settings(preset);
     Simulation simulation(build_scene(scene, settings), settings);
     const std::vector<Body> start = simulation.scene().world.bodies;
     tests::advance(simulation, seconds);

@@ -6,6 +6,7 @@
 #include "tests/engine/random_rows.h"
 #include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::engine;
@@ -64,7 +65,7 @@ TEST_CASE("direct solves random problems with redundant rows and both columns to
 
 TEST_CASE("direct and a very long sweep move the bodies alike, also where the forces are not unique") {
     auto simulation =
-        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+        tests::simulate("intersecting-stack", tests::solved_exactly(tests::awake_settings("default")));
     tests::advance(simulation, 0.1);
     const World& world = simulation.scene().world;
     const Frozen frozen(world.bodies, world.rows(), dt);
@@ -121,7 +122,7 @@ TEST_CASE("bars that contradict each other share the error, and their forces sta
 
 TEST_CASE("direct finds the bounds of Coulomb friction: a box on a slope slides as theory says, or holds") {
     for (const auto& [angle, moves] : {std::pair{0.3, false}, std::pair{0.6, true}}) {
-        demos::Settings settings = demos::preset_settings("exact");
+        demos::Settings settings = tests::awake_settings("exact");
         settings.friction_model = demos::FrictionModel::coulomb;
         demos::SceneDescription scene;
         scene.name = "slope";
@@ -142,7 +143,7 @@ TEST_CASE("direct finds the bounds of Coulomb friction: a box on a slope slides 
 TEST_CASE(
     "direct solves a settling heap with friction on the cone, also where its residual has to rise on the way") {
     for (const char* const seed : {"1", "2", "3"}) {
-        demos::Settings settings = demos::preset_settings("exact");
+        demos::Settings settings = tests::awake_settings("exact");
         settings.friction_model = demos::FrictionModel::cone;
         auto run = tests::simulate("funnel", settings, {{"seed", seed}});
         int solved = 0;
@@ -171,7 +172,7 @@ TEST_CASE("direct solves random contacts with friction on the cone, and says so"
 
 TEST_CASE("auto sweeps once where no two rows share a body, is exact on threads, and sweeps heaps") {
     const auto of_step = [](const char* scene, const char* solver, double seconds) {
-        demos::Settings settings = demos::preset_settings("default");
+        demos::Settings settings = tests::awake_settings("default");
         settings.solver = solver;
         auto run = tests::simulate(scene, settings);
         tests::advance(run, seconds);

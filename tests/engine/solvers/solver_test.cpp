@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ TEST_CASE("after 25 iterations sweep and dense A agree to 1e-12 relative, row fo
     for (const char* preset : {"paper", "default"}) {
         for (const auto model :
              {demos::FrictionModel::paper, demos::FrictionModel::coulomb, demos::FrictionModel::cone}) {
-            demos::Settings settings = demos::preset_settings(preset);
+            demos::Settings settings = tests::awake_settings(preset);
             settings.friction_model = model;
             auto simulation = tests::simulate("intersecting-stack", settings);
             int compared = 0;
@@ -83,7 +84,7 @@ TEST_CASE("on a column of n bodies the sweep's error shrinks by cos^2(pi / 2n) a
 
 TEST_CASE("a solution keeps its bounds and errs only where a bound holds it, in both columns") {
     auto simulation =
-        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+        tests::simulate("intersecting-stack", tests::solved_exactly(tests::awake_settings("default")));
     tests::advance(simulation, 0.1);
     const World& world = simulation.scene().world;
     const SystemEquation& system = world.system();

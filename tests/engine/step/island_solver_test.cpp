@@ -6,6 +6,7 @@
 #include "tests/engine/random_contacts.h"
 #include "tests/engine/solvers/problems.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 #include <functional>
 #include <limits>
@@ -206,7 +207,7 @@ TEST_CASE("a world with a solver that lies goes on, and says how often it was no
     for (const double force : {1e9, std::numeric_limits<double>::quiet_NaN()}) {
         const demos::SceneEntry& entry = *demos::find_scene("stack");
         demos::BuiltScene scene = demos::build_scene(entry.describe(demos::ParameterValues(entry.parameters)),
-                                                     demos::preset_settings("default"));
+                                                     tests::awake_settings("default"));
         World& world = scene.world;
         world.solver = std::make_unique<Puppet>(filling(force));
         int unsolved = 0;

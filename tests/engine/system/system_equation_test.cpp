@@ -6,6 +6,7 @@
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
+#include "tests/settings.h"
 
 using namespace pushfactor;
 using namespace pushfactor::engine;
@@ -15,7 +16,7 @@ using pushfactor::tests::Frozen;
 TEST_CASE("J v2 equals the push after a step with the solved lambda, row for row") {
     // 6.2.9 rebuilt forwards: v2 = v1 + dt M^-1 (J^T lambda + f_ext) must satisfy every row that is not at a bound.
     auto simulation =
-        tests::simulate("intersecting-stack", tests::solved_exactly(demos::preset_settings("default")));
+        tests::simulate("intersecting-stack", tests::solved_exactly(tests::awake_settings("default")));
     tests::advance(simulation, 0.05);
     const World& world = simulation.scene().world;
     const SystemEquation& system = world.system();

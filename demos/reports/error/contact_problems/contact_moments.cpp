@@ -28,6 +28,7 @@ ContactMoment moment_of(const std::string& name, Choices choices, double seconds
 Choices member_of(const std::string& family, int seed, const families::GivenValues& values) {
     Choices choices;
     choices.settings = preset_settings("default");
+    choices.settings.rest = false;
     choices.description =
         draw_member(*families::find_family(family), {.seed = seed, .given = values}).prospect.scene;
     return choices;

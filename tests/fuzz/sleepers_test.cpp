@@ -1,0 +1,20 @@
+// What sleeps is in equilibrium.
+#include "tests/fuzz/sleepers.h"
+
+#include "tests/catch.h"
+
+using namespace pushfactor;
+using namespace pushfactor::tests;
+
+TEST_CASE("what sleeps would stay where it is if it were awake") {
+    const FamilyRequest request{.members = 34, .small = true};
+    int asleep = 0, movable = 0;
+    for (const JudgedSleepers& one : judge_sleepers(request, [](long) { return true; })) {
+        INFO(one.family->name << ", seed " << one.seed << " " << one.error);
+        CHECK(one.error == "");
+        CHECK(one.drift <= most_drift);
+        asleep += one.asleep;
+        movable += one.movable;
+    }
+    CHECK(asleep > 0.8 * movable);
+}
