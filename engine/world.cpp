@@ -107,16 +107,16 @@ void World::follow_paths() {
 }
 
 void World::find_awake(double dt) {
-    const bool first = awake_.of() != bodies.size();
-    if (!rest) {
-        if (first) awake_ = Awake(bodies.size());
-        return;
+    if (awake_.of() != bodies.size()) {
+        awake_ = Awake(bodies.size());
+        if (rest) add_forces(awake_, dt);  // resting ones keep theirs from here on
     }
-    if (!rest->take_change() && !first) return;
-    if (first) add_forces(Awake(bodies.size()), dt);  // resting ones keep theirs from here on
-    awake_ = rest->awake(bodies.size());
-    for (const auto& source : constraints) source->leave_out_others(bodies, awake_);
-    step_solver_.leave_out_others(bodies, awake_);
+    if (!rest) return;
+    const std::vector<int> changed = rest->take_changed();
+    if (changed.empty()) return;
+    awake_.update(changed, [this](int body) { return !rest->is_at_rest(body); });
+    for (const auto& source : constraints) source->leave_out_others(bodies, awake_, changed);
+    step_solver_.leave_out_others(bodies, awake_, changed);
 }
 
 bool World::wakes_some() {

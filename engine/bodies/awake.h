@@ -1,10 +1,10 @@
 // The items (bodies or colliders, by index) that take part in a step; the others rest (rest.h).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace pushfactor::engine {
@@ -18,11 +18,23 @@ class Awake {
         std::iota(members_.begin(), members_.end(), 0);
     }
 
-    // The items whose flag is set.
-    explicit Awake(std::vector<char> is_awake) : is_awake_(std::move(is_awake)) {
-        for (std::size_t i = 0; i < is_awake_.size(); ++i) {
-            if (is_awake_[i]) members_.push_back(static_cast<int>(i));
+    // Sets some items anew, as `is_awake(item)` says.
+    template <typename IsAwake>
+    void update(std::span<const int> items, const IsAwake& is_awake) {
+        const auto before = static_cast<std::ptrdiff_t>(members_.size());
+        bool any_left_out = false;
+        for (const int item : items) {
+            const bool now = is_awake(item);
+            if (now == has(item)) continue;
+            is_awake_[static_cast<std::size_t>(item)] = now;
+            if (now)
+                members_.push_back(item);
+            else
+                any_left_out = true;
         }
+        std::sort(members_.begin() + before, members_.end());
+        std::inplace_merge(members_.begin(), members_.begin() + before, members_.end());
+        if (any_left_out) std::erase_if(members_, [this](int item) { return !has(item); });
     }
 
     std::span<const int> members() const { return members_; }  // ascending

@@ -5,6 +5,7 @@
 #include "engine/collision/detector.h"
 #include "engine/constraints/constraint_row.h"
 
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -93,6 +94,49 @@ class ContactCache {
     // By part of the touches:
     std::vector<std::size_t> first_force_;
     std::vector<Matched> matched_;
+};
+
+// The forces between bodies at rest, by pair. To add and to take those of a collider costs the logarithm of all.
+class RestingForces {
+  public:
+    void add(const collision::Pair& pair, std::span<const ContactCache::Point> points) {
+        by_collider_[{pair.a, pair.b}].assign(points.begin(), points.end());
+        by_collider_[{pair.b, pair.a}].clear();
+    }
+
+    // Removes the pairs of `colliders` that satisfy `belongs`, and returns them.
+    template <typename Belongs>
+    ContactCache take(std::span<const int> colliders, const Belongs& belongs) {
+        std::map<collision::Pair, std::vector<ContactCache::Point>> taken;
+        for (const int collider : colliders) {
+            auto next = by_collider_.lower_bound({collider, 0});
+            while (next != by_collider_.end() && next->first.a == collider) {
+                const collision::Pair turned{next->first.b, collider};
+                const collision::Pair pair = std::min(next->first, turned);
+                ++next;
+                if (!belongs(pair)) continue;
+                taken[pair] = std::move(by_collider_[pair]);
+                if (next != by_collider_.end() && next->first == turned) ++next;
+                by_collider_.erase({pair.a, pair.b});
+                by_collider_.erase({pair.b, pair.a});
+            }
+        }
+        ContactCache all;
+        for (const auto& [pair, points] : taken) all.add(pair, points);
+        return all;
+    }
+
+    // Calls `visit(pair, points)` for each pair, ascending.
+    template <typename Visit>
+    void each(const Visit& visit) const {
+        for (const auto& [pair, points] : by_collider_) {
+            if (pair.a < pair.b) visit(pair, std::span(points));
+        }
+    }
+
+  private:
+    // Each pair twice: as it is, and turned around without points.
+    std::map<collision::Pair, std::vector<ContactCache::Point>> by_collider_;
 };
 
 }  // namespace pushfactor::engine

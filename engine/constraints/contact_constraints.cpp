@@ -55,6 +55,8 @@ Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitut
 ContactConstraints::ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices)
     : colliders_(std::move(colliders)), choices_(choices) {
     choices_.detection.permitted = permitted_overlap(choices.slop, choices.detection.margin);
+    belts_start_ = std::any_of(colliders_.begin(), colliders_.end(),
+                               [](const collision::Collider& own) { return own.surface_from > 0.0; });
 }
 
 void ContactConstraints::set_filter(std::unique_ptr<const collision::PairFilter> filter) {
@@ -296,12 +298,11 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     unforeseen_.clear();
     touches_ = {};
     if (awake_bodies_.of() != bodies.size()) wake_all(bodies.size());
-    const collision::AwakeColliders awake{
-        awake_colliders_,
-        (awake_anew_ ? all_colliders_ : awake_colliders_).members(),
-        (awake_anew_ ? all_bodies_ : awake_bodies_).members(),
+    const auto moved = [](const Awake& awake, const std::vector<int>& known) {
+        return known.empty() ? awake.members() : std::span<const int>(known);
     };
-    awake_anew_ = false;
+    const collision::AwakeColliders awake{awake_colliders_, moved(awake_colliders_, moved_colliders_),
+                                          moved(awake_bodies_, moved_bodies_)};
     find_motions(step);
     const StepMotions motions{step.dt, before_, after_, paths_, strayed_};
     std::vector<collision::Touch>& touches =
@@ -310,9 +311,15 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     touches_ = touches;
     if (continuous_collision_) {
         continuous_collision_->begin(touches_);
-        after_solved_ = after_;
-        paths_solved_ = paths_;
+        after_solved_.resize(bodies.size());
+        paths_solved_.resize(bodies.size());
+        for (const int body : awake.moved_bodies) {
+            after_solved_[at(body)] = after_[at(body)];
+            paths_solved_[at(body)] = paths_[at(body)];
+        }
     }
+    moved_bodies_.clear();
+    moved_colliders_.clear();
     forces_.clear();
     own_rows_ = 0;
     if (cache_) cache_->recall(touches_, forces_, step.threads);

@@ -73,7 +73,7 @@ class ContactConstraints : public ConstraintSource {
     SomeBodies changed_anew(double from, double until) const override;
     SomeBodies met_by_moved(const StepStart& step) const override;
     bool can_leave_out() const override { return true; }
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
     // Null if absent.
@@ -150,6 +150,7 @@ class ContactConstraints : public ConstraintSource {
 
     std::vector<collision::Collider> colliders_;
     ContactChoices choices_;
+    bool belts_start_ = false;     // some, later than at the start
     std::vector<int> mechanisms_;  // by body, or empty
     std::unique_ptr<const collision::PairFilter> filter_;
     std::unique_ptr<const collision::MaterialPairs> materials_;
@@ -157,11 +158,12 @@ class ContactConstraints : public ConstraintSource {
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::ContinuousCollision> continuous_collision_;
-    ContactCache at_rest_;  // forces between resting bodies
+    RestingForces at_rest_;
 
-    // Bodies and colliders whose rows are appended, and whether these have changed since the last step.
-    Awake awake_bodies_, awake_colliders_, all_bodies_, all_colliders_;
-    bool awake_anew_ = true;
+    // Bodies and colliders whose rows are appended, and those that may have moved since the last step.
+    Awake awake_bodies_, awake_colliders_;
+    std::vector<int> moved_bodies_, moved_colliders_;  // or empty: the awake ones
+    std::vector<std::vector<int>> colliders_of_;       // by body
 
     // State of the current step.
     collision::Detector detector_;

@@ -2,29 +2,53 @@
 #include "engine/constraints/contact_constraints.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pushfactor::engine {
 
-// Default until leave_out_others() is called.
-void ContactConstraints::wake_all(std::size_t bodies) {
-    all_bodies_ = awake_bodies_ = Awake(bodies);
-    all_colliders_ = awake_colliders_ = Awake(colliders_.size());
-    awake_anew_ = true;
+namespace {
+
+// The members of both, ascending.
+std::vector<int> united(std::span<const int> members, std::vector<int> others) {
+    std::sort(others.begin(), others.end());
+    std::vector<int> all;
+    std::set_union(members.begin(), members.end(), others.begin(), others.end(), std::back_inserter(all));
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
-void ContactConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
-    wake_all(bodies.size());
-    awake_bodies_ = awake;
-    std::vector<char> is_awake;
-    for (const collision::Collider& collider : colliders_) is_awake.push_back(awake.has(collider.body));
-    awake_colliders_ = Awake(std::move(is_awake));
+}  // namespace
+
+void ContactConstraints::wake_all(std::size_t bodies) {
+    awake_bodies_ = Awake(bodies);
+    awake_colliders_ = Awake(colliders_.size());
+    colliders_of_.assign(bodies, {});
+    for (std::size_t i = 0; i < colliders_.size(); ++i) {
+        colliders_of_[static_cast<std::size_t>(colliders_[i].body)].push_back(static_cast<int>(i));
+    }
+}
+
+void ContactConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake,
+                                          std::span<const int> changed) {
+    if (awake_bodies_.of() != bodies.size()) wake_all(bodies.size());
+    std::vector<int> colliders;
+    for (const int body : changed) {
+        const std::vector<int>& own = colliders_of_[static_cast<std::size_t>(body)];
+        colliders.insert(colliders.end(), own.begin(), own.end());
+    }
+    const auto body_of = [&](int collider) { return colliders_[static_cast<std::size_t>(collider)].body; };
+    awake_bodies_.update(changed, [&](int body) { return awake.has(body); });
+    awake_colliders_.update(colliders, [&](int collider) { return awake.has(body_of(collider)); });
+    moved_bodies_ = united(awake_bodies_.members(), {changed.begin(), changed.end()});
+    moved_colliders_ = united(awake_colliders_.members(), colliders);
     if (!cache_) return;
     const auto moves = [&](const collision::Pair& pair) {
-        const auto body_of = [&](int collider) { return colliders_[static_cast<std::size_t>(collider)].body; };
         return is_any_moving(bodies, awake, body_of(pair.a), body_of(pair.b));
     };
-    cache_->take_from(at_rest_, moves);
-    at_rest_.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
+    ContactCache woken = at_rest_.take(colliders, moves), asleep;
+    cache_->take_from(woken, [](const collision::Pair&) { return true; });
+    asleep.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
+    for (const ContactCache::Entry& entry : asleep.entries()) at_rest_.add(entry.pair, asleep.of(entry));
 }
 
 bool ContactConstraints::turns_unseen(int body) const {
@@ -40,20 +64,17 @@ SomeBodies ContactConstraints::changed_anew(double from, double until) const {
         const collision::Collider& own = colliders_[static_cast<std::size_t>(collider)];
         return collision::runs_at(own, from) != collision::runs_at(own, until);
     };
-    if (std::none_of(colliders_.begin(), colliders_.end(),
-                     [](const auto& own) { return own.surface_from > 0.0; })) {
-        return changed;
-    }
+    if (!belts_start_) return changed;
     if (!cache_) {  // without a cache the bodies on the belt are unknown
         for (int i = 0; i < static_cast<int>(colliders_.size()) && !changed.all; ++i) changed.all = begins(i);
         return changed;
     }
-    for (const ContactCache::Entry& entry : at_rest_.entries()) {
-        if (!begins(entry.pair.a) && !begins(entry.pair.b)) continue;
-        for (const int collider : {entry.pair.a, entry.pair.b}) {
+    at_rest_.each([&](const collision::Pair& pair, const auto&) {
+        if (!begins(pair.a) && !begins(pair.b)) return;
+        for (const int collider : {pair.a, pair.b}) {
             changed.some.push_back(colliders_[static_cast<std::size_t>(collider)].body);
         }
-    }
+    });
     return changed;
 }
 
@@ -89,11 +110,11 @@ SomeBodies ContactConstraints::met_by_moved(const StepStart& step) const {
 std::vector<RestingContact> ContactConstraints::sites_at_rest(std::span<const Body> bodies) const {
     std::vector<RestingContact> found;
     const collision::StepScene scene{colliders_, bodies, detector_.poses(), choices_.detection};
-    for (const ContactCache::Entry& entry : at_rest_.entries()) {
+    at_rest_.each([&](const collision::Pair& pair, std::span<const ContactCache::Point> points) {
         collision::Manifold manifold;
         collision::Touch touch;
-        if (!collision::find_touch(entry.pair, scene, manifold, touch)) continue;
-        for (const ContactCache::Point& point : at_rest_.of(entry)) {
+        if (!collision::find_touch(pair, scene, manifold, touch)) return;
+        for (const ContactCache::Point& point : points) {
             const double normal = point.force.normal.last;
             found.push_back({.site = {.body_a = touch.body_a,
                                       .body_b = touch.body_b,
@@ -102,14 +123,14 @@ std::vector<RestingContact> ContactConstraints::sites_at_rest(std::span<const Bo
                              .normal = normal,
                              .force = touch.normal * normal + point.force.friction_last});
         }
-    }
+    });
     return found;
 }
 
 void ContactConstraints::all_forces(ContactCache& into) const {
     into = cache_ ? *cache_ : ContactCache{};
-    if (at_rest_.entries().empty()) return;
-    ContactCache at_rest = at_rest_;
+    ContactCache at_rest;
+    at_rest_.each([&](const collision::Pair& pair, const auto& points) { at_rest.add(pair, points); });
     into.take_from(at_rest, [](const collision::Pair&) { return true; });
 }
 

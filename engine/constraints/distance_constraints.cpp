@@ -130,7 +130,8 @@ bool DistanceConstraints::turns_unseen(int body) const {
     });
 }
 
-void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake,
+                                           std::span<const int> /*changed*/) {
     acting_.clear();
     for (std::size_t i = 0; i < distances_.size(); ++i) {
         if (is_any_moving(bodies, awake, distances_[i].body_a, distances_[i].body_b)) acting_.push_back(i);

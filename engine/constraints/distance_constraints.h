@@ -83,7 +83,7 @@ class DistanceConstraints : public ConstraintSource {
     bool turns_unseen(int body) const override;
     double stored_energy(std::span<const Body> bodies) const override;
     bool can_leave_out() const override { return true; }
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
     SomeBodies met_by_moved(const StepStart& step) const override;
 
     std::span<const Distance> distances() const { return distances_; }

@@ -225,7 +225,8 @@ bool JointConstraints::turns_unseen(int body) const {
     });
 }
 
-void JointConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+void JointConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake,
+                                        std::span<const int> /*changed*/) {
     acting_.clear();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (is_any_moving(bodies, awake, joints_[i].body_a, joints_[i].body_b)) acting_.push_back(i);

@@ -90,7 +90,7 @@ class JointConstraints : public ConstraintSource {
     void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     bool can_leave_out() const override { return true; }
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake) override;
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
     SomeBodies met_by_moved(const StepStart& step) const override;
 
     std::span<const Joint> joints() const { return joints_; }

@@ -57,14 +57,8 @@ bool Rest::is_still(int body) const {
     return at(body) < memory_.size() && memory_[at(body)].still >= time;
 }
 
-Awake Rest::awake(std::size_t bodies) const {
-    std::vector<char> is_awake(bodies, 1);
-    for (std::size_t i = 0; i < memory_.size(); ++i) is_awake[i] = memory_[i].group < 0;
-    return Awake(std::move(is_awake));
-}
-
-bool Rest::take_change() {
-    return std::exchange(changed_, false);
+std::vector<int> Rest::take_changed() {
+    return std::exchange(changed_, {});
 }
 
 void Rest::list_turning(std::span<const Body> bodies) {
@@ -79,7 +73,7 @@ void Rest::join_group(int body, int leader) {
     memory_[at(body)].group = leader;
     if (body != leader) next_[at(body)] = std::exchange(next_[at(leader)], body);
     ++count_;
-    changed_ = true;
+    changed_.push_back(body);
 }
 
 void Rest::wake(int body) {
@@ -89,10 +83,10 @@ void Rest::wake(int body) {
     for (int next = body; memory_[at(next)].group >= 0; next = std::exchange(next_[at(next)], next)) {
         memory_[at(next)].group = -1;
         memory_[at(next)].still = 0.0;
+        changed_.push_back(next);
         --count_;
     }
     std::erase_if(turning_, [this](int other) { return !is_at_rest(other); });
-    changed_ = true;
 }
 
 void Rest::wake_all() {
@@ -220,7 +214,6 @@ void Rest::set_memory(std::span<const Memory> memory, std::span<const Body> bodi
         if (memory_[at(body)].group >= 0) join_group(body, memory_[at(body)].group);
     }
     list_turning(bodies);
-    changed_ = true;
 }
 
 }  // namespace pushfactor::engine

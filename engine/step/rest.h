@@ -21,7 +21,6 @@
 // Not from the paper, which measures how long a stack stands without it.
 #pragma once
 
-#include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
 #include "engine/step/step_solver.h"
 #include "engine/system/system_equation.h"
@@ -54,10 +53,8 @@ class Rest {
     // Whether the body has been still for long enough.
     bool is_still(int body) const;
     int count() const { return count_; }  // bodies at rest
-    // All other bodies, out of `bodies` in the world.
-    Awake awake(std::size_t bodies) const;
-    // Whether the set of awake bodies has changed since the last call.
-    bool take_change();
+    // Bodies that have woken or come to rest since the last call, or both.
+    std::vector<int> take_changed();
 
     // Wakes a body and its group. For an awake body, restarts its time.
     void wake(int body);
@@ -100,7 +97,7 @@ class Rest {
     std::vector<Group> groups_;  // of the current island
     std::vector<int> turning_;
     int count_ = 0;
-    bool changed_ = true;
+    std::vector<int> changed_;
 };
 
 }  // namespace pushfactor::engine

@@ -138,10 +138,11 @@ void StepSolver::find_next_guesses(const Island& island, const RowRun& run) {
     }
 }
 
-void StepSolver::leave_out_others(std::span<const Body> bodies, const Awake& awake) {
+void StepSolver::leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) {
     forces_.moving.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!awake.has(static_cast<int>(i))) forces_.moving[i] = -stacked(bodies[i].force, bodies[i].torque);
+    for (const int body : changed) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        if (!awake.has(body)) forces_.moving[static_cast<std::size_t>(body)] = -stacked(own.force, own.torque);
     }
 }
 

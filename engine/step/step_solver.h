@@ -45,9 +45,9 @@ class StepSolver {
     // Ends the step. Returns the forces to start the next one with, by row.
     std::span<const Lambda> end(const StepProblem& problem);
 
-    // To be called before a step with other awake bodies than the last one. To code that predicts their motion
-    // the others are held.
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake);
+    // To be called before a step with other awake bodies than the last one, by those that `changed`. To code that
+    // predicts their motion the others are held.
+    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed);
 
     // Solution of the last step.
     Columns& lambda() { return lambda_; }

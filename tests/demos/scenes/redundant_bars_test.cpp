@@ -73,7 +73,7 @@ TEST_CASE("the same bar 1, 2, 8 and 100 times carries the weight together") {
 TEST_CASE("two bars that contradict each other stay finite, and the residual says that they do") {
     for (const char* const preset : {"default", "paper", "exact"}) {
         for (const std::string& solver : solvers) {
-            const Extremes seen = run(hanging({1.0, 1.1}, {0, -1.05, 0}), with_solver(preset, solver), 20.0);
+            const Extremes seen = run(hanging({1.0, 1.1}, {0, -1.05, 0}), with_solver(preset, solver), 5.0);
             INFO(preset << " " << solver << ": force " << seen.force << ", residual " << seen.residual);
             CHECK(seen.residual > 0.1);
         }
