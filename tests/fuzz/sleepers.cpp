@@ -55,8 +55,8 @@ JudgedSleepers run(const demos::families::Member& member) {
     const engine::Rest& rest = *first.scene().world.rest;
     std::vector<char> asleep;
     for (int body = 0; body < static_cast<int>(before.size()); ++body) asleep.push_back(rest.is_at_rest(body));
-    for (int second = 0; second < static_cast<int>(watched); ++second) {
-        advance(first, 1.0);
+    for (long step = std::lround(watched / first.settings().dt.value()); step > 0; --step) {
+        first.advance();
         for (std::size_t i = 0; i < asleep.size(); ++i) {
             asleep[i] = asleep[i] && rest.is_at_rest(static_cast<int>(i));
         }
