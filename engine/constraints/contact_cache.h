@@ -5,6 +5,7 @@
 #include "engine/collision/detector.h"
 #include "engine/constraints/constraint_row.h"
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <utility>
@@ -109,17 +110,16 @@ class RestingForces {
     ContactCache take(std::span<const int> colliders, const Belongs& belongs) {
         std::map<collision::Pair, std::vector<ContactCache::Point>> taken;
         for (const int collider : colliders) {
-            auto next = by_collider_.lower_bound({collider, 0});
-            while (next != by_collider_.end() && next->first.a == collider) {
-                const collision::Pair turned{next->first.b, collider};
-                const collision::Pair pair = std::min(next->first, turned);
-                ++next;
-                if (!belongs(pair)) continue;
-                taken[pair] = std::move(by_collider_[pair]);
-                if (next != by_collider_.end() && next->first == turned) ++next;
-                by_collider_.erase({pair.a, pair.b});
-                by_collider_.erase({pair.b, pair.a});
+            const auto begin = by_collider_.lower_bound({collider, 0});
+            for (auto own = begin; own != by_collider_.end() && own->first.a == collider; ++own) {
+                const collision::Pair pair = std::min(own->first, collision::Pair{own->first.b, collider});
+                if (belongs(pair)) taken[pair];
             }
+        }
+        for (auto& [pair, points] : taken) {
+            points = std::move(by_collider_[pair]);
+            by_collider_.erase(pair);
+            by_collider_.erase({pair.b, pair.a});
         }
         ContactCache all;
         for (const auto& [pair, points] : taken) all.add(pair, points);

@@ -34,8 +34,8 @@ class Rest {
   public:
     static constexpr double time = 0.5;    // s, for which a body has to be still
     static constexpr double bound = 1e-5;  // of the size of a body, by which it may move in that time
-    static constexpr double share_of_weight =
-        1e-6;  // that the net force on it may be, and its moment over its size
+    // That the net force on it may be, and its moment over its size.
+    static constexpr double share_of_weight = 1e-6;
 
     // State per body that is carried to the next step.
     struct Memory {

@@ -21,6 +21,8 @@ struct FamilyRequest {
 struct JudgedMember {
     demos::families::Member member;
     Judgement judgement;
+
+    bool holds() const { return judgement.holds(); }
 };
 
 // The member of this number, from 0.

@@ -49,17 +49,33 @@ bool is_interrupted() {
     return false;
 }
 
-Campaign watched_campaign(const OptionTexts& options) {
+// judge(go_on), with a bar that shows how many of `count` are done, until Ctrl-C.
+template <typename Judge>
+auto watched(const char* what, long count, const Judge& judge) {
     demos::note_interrupts();
-    demos::ProgressBar bar("scenes", options.scenes);
-    return judge_scenes(options.seed, options.scenes, [&](long done) {
+    demos::ProgressBar bar(what, count);
+    return judge([&](long done) {
         bar.show(done);
         return !is_interrupted();
     });
 }
 
+// Calls `report` for each that does not hold, prints the table, and returns the exit status.
+template <typename Judged, typename Report>
+int conclude(const std::vector<Judged>& judged, long wanted, const std::string& table, const Report& report) {
+    const bool all_hold = std::all_of(judged.begin(), judged.end(), [](const Judged& one) { return one.holds(); });
+    for (const Judged& one : judged) {
+        if (!one.holds()) report(one);
+    }
+    fmt::print("{}", table);
+    if (!all_hold) return demos::check_failed;
+    return static_cast<long>(judged.size()) < wanted ? demos::run_failed : demos::done;
+}
+
 int fuzz(const OptionTexts& options) {
-    const Campaign campaign = watched_campaign(options);
+    const Campaign campaign = watched("scenes", options.scenes, [&](const GoOn& go_on) {
+        return judge_scenes(options.seed, options.scenes, go_on);
+    });
     for (const Failure& failure : campaign.failures) report(failure, options.out);
     fmt::print("{} scenes: {} hold, {} became non-finite, {} fail\n", campaign.judged,
                campaign.judged - campaign.non_finite - static_cast<long>(campaign.failures.size()),
@@ -82,22 +98,12 @@ int judge_families(const OptionTexts& options) {
         throw demos::UsageError(
             fmt::format("--family {}: must be a family (see `pushfactor family`)", request.only));
     }
-    demos::note_interrupts();
-    demos::ProgressBar bar("members", request.members);
-    const std::vector<JudgedMember> judged = judge_members(request, [&](long done) {
-        bar.show(done);
-        return !is_interrupted();
-    });
-    bool all_hold = true;
-    for (const JudgedMember& one : judged) {
-        if (one.judgement.holds()) continue;
-        all_hold = false;
-        report(one, options);
-    }
-    fmt::print("{}", family_table(judged));
+    const std::vector<JudgedMember> judged =
+        watched("members", request.members, [&](const GoOn& go_on) { return judge_members(request, go_on); });
+    const int status = conclude(judged, request.members, family_table(judged),
+                                [&](const JudgedMember& one) { report(one, options); });
     if (options.page) write_family_page(judged, request, options.out);
-    if (!all_hold) return demos::check_failed;
-    return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
+    return status;
 }
 
 void report(const JudgedMeeting& judged, const std::filesystem::path& folder) {
@@ -117,23 +123,12 @@ void report(const JudgedMeeting& judged, const std::filesystem::path& folder) {
 }
 
 int fuzz_meetings(const OptionTexts& options) {
-    demos::note_interrupts();
-    demos::ProgressBar bar("pairs", 2 * options.meetings);
-    const std::vector<JudgedMeeting> judged = judge_meetings(
-        {.count = options.meetings, .first_seed = options.seed, .presets = {options.families.preset}},
-        [&](long done) {
-            bar.show(done);
-            return !is_interrupted();
-        });
-    bool all_hold = true;
-    for (const JudgedMeeting& one : judged) {
-        if (one.verdict.fault == MeetingFault::none) continue;
-        all_hold = false;
-        report(one, options.out);
-    }
-    fmt::print("{}", meeting_table(judged));
-    if (!all_hold) return demos::check_failed;
-    return static_cast<long>(judged.size()) < 2 * options.meetings ? demos::run_failed : demos::done;
+    const MeetingRequest request{
+        .count = options.meetings, .first_seed = options.seed, .presets = {options.families.preset}};
+    const std::vector<JudgedMeeting> judged =
+        watched("pairs", 2 * options.meetings, [&](const GoOn& go_on) { return judge_meetings(request, go_on); });
+    return conclude(judged, 2 * options.meetings, meeting_table(judged),
+                    [&](const JudgedMeeting& one) { report(one, options.out); });
 }
 
 void report(const JudgedFall& judged, const std::filesystem::path& folder) {
@@ -145,43 +140,21 @@ void report(const JudgedFall& judged, const std::filesystem::path& folder) {
 }
 
 int fuzz_thin_falls(const OptionTexts& options) {
-    demos::note_interrupts();
-    demos::ProgressBar bar("falls", options.thin_falls);
-    const std::vector<JudgedFall> judged =
-        judge_thin_falls(options.thin_falls, options.seed, options.families.preset, [&](long done) {
-            bar.show(done);
-            return !is_interrupted();
-        });
-    bool all_hold = true;
-    for (const JudgedFall& one : judged) {
-        if (one.holds()) continue;
-        all_hold = false;
-        report(one, options.out);
-    }
-    fmt::print("{}", thin_fall_table(judged));
-    if (!all_hold) return demos::check_failed;
-    return static_cast<long>(judged.size()) < options.thin_falls ? demos::run_failed : demos::done;
+    const std::vector<JudgedFall> judged = watched("falls", options.thin_falls, [&](const GoOn& go_on) {
+        return judge_thin_falls(options.thin_falls, options.seed, options.families.preset, go_on);
+    });
+    return conclude(judged, options.thin_falls, thin_fall_table(judged),
+                    [&](const JudgedFall& one) { report(one, options.out); });
 }
 
 int fuzz_sleepers(const OptionTexts& options) {
     FamilyRequest request = options.families;
     request.members = options.sleepers;
-    demos::note_interrupts();
-    demos::ProgressBar bar("members", request.members);
-    const std::vector<JudgedSleepers> judged = judge_sleepers(request, [&](long done) {
-        bar.show(done);
-        return !is_interrupted();
+    const std::vector<JudgedSleepers> judged =
+        watched("members", request.members, [&](const GoOn& go_on) { return judge_sleepers(request, go_on); });
+    return conclude(judged, request.members, sleepers_table(judged), [](const JudgedSleepers& one) {
+        fmt::print("{}: moves by {:.2g} of a size {}\n", one.member.command(), one.drift, one.error);
     });
-    bool all_hold = true;
-    for (const JudgedSleepers& one : judged) {
-        if (one.holds()) continue;
-        all_hold = false;
-        fmt::print("pushfactor family {} --seed {}: moves by {:.2g} of a size {}\n", one.family->name, one.seed,
-                   one.drift, one.error);
-    }
-    fmt::print("{}", sleepers_table(judged));
-    if (!all_hold) return demos::check_failed;
-    return static_cast<long>(judged.size()) < request.members ? demos::run_failed : demos::done;
 }
 
 bool holds(const std::filesystem::path& file) {

@@ -18,6 +18,7 @@ struct JudgedMeeting {
     std::string preset;
     MeetingVerdict verdict;
 
+    bool holds() const { return verdict.fault == MeetingFault::none; }
     bool passes() const { return meeting.prediction.kind == Prediction::Kind::passes; }
 };
 

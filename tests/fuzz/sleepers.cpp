@@ -41,7 +41,7 @@ double drift_of(const Body& before, const Body& after) {
 }
 
 JudgedSleepers run(const demos::families::Member& member) {
-    JudgedSleepers judged{.family = member.family, .seed = member.seed};
+    JudgedSleepers judged{.member = member};
     demos::SceneDescription scene = member.prospect.scene;
     scene.options["preset"] = "default";
     scene.options["threads"] = "1";
@@ -78,7 +78,7 @@ JudgedSleepers judge_sleepers(const demos::families::Member& member) {
     try {
         return run(member);
     } catch (const std::exception& error) {
-        return {.family = member.family, .seed = member.seed, .error = error.what()};
+        return {.member = member, .error = error.what()};
     }
 }
 
@@ -94,7 +94,7 @@ std::string sleepers_table(const std::vector<JudgedSleepers>& judged) {
         int members = 0, fail = 0, movable = 0, asleep = 0;
         double drift = 0.0;
         for (const JudgedSleepers& one : judged) {
-            if (family && one.family != family) continue;
+            if (family && one.member.family != family) continue;
             ++members;
             fail += !one.holds();
             movable += one.movable;

@@ -10,8 +10,7 @@ namespace pushfactor::tests {
 inline constexpr double most_drift = 1e-3;  // sizes
 
 struct JudgedSleepers {
-    const demos::families::Family* family = nullptr;
-    int seed = 0;
+    demos::families::Member member;
     int movable = 0, asleep = 0;  // bodies; asleep in both
     double drift = 0.0;           // of one asleep, in sizes
     std::string error{};          // of a run that did not reach its end

@@ -10,7 +10,7 @@ TEST_CASE("what sleeps would stay where it is if it were awake") {
     const FamilyRequest request{.members = 34, .small = true};
     int asleep = 0, movable = 0;
     for (const JudgedSleepers& one : judge_sleepers(request, [](long) { return true; })) {
-        INFO(one.family->name << ", seed " << one.seed << " " << one.error);
+        INFO(one.member.command() << " " << one.error);
         CHECK(one.error == "");
         CHECK(one.drift <= most_drift);
         asleep += one.asleep;

@@ -187,7 +187,7 @@ std::string lack_of(const BuiltScene& scene, OverlayKind kind) {
         case OverlayKind::velocities:
             return "";
         case OverlayKind::rest:
-            return scene.world.rest ? "" : "nothing rests without --rest on";
+            return scene.world.rest ? "" : "nothing rests with --rest off or in RATTLE steps";
         case OverlayKind::torques: {
             const bool any_motor =
                 scene.joints && std::ranges::any_of(scene.joints->joints(), [](const auto& joint) {
