@@ -72,8 +72,8 @@ class ConstraintSource {
     // Whether the source can omit rows between resting bodies, or resting and static ones, and keeps their
     // forces meanwhile (rest.h). If not, bodies with rows of this source do not come to rest.
     virtual bool can_leave_out() const { return false; }
-    // Sets the awake bodies from now on; called before the first step in which they differ, by those that `changed`.
-    // All are awake at first.
+    // Sets the awake bodies from now on; called before the first step in which they differ, by those that
+    // `changed`. All are awake at first.
     virtual void leave_out_others(std::span<const Body> /*bodies*/, const Awake& /*awake*/,
                                   std::span<const int> /*changed*/) {}
 

@@ -132,9 +132,10 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     return count;
 }
 
-// Where rows close a loop, no force reaches a part of their targets t, and forces for it move nothing: they are what
-// the softness s gives way to. With targets t - s y of the first forces y, that part is left out, but what carries
-// load gives way twice as much; with t - s y + 2 s z of the second forces z it gives way by 3 (s / A)^2 only.
+// Where rows close a loop, no force reaches a part of their targets t, and forces for it move nothing: they are
+// what the softness s gives way to. With targets t - s y of the first forces y, that part is left out, but what
+// carries load gives way twice as much; with t - s y + 2 s z of the second forces z it gives way by 3 (s / A)^2
+// only.
 void IslandSolver::lessen(Bench& bench, const solvers::Termination& termination, SystemEquation& system,
                           const Island& island, Columns& lambda, ConstraintForces& forces, Outcome& outcome,
                           solvers::SolveCount& count) {
