@@ -31,14 +31,30 @@ constexpr double most_step = 40.0, most_step_standing = 200.0;
 constexpr double usual_work = 1e4, least_work = 3e5;
 
 double volume(const BodyDescription& body) {
-    if (const auto* box = std::get_if<demos::BoxShape>(&body.shape)) return box->size.prod();
-    const double radius = std::get<demos::SphereShape>(body.shape).radius;
-    return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    return std::visit(engine::Overloaded{[](const demos::BoxShape& box) { return box.size.prod(); },
+                                         [](const demos::SphereShape& ball) {
+                                             return 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3);
+                                         },
+                                         [](const demos::PlaneShape&) { return engine::infinity; },
+                                         [](const demos::PolyhedronShape& hull) { return hull.volume; }},
+                      body.shape);
 }
 
+// Of a polyhedron the shortest distance between two corners.
 double shortest_edge(const BodyDescription& body) {
-    if (const auto* box = std::get_if<demos::BoxShape>(&body.shape)) return box->size.minCoeff();
-    return 2.0 * std::get<demos::SphereShape>(body.shape).radius;
+    const auto of_points = [](std::span<const Vector3> points) {
+        double shortest = INFINITY;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) shortest = std::min(shortest, (points[i] - points[j]).norm());
+        }
+        return shortest;
+    };
+    return std::visit(
+        engine::Overloaded{[](const demos::BoxShape& box) { return box.size.minCoeff(); },
+                           [](const demos::SphereShape& ball) { return 2.0 * ball.radius; },
+                           [](const demos::PlaneShape&) { return engine::infinity; },
+                           [&](const demos::PolyhedronShape& hull) { return of_points(hull.points()); }},
+        body.shape);
 }
 
 bool is_ball(const BodyDescription& body) {

@@ -72,28 +72,6 @@ Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     return {.scene = std::move(scene)};
 }
 
-// The harmonic overhang: the common centre of the k topmost blocks is over the edge of the block below if the k-th
-// of them is L / (2 k) farther out than that block. All blocks are at their limit together.
-Prospect describe_overhang(const ParameterValues& values, Random&) {
-    const Vector3 block(1.0, 0.25, 0.5);  // m
-    const double mu = values.number("friction");
-    const bool inside = values.whole("inside") == 1;
-    const double share = inside ? 1.0 - values.number("beyond") : 1.0 + values.number("beyond");
-    const int n = values.whole("blocks");
-    SceneDescription scene = on_ground(mu);
-    double x = 0.0;
-    for (int i = 0; i < n; ++i) {
-        if (i > 0) x += share * block.x() / (2.0 * (n - i));
-        add_box(scene, "block " + std::to_string(i + 1), block, 1.0, {x, (i + 0.5) * block.y(), 0}, mu);
-    }
-    look_at_all(scene);
-    if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene),
-            .ends = Ends::topples,
-            .rest_by = 8.0,
-            .leaving = {"block " + std::to_string(n)}};
-}
-
 }  // namespace
 
 Family pyramid() {
@@ -124,17 +102,6 @@ Family ball_on_cubes() {
              {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
              friction_of(0.3, 1.0)},
             describe_ball_on_cubes};
-}
-
-Family overhang() {
-    return {"overhang",
-            "Blocks that overhang by a share less or more than the maximum.",
-            "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
-            {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
-             {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},
-             {{"beyond", "X", "share of the limit that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
-             friction_of(0.3, 1.0)},
-            describe_overhang};
 }
 
 }  // namespace pushfactor::demos::families

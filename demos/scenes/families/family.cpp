@@ -87,10 +87,11 @@ std::string_view name_of(Ends ends) {
 }
 
 std::span<const Family> families() {
-    static const std::vector<Family> all{cubes(),       boxes(),        mixed(),         rods(),     funnel(),
-                                         round_tower(), square_tower(), crossed(),       wall(),     wall_hit(),
-                                         pyramid(),     card_house(),   ball_on_cubes(), dominoes(), leaning_slab(),
-                                         stacks(),      overhang()};
+    static const std::vector<Family> all{
+        cubes(),         boxes(),    mixed(),        rods(),     funnel(),   round_tower(),
+        square_tower(),  crossed(),  wall(),         wall_hit(), pyramid(),  card_house(),
+        ball_on_cubes(), dominoes(), leaning_slab(), stacks(),   overhang(), seesaw(),
+        taken_out(),     plates(),   cut_column(),   arch(),     net()};
     return all;
 }
 

@@ -118,6 +118,16 @@ Prospect describe_rods(const ParameterValues& values, Random& random) {
     return dropped(std::move(scene), rest_by(height, mu, speed));
 }
 
+Prospect describe_plates(const ParameterValues& values, Random& random) {
+    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+        Vector3 size = random_size(random, 0.3, 0.5);
+        size.y() = values.number("thickness");
+        const double angle = random.in(0.0, 6.0);
+        add_box(scene, name_of_body(i), size, 1000.0 * size.prod(), place(i), mu).orientation =
+            turned(angle) * inclined(random.in(-0.3, 0.3));
+    });
+}
+
 Prospect describe_funnel(const ParameterValues& values, Random& random) {
     ParameterValues of_scene(scenes::funnel_parameters());
     const int seed = static_cast<int>(random.in(0.0, 1e6));
@@ -169,6 +179,17 @@ Family rods() {
              {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}, 0, 10},
              friction_of(0.1, 1.0)},
             describe_rods};
+}
+
+Family plates() {
+    return {"plates",
+            "Plates of 0.3 to 0.5 m and 1000 kg/m^3 are dropped in layers, nearly flat.",
+            "Comes to rest: every impact takes energy and nothing gives any.",
+            {{{"count", "N", "number of plates", 0, 5, 1000, true}, 5, 16, Draw::by_decades},
+             layers,
+             {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}, 0.02, 0.1},
+             friction_of(0.1, 1.0)},
+            describe_plates};
 }
 
 Family funnel() {

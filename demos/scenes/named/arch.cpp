@@ -21,9 +21,8 @@ namespace {
 
 constexpr double density = 2000.0;   // kg/m^3
 constexpr double mean_radius = 2.0;  // m
-constexpr double stone_friction = 0.7;
-constexpr double depth = 0.8;     // m, of the arch along its axis
-constexpr double abutment = 0.5;  // m, height of an abutment
+constexpr double depth = 0.8;        // m, of the arch along its axis
+constexpr double abutment = 0.5;     // m, height of an abutment
 
 // Points at a distance from the centre, at an angle from the crown.
 Vector3 at(double radius, double angle, double z) {
@@ -169,13 +168,13 @@ SceneDescription arch(const ParameterValues& parameters) {
     SceneDescription scene;
     scene.name = "arch";
     scene.contacts = true;
-    add_abutment(scene, "left abutment", -half, thickness, stone_friction);
-    add_abutment(scene, "right abutment", half, thickness, stone_friction);
+    add_abutment(scene, "left abutment", -half, thickness, arch_friction);
+    add_abutment(scene, "right abutment", half, thickness, arch_friction);
     const auto joint = [&](int k) { return half * (2.0 * k / count - 1.0); };
     for (int k = 0; k < count; ++k) {
         BodyDescription body = voussoir(joint(k), joint(k + 1), thickness);
         body.name = "voussoir " + std::to_string(k + 1);
-        body.friction = stone_friction;
+        body.friction = arch_friction;
         body.colour = k % 2 == 0 ? "orange" : "vermilion";
         scene.bodies.push_back(body);
     }

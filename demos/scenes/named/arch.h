@@ -9,6 +9,8 @@ namespace pushfactor::demos::scenes {
 std::span<const Parameter> arch_parameters();
 SceneDescription arch(const ParameterValues& parameters);
 
+constexpr double arch_friction = 0.7;  // between its stones
+
 // An arch whose mean radius is 1.
 struct ArchShape {
     int voussoirs = 15;
