@@ -4,6 +4,7 @@
 // lasting part alone sets their velocity. Both have the same A, so here they are two columns of one solve.
 #include "engine/world.h"
 
+#include "engine/base/constants.h"
 #include "engine/constraints/carried.h"
 
 #include <cassert>
@@ -11,10 +12,6 @@
 namespace pushfactor::engine {
 
 namespace {
-
-// Limit on re-solves per step; each adds contacts for bodies that the last solve threw into something, one more
-// body of a chain of collisions each time.
-constexpr int most_looks = 4;
 
 // Multiply-adds of the last step that threads could have shared, from which on this step uses threads: some tenths
 // of a millisecond, while waking them takes some hundredths. Rows and bodies count as that many in addition to the
@@ -201,7 +198,7 @@ void World::carry_rows(double dt) {
 
 SolveWork World::solve_and_look(double dt) {
     SolveWork work = step_solver_.solve(problem());
-    for (int look = 0; look < most_looks; ++look) {
+    for (int look = 0; look < constants::collision::most_looks; ++look) {
         const std::size_t known = rows_.size();
         if (!append_unforeseen(dt)) break;
         extend_system(rows_.all(), system_);

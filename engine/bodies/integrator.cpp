@@ -1,5 +1,7 @@
 #include "engine/bodies/integrator.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +10,6 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Largest angle of a sub-turn [rad]. The energy error of the splitting grows with its square; in free flight
-// that is no drift, but from bounce to bounce it is a random walk.
-constexpr double largest_turn = 0.1;
 constexpr double most_turns = 1000.0;
 
 Vector3 to_body_frame(const Quaternion& orientation, const Vector3& vector) {
@@ -98,7 +97,7 @@ Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, d
 Quaternion rotate_by_small_turns(const Body& body, const Vector3& angular_momentum, double dt) {
     if (symmetry_axis(body.inverse_inertia) >= 0) return rotate_splitting(body, angular_momentum, dt);
     const double angle = angular_momentum.norm() * body.inverse_inertia.maxCoeff() * std::abs(dt);
-    const double turns = std::clamp(std::ceil(angle / largest_turn), 1.0, most_turns);
+    const double turns = std::clamp(std::ceil(angle / constants::integration::largest_turn), 1.0, most_turns);
     Body turned = body;
     for (double turn = 0.0; turn < turns; ++turn) {
         turned.orientation = rotate_splitting(turned, angular_momentum, dt / turns);

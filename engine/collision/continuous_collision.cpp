@@ -1,5 +1,6 @@
 #include "engine/collision/continuous_collision.h"
 
+#include "engine/base/constants.h"
 #include "engine/collision/meeting.h"
 #include "engine/collision/pairs/pair_table.h"
 
@@ -9,12 +10,6 @@
 namespace pushfactor::engine::collision {
 
 namespace {
-
-// Extra depth that a pair with rows may end the step with, as a fraction of the size: a tenth of it makes 3 more of
-// 2700 falls of thin bodies hold (tests/fuzz_scenes --thin-falls 2700) and heaps of rods and plates a sixth slower.
-constexpr double deep = 0.02;
-// The same of a pair without rows, of which nothing holds a part off or pushes it out again in this step.
-constexpr double deep_without_rows = 0.005;
 
 // Upper bound on the path of a point of the shape [m].
 double path_of(const Shape& shape, double speed, double rate, double dt) {
@@ -127,7 +122,8 @@ bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, 
                               .after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)]};
     const bool meets = contact_at(a, b, encounter, dt, manifold_);
     touch.normal = manifold_.normal;
-    return meets && manifold_.separation < std::min(0.0, smallest_gap(first.points)) - deep * touch.size;
+    return meets && manifold_.separation <
+                        std::min(0.0, smallest_gap(first.points)) - constants::collision::deep * touch.size;
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,
@@ -138,9 +134,10 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     for (const Pair& pair : broad_phase.find_pairs_of(thrown_)) {
         Touch touch;
         const Touch* const first = known(pair);
-        const bool matters = first ? ends_deep(*first, scene, touch)
-                                   : find_touch(pair, scene, manifold_, touch) &&
-                                         depth_at_end(touch, scene) > deep_without_rows * touch.size;
+        const bool matters =
+            first ? ends_deep(*first, scene, touch)
+                  : find_touch(pair, scene, manifold_, touch) &&
+                        depth_at_end(touch, scene) > constants::collision::deep_without_rows * touch.size;
         if (!matters) continue;
         touch.points = keep(manifold_.points());
         unforeseen_.push_back(touch);

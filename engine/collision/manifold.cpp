@@ -1,5 +1,7 @@
 #include "engine/collision/manifold.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,9 +17,6 @@ Vector3 tangent_fixed_in(const Matrix3& reference, const Vector3& normal) {
 }
 
 namespace {
-
-// Ratio of length to width above which a manifold has a long direction; below it that direction is noise.
-constexpr double long_ratio = 2.0;
 
 // Two directions across the normal in which outermost points are searched. Their lengths differ for a long
 // manifold and scale it to equal length and width.
@@ -53,7 +52,7 @@ Outwards outwards_of(std::span<const ContactPoint> points, const Vector3& normal
     const Vector3 u = tangent_fixed_in(reference, normal);
     const Vector3 v = normal.cross(u);
     const Spread spread = spread_of(points, u, v);
-    if (spread.length < long_ratio * spread.width) {
+    if (spread.length < constants::collision::long_ratio * spread.width) {
         const Vector3 direction = (2.0 * u + v).normalized();
         return {direction, normal.cross(direction)};
     }

@@ -1,5 +1,6 @@
 #include "engine/collision/meeting.h"
 
+#include "engine/base/constants.h"
 #include "engine/collision/pairs/pair_table.h"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 namespace pushfactor::engine::collision {
 
 namespace {
-
-// By how much a corner may sink that the manifold leaves out, as a fraction of the size: as the slop, what is seen
-// of no body.
-constexpr double unseen = 2e-3;
 
 // Directions of turning that are tried at most.
 constexpr int most_directions = 32;
@@ -70,8 +67,8 @@ void choose_points(const Met& met, const Encounter& encounter, Manifold& manifol
     }
     keep_carrying({.ends = {ends.data(), manifold.points().size()},
                    .path = path,
-                   .room = std::max(encounter.margin, unseen * encounter.size),
-                   .allowed = unseen * encounter.size},
+                   .room = std::max(encounter.margin, constants::collision::unseen * encounter.size),
+                   .allowed = constants::collision::unseen * encounter.size},
                   met.a.start.rotation, encounter.least_directions, most_directions, manifold);
 }
 
@@ -100,7 +97,7 @@ double closing_speed(const Motion& a, const Vector3& centre_a, const Motion& b, 
 bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time) {
     time = 0.0;
     collide(a.shape, a.start, b.shape, b.start, encounter.margin, manifold);
-    const double gap = smallest_gap(manifold), tolerance = meeting_gap * encounter.size;
+    const double gap = smallest_gap(manifold), tolerance = constants::collision::meeting_gap * encounter.size;
     if (gap > tolerance && encounter.strayed) {
         Encounter ends = encounter;
         ends.margin = 0.5 * tolerance;  // whatever comes as near fast enough has been an impact

@@ -25,10 +25,6 @@
 
 namespace pushfactor::engine::collision {
 
-// Distance at which two bodies have met, as a fraction of the size: the gap up to which rows with the default slop
-// count a point as touching (contact_row.cpp).
-inline constexpr double meeting_gap = 2e-6;
-
 struct Encounter {
     double dt = 0.0;                // s
     double size = 0.0;              // m, of the smaller movable body

@@ -1,14 +1,11 @@
 #include "engine/constraints/constraint_row.h"
 
+#include "engine/base/constants.h"
 #include "engine/bodies/body.h"
 
 namespace pushfactor::engine {
 
 namespace {
-
-// Share of its A_jj that the softness of a row is. Modes of the loop that are softer still, where bars fold onto
-// each other, count as none; a bridge of twelve planks sags by 3e-5 m.
-constexpr double softness_in_loops = 1e-4;
 
 // j_c M^-1 j_c^T of one body [1/kg].
 double mobility_along(const Body& body, const Vector6& axis) {
@@ -19,7 +16,8 @@ double mobility_along(const Body& body, const Vector6& axis) {
 }  // namespace
 
 void soften(const Body& a, const Body& b, ConstraintRow& row) {
-    row.softness = softness_in_loops * (mobility_along(a, row.jacobian.a) + mobility_along(b, row.jacobian.b));
+    row.softness = constants::rows::softness_in_loops *
+                   (mobility_along(a, row.jacobian.a) + mobility_along(b, row.jacobian.b));
 }
 
 bool is_of_loop(const ConstraintRow& row) {

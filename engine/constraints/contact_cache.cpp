@@ -1,13 +1,13 @@
 #include "engine/constraints/contact_cache.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 #include <cassert>
 
 namespace pushfactor::engine {
 
 namespace {
-
-constexpr double position_tolerance = 0.02;  // of the size of the pair
 
 constexpr std::size_t touches_of_a_part = 256;  // per thread task
 
@@ -87,7 +87,7 @@ void ContactCache::recall(std::span<const collision::Touch> touches, std::span<C
         if (is_as_before(*entry, touch.points)) {
             for (std::size_t i = 0; i < own.size(); ++i) own[i] = points_[entry->first + i].force;
         } else {
-            hand_out(*entry, touch.points, position_tolerance * touch.size, own, matched);
+            hand_out(*entry, touch.points, constants::rows::same_point * touch.size, own, matched);
         }
     }
 }

@@ -1,5 +1,6 @@
 #include "engine/constraints/contact_constraints.h"
 
+#include "engine/base/constants.h"
 #include "engine/base/index.h"
 #include "engine/constraints/carried.h"
 
@@ -12,9 +13,6 @@ namespace {
 
 // Contacts per thread task.
 constexpr std::size_t contacts_of_a_part = 128;
-
-// Share of the size above which a gap is real, not an error that the solver has left.
-constexpr double apart_share = 1e-5;
 
 // Sliding as a share of the velocity of an impact that is more than rounding.
 constexpr double has_direction = 1e-9;
@@ -136,7 +134,7 @@ void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, c
     const Vector3& normal = contact.touch->normal;
     const collision::ContactPoint& point = contact.touch->points[static_cast<std::size_t>(contact.point)];
 
-    const bool apart = point.gap > apart_share * contact.touch->size;
+    const bool apart = point.gap > constants::rows::apart * contact.touch->size;
     const FrictionBound& bound = apart ? shared.apart : shared.bound;
     contact.tangents = friction_tangents(normal, shared.motion.sliding(point.position, normal), bound.least_sliding,
                                          shared.resting);

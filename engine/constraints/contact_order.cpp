@@ -1,5 +1,7 @@
 #include "engine/constraints/contact_order.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,19 +9,13 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Heights are rounded to a share of the size, because otherwise rounding errors would decide the order within a
-// layer, differently after each step. In any unit: so scaled scenes keep their order. Neither tenths nor halves of
-// a quantum are near the rounding threshold.
-constexpr double quanta_a_size = 256.0;
-constexpr double rounds_up_at = 0.54;
-
 // Keys per thread task.
 constexpr std::size_t keys_of_a_part = 500;
 
 double rounded(double height, double size) {
-    const double quantum = size / quanta_a_size;
+    const double quantum = size / constants::rows::quanta_a_size;
     if (!(quantum > 0.0) || !std::isfinite(size)) return height;
-    return quantum * std::floor(height / quantum + (1.0 - rounds_up_at));
+    return quantum * std::floor(height / quantum + (1.0 - constants::rows::rounds_up_at));
 }
 
 double height_of(const collision::Touch& touch, std::span<const Body> bodies, const Vector3& up) {

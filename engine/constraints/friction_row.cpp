@@ -1,5 +1,7 @@
 #include "engine/constraints/friction_row.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,10 +9,8 @@ namespace pushfactor::engine {
 
 namespace {
 
-constexpr double sliding_share = 1e-4;
-
 double least_sliding(const FrictionSite& site) {
-    return sliding_share * std::sqrt(site.size * site.acceleration);
+    return constants::rows::sliding * std::sqrt(site.size * site.acceleration);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ FrictionBound WeightFriction::bound(const FrictionSite& site) const {
         if (!body->is_static()) mass += body->mass();
     }
     return {.limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points,
-            .least_sliding = sliding_share * site.size / site.dt};
+            .least_sliding = constants::rows::sliding * site.size / site.dt};
 }
 
 FrictionBound CoulombFriction::bound(const FrictionSite& site) const {

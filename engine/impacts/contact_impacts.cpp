@@ -1,5 +1,6 @@
 #include "engine/impacts/contact_impacts.h"
 
+#include "engine/base/constants.h"
 #include "engine/base/index.h"
 #include "engine/collision/meeting.h"
 #include "engine/constraints/carried.h"
@@ -11,15 +12,6 @@
 namespace pushfactor::engine {
 
 namespace {
-
-// Limit on the impacts of a step, per body that flies.
-constexpr int most_per_body = 100;
-
-// Share of its speed that the rebounds of a pair leave it in a step before it counts as in contact.
-constexpr double least_left = 0.1;
-
-// What a body has to be moved by, as a fraction of its size, to hit anything else.
-constexpr double noticed = 1e-3;
 
 bool is_closed(const ConstraintRow& row) {
     return row.bounds.c_min >= 0.0 ? row.error <= 0.0 : row.bounds.c_max <= 0.0 ? row.error >= 0.0 : true;
@@ -56,7 +48,7 @@ bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::
     begin(rows);
     set_off(0.0);
     for (int next = earliest(); next >= 0; next = earliest()) {
-        if (count_ >= most_per_body * static_cast<int>(flights_.size())) {
+        if (count_ >= constants::impacts::most_per_body * static_cast<int>(flights_.size())) {
             is_cut_short_ = true;
             break;
         }
@@ -99,7 +91,8 @@ void ContactImpacts::find_about_to_rebound() {
         for (const collision::ContactPoint& point : touch.points) {
             const double own =
                 collision::closing_speed(of_a, a.position, of_b, b.position, point.position, touch.normal);
-            if (point.gap <= collision::meeting_gap * touch.size + own * step_.dt) speed = std::max(speed, own);
+            if (point.gap <= constants::collision::meeting_gap * touch.size + own * step_.dt)
+                speed = std::max(speed, own);
         }
         const bool rebounds = touch.restitution * speed > least && speed > still;
         if (!rebounds) continue;
@@ -222,7 +215,8 @@ Flier ContactImpacts::flier(int collider) {
 void ContactImpacts::foresee(int number, double from) {
     Meeting& meeting = meetings_[at(number)];
     const Flier a = flier(meeting.touch.pair.a), b = flier(meeting.touch.pair.b);
-    meeting.time = meeting.left < least_left ? never : next_impact(a, b, meeting.limits, from, manifold_);
+    meeting.time =
+        meeting.left < constants::impacts::least_left ? never : next_impact(a, b, meeting.limits, from, manifold_);
     if (meeting.time == never) return;
     next_.push_back({meeting.time, meeting.touch.pair, number});
     std::push_heap(next_.begin(), next_.end());
@@ -342,7 +336,7 @@ void ContactImpacts::strike(int number, std::span<const ConstraintRow> rows) {
         fly_body(members_[k]).hit(time, impulses[k]);
         const double way = (step_.dt - time) * acceleration_by(body, impulses[k]).head<3>().norm();
         const bool is_own = k < 2;
-        if (is_own || way > noticed * touch.size) changed_.push_back(members_[k]);
+        if (is_own || way > constants::impacts::noticed * touch.size) changed_.push_back(members_[k]);
     }
     set_off(time);
 }

@@ -1,15 +1,10 @@
 #include "engine/impacts/flight.h"
 
+#include "engine/base/constants.h"
+
 #include <algorithm>
 
 namespace pushfactor::engine {
-
-namespace {
-
-// rad
-constexpr double steady_turn = 0.3;
-
-}  // namespace
 
 Flight::Flight(const Body& body, const Vector6& by_rows, double dt, OrientationStep rotate)
     : first_(body),
@@ -82,7 +77,7 @@ bool Flight::turns_steadily() const {
 
 double Flight::steady_until(double time) const {
     if (turns_steadily()) return dt_;
-    return std::min(dt_, time + steady_turn / angular_velocity(latest_).norm());
+    return std::min(dt_, time + constants::impacts::steady_turn / angular_velocity(latest_).norm());
 }
 
 void Flight::hit(double time, const Vector6& impulse) {

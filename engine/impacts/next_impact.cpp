@@ -1,5 +1,6 @@
 #include "engine/impacts/next_impact.h"
 
+#include "engine/base/constants.h"
 #include "engine/collision/meeting.h"
 #include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/time_of_impact.h"
@@ -14,11 +15,8 @@ namespace {
 // Gap at which a meeting counts as found, and steps of Newton's method for it.
 constexpr double found_gap = 1e-12;
 constexpr int most_refinements = 8;
-// How often a pair that touches without an impact is looked at in a step.
-constexpr double looks_per_step = 16.0;
+// Limit on how often a pair is looked at in a step.
 constexpr int most_looks = 200;
-// Way of the points of a pair that separates after which it is looked at again, as a fraction of its size.
-constexpr double unseen_way = 1e-2;
 
 collision::Moving moving(const Flier& flier, const Body& now, double time, double until) {
     return {flier.shape, collision::pose_of(now), flier.flight.motion(time, until)};
@@ -53,7 +51,7 @@ double fastest_approach(const Look& look, const collision::Manifold& manifold) {
 
 // For how long a pair that touches without an impact needs not be looked at, if it separates at `speed` [m/s].
 double time_apart(const Flier& a, const Flier& b, const Look& look, double speed, const ImpactLimits& limits) {
-    const double usual = limits.dt / looks_per_step;
+    const double usual = limits.dt / constants::impacts::looks_per_step;
     if (!(speed > 0.0)) return usual;
     const double turning =
         a.turning * angular_velocity(look.a).norm() + b.turning * angular_velocity(look.b).norm();
@@ -61,14 +59,14 @@ double time_apart(const Flier& a, const Flier& b, const Look& look, double speed
     // Where nothing turns convex shapes go on to separate; else other points may follow.
     if (turning == 0.0) return std::max(usual, speed / std::max(change, speed / limits.dt));
     const double fastest = turning + (velocity(look.a) - velocity(look.b)).norm();
-    return std::min(
-        usual, std::max(4.0 * collision::meeting_gap * limits.size / speed, unseen_way * limits.size / fastest));
+    return std::min(usual, std::max(4.0 * constants::collision::meeting_gap * limits.size / speed,
+                                    constants::impacts::unseen_way * limits.size / fastest));
 }
 
 // Whether the balls around both shapes cannot meet from `from` on.
 bool are_apart(const Flier& a, const Flier& b, const ImpactLimits& limits, double from) {
     const double rest = limits.dt - from;
-    const double reach = a.radius + b.radius + 2.0 * collision::meeting_gap * limits.size;
+    const double reach = a.radius + b.radius + 2.0 * constants::collision::meeting_gap * limits.size;
     const double way = rest * (a.flight.velocity_at(from) - b.flight.velocity_at(from)).norm() +
                        rest * rest * (a.flight.acceleration() - b.flight.acceleration()).norm();
     return (a.flight.position_at(from) - b.flight.position_at(from)).norm() > reach + way;
@@ -83,21 +81,21 @@ double ImpactLimits::least_speed(const Vector3& normal, const Vector3& fall_a, c
 
 double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
                    collision::Manifold& manifold) {
-    const double dt = limits.dt, tolerance = collision::meeting_gap * limits.size;
+    const double dt = limits.dt, tolerance = constants::collision::meeting_gap * limits.size;
     if (are_apart(a, b, limits, from)) return never;
     double time = from;
     for (int looks = 0; looks < most_looks && time < dt; ++looks) {
         Look look(a, b, time, 2.0 * tolerance, manifold);
         if (look.gap > tolerance || manifold.count == 0) {
             if (look.gap <= tolerance) {
-                time += dt / looks_per_step;  // close along all axes, but without points
+                time += dt / constants::impacts::looks_per_step;  // close along all axes, but without points
                 continue;
             }
             const double until = std::min(a.flight.steady_until(time), b.flight.steady_until(time));
             const collision::Course course = collision::course_of(
                 moving(a, look.a, time, until), moving(b, look.b, time, until), until - time, tolerance);
             if (course.time == never) {
-                time = course.decided ? until : time + dt / looks_per_step;
+                time = course.decided ? until : time + dt / constants::impacts::looks_per_step;
                 continue;
             }
             time += course.time;

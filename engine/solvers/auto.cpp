@@ -19,9 +19,6 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-// Factorisations that are needed: near the solution one to find the forces and one to see that no row changes its
-// state; from a guess that misses more than `near_share` of fastest(), most islands take so many.
-constexpr double when_near = 2.0, from_afar = 16.0, near_share = 1e-2;
 // Least multiply-adds of a factorisation per pair of bodies: one block.
 constexpr double work_of_a_pair = 216.0;
 
@@ -33,10 +30,11 @@ class Auto {
         if (island.rows == 1) return solve_single_row(system, island, lambda);
         SolveCount count;
         const double worth = std::min(termination.worth, most_work_of_a_column * columns);
-        const bool may_be_worth = plans(island, worth / (when_near * columns));
+        const double of_one = worth / (termination.factorisations * columns);
+        const bool may_be_worth = plans(island, of_one);
         if (!may_be_worth && termination.iterations == 0) return count;
         rows_.load(system, island, lambda);
-        const bool done = may_be_worth && solve_exactly(island.has(RowDigest::limited), termination, worth, count);
+        const bool done = may_be_worth && solve_exactly(termination, of_one, worth, count);
         if (!done) work_down(rows_, termination, count, sweep<columns>);
         rows_.store(system, island, lambda);
         return count;
@@ -53,11 +51,9 @@ class Auto {
     }
 
     // Returns whether nothing is left to do; otherwise the forces are the better ones of guess and result.
-    bool solve_exactly(bool limited, const Termination& termination, double worth, SolveCount& count) {
+    bool solve_exactly(const Termination& termination, double of_one, double worth, SolveCount& count) {
+        if (exact_.factorisation(rows_) > of_one) return false;
         const double guessed = rows_.residual();
-        const bool is_near = guessed <= near_share * rows_.fastest();
-        const double one_each = columns * exact_.factorisation(rows_);
-        if ((is_near || !limited ? when_near : from_afar) * one_each > worth) return false;
         guess_ = rows_.rows;
         Effort effort(worth);
         count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);

@@ -20,9 +20,10 @@ struct Termination {
     int iterations = 25;          // per solve, at most; 0: only exact methods
     double tolerance_high = 0.0;  // m/s
     double tolerance_low = 0.0;   // m/s, at most tolerance_high
-    // For a solver that has other ways: what an exact solution is worth in multiply-adds, and the residual [m/s] up
-    // to which it is better than what would be done instead.
+    // For a solver that has other ways: what an exact solution is worth in multiply-adds, how many factorisations
+    // it is expected to take, and the residual [m/s] up to which it is better than what would be done instead.
     double worth = infinity;
+    double factorisations = 1.0;
     double will_do = 0.0;
 };
 

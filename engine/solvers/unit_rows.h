@@ -327,19 +327,6 @@ class UnitRows {
     // Multiply-adds of adding all rows to a matrix to be factorised.
     static double factor_work_of(int rows) { return 108.0 * rows; }
 
-    // Largest speed that a row asks for without any forces [m/s].
-    double fastest() const {
-        double largest = 0.0;
-        for (const Row& row : rows) {
-            if (row.of_row >= 0) continue;
-            for (int c = 0; c < columns; ++c) {
-                const double alone = std::max(std::min(row.t[at(c)], row.high[at(c)]), row.low[at(c)]);
-                largest = std::max(largest, row.scale * std::abs(alone));
-            }
-        }
-        return largest;
-    }
-
     // Whether any bound is a multiple of another row's force.
     bool bounds_follow() const {
         return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.of_row >= 0; });

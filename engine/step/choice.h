@@ -35,9 +35,13 @@ bool will_do(double residual, const solvers::Termination& usual, std::span<const
 // leave.
 double good_residual(double dt, std::span<const Body> bodies, const Island& island);
 
-// Multiply-adds that a direct solution of the island is worth, whose guess has forces or none. `divided`: small
-// steps are taken instead, else sweeps of the whole step.
-double worth_of(double dt, std::span<const Body> bodies, const Island& island, double residual, bool has_forces,
-                bool divided);
+// Multiply-adds that a direct solution of the island is worth, whose guess has forces or none and these residuals
+// [m/s] in its columns, and the factorisations that it will take. `divided`: small steps are taken instead, else
+// sweeps of the whole step.
+struct Worth {
+    double multiply_adds = 0.0, factorisations = 0.0;
+};
+Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, std::span<const double> residuals,
+               bool has_forces, bool divided);
 
 }  // namespace pushfactor::engine::choice

@@ -121,8 +121,11 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         solvers::Termination own = usual;
         if (divides) own.iterations = 0;
         if (divides) own.will_do = choice::good_residual(system.dt, bodies, island);
-        own.worth = choice::worth_of(system.dt, bodies, island, larger(outcome.residuals),
-                                     has_forces(island, lambda), divides);
+        const std::span<const double> residuals(outcome.residuals.data(), static_cast<std::size_t>(island.columns));
+        const choice::Worth worth =
+            choice::worth_of(system.dt, bodies, island, residuals, has_forces(island, lambda), divides);
+        own.worth = worth.multiply_adds;
+        own.factorisations = worth.factorisations;
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
         if (outcome.method == Method::exact && loops)
             lessen(bench, own, system, island, lambda, forces, outcome, count);

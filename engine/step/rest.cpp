@@ -1,5 +1,6 @@
 #include "engine/step/rest.h"
 
+#include "engine/base/constants.h"
 #include "engine/base/index.h"
 
 #include <algorithm>
@@ -22,13 +23,13 @@ struct Sizes {
 
 // Whether the body is within the bound of the place.
 bool is_near(const Body& body, const Sizes& sizes, const Rest::Memory& place) {
-    const double limit = Rest::bound * sizes.small;
+    const double limit = constants::rest::bound * sizes.small;
     return (body.position - place.position).squaredNorm() <= limit * limit;
 }
 
 // Whether it has turned by no more than that.
 bool is_turned_alike(const Body& body, const Sizes& sizes, const Rest::Memory& place) {
-    const double limit = Rest::bound * sizes.small;
+    const double limit = constants::rest::bound * sizes.small;
     // |q - q'| of unit quaternions is half of a small angle between them.
     const double apart = std::min((body.orientation.coeffs() - place.orientation.coeffs()).squaredNorm(),
                                   (body.orientation.coeffs() + place.orientation.coeffs()).squaredNorm());
@@ -38,11 +39,11 @@ bool is_turned_alike(const Body& body, const Sizes& sizes, const Rest::Memory& p
 // Whether its spin has changed so little that in the time the additional turn stays within the bound.
 bool spins_alike(const Body& body, const Rest::Memory& place) {
     const double change = (body.angular_momentum - place.spin).norm() * body.inverse_inertia.maxCoeff();
-    return change * Rest::time <= Rest::bound;
+    return change * constants::rest::time <= constants::rest::bound;
 }
 
 bool is_in_equilibrium(const Body& body, const Vector6& force_of_rows) {
-    const double limit = Rest::share_of_weight * body.force.norm();
+    const double limit = constants::rest::share_of_weight * body.force.norm();
     return (body.force + force_of_rows.head<3>()).norm() <= limit &&
            (body.torque + force_of_rows.tail<3>()).norm() <= limit * Sizes(body).large;
 }
@@ -54,7 +55,7 @@ bool has_force(const Columns& lambda, std::size_t row) {
 }  // namespace
 
 bool Rest::is_still(int body) const {
-    return at(body) < memory_.size() && memory_[at(body)].still >= time;
+    return at(body) < memory_.size() && memory_[at(body)].still >= constants::rest::time;
 }
 
 std::vector<int> Rest::take_changed() {

@@ -32,11 +32,6 @@ namespace pushfactor::engine {
 
 class Rest {
   public:
-    static constexpr double time = 0.5;    // s, for which a body has to be still
-    static constexpr double bound = 1e-5;  // of the size of a body, by which it may move in that time
-    // That the net force on it may be, and its moment over its size.
-    static constexpr double share_of_weight = 1e-6;
-
     // State per body that is carried to the next step.
     struct Memory {
         int group = -1;      // at rest: number shared by bodies that came to rest together; negative otherwise

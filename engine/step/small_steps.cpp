@@ -1,5 +1,6 @@
 #include "engine/step/small_steps.h"
 
+#include "engine/base/constants.h"
 #include "engine/bodies/integrator.h"
 #include "engine/solvers/sweep.h"
 #include "engine/step/choice.h"
@@ -10,23 +11,6 @@
 namespace pushfactor::engine {
 
 namespace {
-
-// (omega h)^2 of a body at rest on a closed row, omega being the angular frequency at which it would bounce if
-// nothing damped it. An explicit spring is stable below 4; the larger, the less heaps are compressed. Of 0.7
-// and 1.7, walls and houses of cards gain energy with the latter.
-constexpr double stiffness = 0.7;
-
-// Sweeps of the displacement that takes overlaps apart.
-constexpr int push_sweeps = 4;
-// Change of a row's velocity from which on sweeps go on, over the speed that a small step's external forces cause;
-// no whole number, so that rounding does not decide for what falls.
-constexpr double hit = 12.5;
-// The same over the largest change of the first sweep, for impacts that are faster still.
-constexpr double small_share = 1e-3;
-
-// Sweeps of a solve at most. A pyramid hit at 20 m/s, whose bricks are thrown up by 0.2 m/s if it is solved, throws
-// them up by 5 m/s with one sweep, by 0.9 with 25, and by 0.3 with 100, which cost four times as much in that step.
-constexpr int most_sweeps = 100;
 
 const ConstraintRow& row_of(const SystemEquation& system, int row) {
     return system.rows[static_cast<std::size_t>(row)];
@@ -198,7 +182,7 @@ void SmallSteps::begin(const Step& step, const Part& part) {
         if (holds_a_place(source)) {
             const double open_side = source.bounds.c_min >= 0.0 ? 1.0 : source.bounds.c_max <= 0.0 ? -1.0 : 0.0;
             state.holding.push_back(
-                {number, j, source.correction, source.error, carried, open_side, follows != nullptr});
+                {number, j, source.correction, source.error, source.error, carried, open_side, follows != nullptr});
         } else {
             row.t[0] = (source.push.lasting + carried) / row.scale;
         }
@@ -214,11 +198,14 @@ double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-// Targets of a solve that begins `elapsed` [s] after the step.
+// Targets of a solve that begins `elapsed` [s] after the step. Bodies move between the solve with the push and the
+// one without.
 void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& part) {
-    for (const Holding& own : state_of(part).holding) {
+    for (Holding& own : state_of(part).holding) {
         solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
-        const double error = own.is_followed ? own.error : own.error + moved_along(row) - elapsed * own.carried;
+        if (which == Solve::without_push && !own.is_followed)
+            own.error = own.start + moved_along(row) - elapsed * own.carried;
+        const double error = own.error;
         const Correction& correction = *own.correction;
         const double most = own.open_side == 0.0 ? correction.max_speed : step.fastest;
         const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
@@ -229,7 +216,9 @@ void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& 
         } else if (which == Solve::with_push) {
             speed = -share * error / step.h;
         }
-        row.keeps = which == Solve::with_push ? stiffness / (stiffness + share) : 1.0;
+        row.keeps = which == Solve::with_push
+                        ? constants::small_steps::stiffness / (constants::small_steps::stiffness + share)
+                        : 1.0;
         row.t[0] = (speed + own.carried) / row.scale;
     }
 }
@@ -312,9 +301,10 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     each_body(team, [this](std::size_t i) { stirred_[i] = -1; });
     team.wait_for_all();  // until all bodies have moved
     dissection_.in_any_order(team, [&](const Part& part) { aim(step, which, elapsed, part); });
-    double restless = hit * step.fastest / step.division.steps;
+    double restless = constants::small_steps::hit * step.fastest / step.division.steps;
     double largest = infinity;
-    for (int k = 0; k < step.division.sweeps || (largest > restless && k < most_sweeps); ++k) {
+    for (int k = 0; k < step.division.sweeps || (largest > restless && k < constants::small_steps::most_sweeps);
+         ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
             PartState& state = state_of(part);
             state.change = k < step.division.sweeps ? sweep(state.blocks)
@@ -322,7 +312,7 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
         });
         largest = 0.0;
         for (const PartState& state : states_) largest = std::max(largest, state.change);
-        if (k == 0) restless = std::max(restless, small_share * largest);
+        if (k == 0) restless = std::max(restless, constants::small_steps::small_share * largest);
         team.wait_for_all();  // before anyone writes the next changes
     }
     dissection_.in_any_order(team, [&](const Part& part) {
@@ -410,7 +400,7 @@ void SmallSteps::push_apart(const Step& step, Team& team) {
     if (std::none_of(states_.begin(), states_.end(), [](const PartState& state) { return state.is_pushed; }))
         return;
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
-    for (int k = 0; k < push_sweeps; ++k) {
+    for (int k = 0; k < constants::small_steps::push_sweeps; ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
             for (const Holding& own : state_of(part).holding) {
                 if (own.open_side == 0.0) continue;

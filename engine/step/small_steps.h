@@ -95,7 +95,7 @@ class SmallSteps {
         std::size_t row;               // number in the island
         int of_step;                   // number in the step
         const Correction* correction;  // of its errors
-        double error;                  // m, at the start of the step; of a row that is followed, now
+        double start, error;           // m, at the start of the step, and now
         double carried;                // m/s, see SystemEquation
         double open_side;              // 1 if it is open for errors above zero, -1 if below, 0 if never
         bool is_followed;

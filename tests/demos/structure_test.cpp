@@ -135,6 +135,32 @@ TEST_CASE("the engine knows Eigen only: no graphics, no demos, no files, no cloc
                             "fstream", "iostream", "filesystem", "chrono", "ctime", "cstdio"});
 }
 
+TEST_CASE(
+    "constants that decide physics are in one list of at most fifty, each with a reason, and the step has none") {
+    const std::regex constant(R"((\w+) = [-+.\de*/ ]+[,;])");
+    std::vector<std::string> names;
+    std::string before;
+    for (const std::string& line :
+         lines_of(read_file(fs::path(PUSHFACTOR_SOURCE_DIR) / "engine/base/constants.h"))) {
+        if (line.starts_with("inline constexpr")) {
+            INFO(line);
+            CHECK((before.starts_with("//") || line.find("  // ") != std::string::npos));
+            for (std::sregex_iterator match(line.begin(), line.end(), constant), end; match != end; ++match) {
+                names.push_back((*match)[1]);
+            }
+        }
+        before = line;
+    }
+    INFO(names.size() << " constants");
+    CHECK(names.size() > 40);
+    CHECK(names.size() <= 50);
+    const std::regex number(R"(constexpr (double|int|float) \w+)");
+    for (const auto& [path, text] : sources_of({"engine/step"}, {".h", ".cpp"})) {
+        INFO(path);
+        CHECK(!std::regex_search(text, number));
+    }
+}
+
 TEST_CASE("one file of the engine knows threads and their library") {
     std::set<std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PUSHFACTOR_SOURCE_DIR) / "engine")) {

@@ -89,7 +89,7 @@ Family arch() {
     return {"arch",
             "A semicircular arch, thicker or thinner than the least thickness that can stand.",
             "Stands if a line of thrust fits inside its joints (Heyman 1966), else it falls.",
-            {{{"voussoirs", "N", "number of voussoirs", 0, 3, 61, true}, 3, 21},
+            {{{"voussoirs", "N", "number of voussoirs", 0, 4, 61, true}, 4, 21},
              {{"inside", "0|1", "1: thicker than the limit, 0: thinner", 0, 0, 1, true}, 0, 1},
              {{"beyond", "X", "share of the limit by which it is more or less", 0, 0.02, 0.3}, 0.02, 0.3}},
             describe_arch};

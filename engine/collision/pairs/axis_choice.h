@@ -12,9 +12,9 @@
 
 namespace pushfactor::engine::collision {
 
-// Fractions of the smaller polyhedron's least width.
-inline constexpr double axis_preference = 5e-4;  // for the choice of the axis
-inline constexpr double axis_rounding = 1e-6;    // among equal axes; within it the first one wins
+// Difference up to which axes are equal, of which the first one wins; a fraction of the smaller polyhedron's least
+// width.
+inline constexpr double axis_rounding = 1e-6;
 
 // The best axis of each of the three groups. An Axis has a `gap` [m], negative while the polyhedra overlap along
 // it.

@@ -2,6 +2,7 @@
 // boxes as hulls (polyhedron_pairs.h) would have the same contacts at higher cost.
 #include "engine/collision/pairs/box_box.h"
 
+#include "engine/base/constants.h"
 #include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/clipping.h"
 #include "engine/collision/pairs/separations.h"
@@ -163,7 +164,7 @@ void clip_faces(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose
 // Collides the boxes along one axis.
 void collide_along(const BoxAxis& axis, const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b,
                    double margin, Manifold& manifold) {
-    const double tolerance = clip_tolerance * size_of(a, b);  // m
+    const double tolerance = constants::collision::clip_tolerance * size_of(a, b);  // m
     const Vector3 normal = axis_between(axis, pose_a, pose_b);
     manifold.normal = normal;
     if (axis.of_a < 0) {
@@ -185,7 +186,7 @@ void collide_box_box(const Box& a, const Pose& pose_a, const Box& b, const Pose&
     }
 
     const double size = size_of(a, b);
-    const BoxAxis& best = axes.preferred(axis_preference * size);
+    const BoxAxis& best = axes.preferred(constants::collision::axis_preference * size);
     collide_along(best, a, pose_a, b, pose_b, margin, manifold);
     // What is below a preferred face may be beside it.
     if (manifold.count == 0 && best.gap < axes.largest()) {

@@ -15,11 +15,6 @@
 
 namespace pushfactor::engine::collision {
 
-// By which the face that the axis is normal to is widened before clipping, a fraction of the smaller polyhedron's
-// least width: with exactly aligned faces the corners of the other lie on its sides and would be clipped in one
-// step and kept in the next.
-inline constexpr double clip_tolerance = 2e-4;
-
 // A clipped face. A Corner has `edge`, the label of the edge to the next corner, and between().
 template <typename Corner, std::size_t most>
 struct Polygon {

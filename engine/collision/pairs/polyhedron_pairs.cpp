@@ -1,5 +1,6 @@
 #include "engine/collision/pairs/polyhedron_pairs.h"
 
+#include "engine/base/constants.h"
 #include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/clipping.h"
 
@@ -123,7 +124,7 @@ void clip_faces(const PlacedHull& a, const PlacedHull& b, FacePair faces, const 
     const HullFace& face = hull.face(faces.of_a);
     const Pose& pose = a.pose();
     const bool of_edges = axis.of_a >= 0 && axis.of_b >= 0;
-    const double tolerance = of_edges ? 0.0 : clip_tolerance * size_of(a, b);  // m
+    const double tolerance = of_edges ? 0.0 : constants::collision::clip_tolerance * size_of(a, b);  // m
     const Vector3 normal = (flipped ? -1.0 : 1.0) * (pose.rotation.transpose() * axis.normal);
     const std::uint32_t of_a = flipped ? of_second : 0u, of_b = flipped ? 0u : of_second;
     ClippedFace first, second;
@@ -181,7 +182,7 @@ void collide_hulls(const PlacedHull& a, const PlacedHull& b, double margin, Mani
         return;
     }
 
-    const Separation& best = axes.preferred(axis_preference * size);
+    const Separation& best = axes.preferred(constants::collision::axis_preference * size);
     collide_along(best, a, b, margin, manifold);
     // What is below a preferred face may be beside it.
     if (manifold.count == 0 && best.gap < axes.largest())

@@ -1,6 +1,7 @@
 // Rest: which bodies may be left out of steps and which may not, with the same motion of the others.
 #include "engine/step/rest.h"
 
+#include "engine/base/constants.h"
 #include "engine/constraints/distance_constraints.h"
 #include "tests/catch.h"
 #include "tests/engine/step/rest_scene.h"
@@ -16,7 +17,7 @@ TEST_CASE("what stands comes to rest after half a second, and takes no rows and 
     ContactScene scene;
     add_ground_and_tower(scene);
     build(scene);
-    CHECK(most_at_rest(scene.world, Rest::time - dt) == 0);
+    CHECK(most_at_rest(scene.world, constants::rest::time - dt) == 0);
     CHECK(most_at_rest(scene.world, 3 * dt) == 5);
     const std::vector<Body> before = scene.world.bodies;
     for (int i = 0; i < 100; ++i) {
