@@ -27,7 +27,7 @@ const Keys state_keys{
     "time_s",           "warm_start",     "substeps", "force_rate_per_s", "distance_forces_n", "joint_forces_n",
     "joint_angles_rad", "contact_forces", "places",   "at_rest",          "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
-const Keys place_keys{"body", "wide", "still_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
+const Keys place_keys{"body", "wide", "still_s", "here_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
@@ -160,6 +160,7 @@ std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescrip
         stay.position = body.position;
         stay.orientation = body.orientation;
         if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
+        stay.here = entry.has("here_s") ? entry.at("here_s").number(0.0, 1e9) : stay.still;
         if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
         if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
         if (entry.has("angular_momentum_kg_m2_per_s")) {
@@ -249,6 +250,7 @@ Json places_json(const RunState& state, const SceneDescription& scene) {
                               q.coeffs() != engine::Quaternion::Identity().coeffs();
         if (!is_noted) continue;  // not yet
         Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
+        if (stay.here != stay.still) place["here_s"] = stay.here;
         if (stay.position != body.position) place["position_m"] = to_json(stay.position);
         if (q.coeffs() != body.orientation.coeffs()) {
             place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});

@@ -79,11 +79,11 @@ void Rest::join_group(int body, int leader) {
 
 void Rest::wake(int body) {
     if (at(body) >= memory_.size()) return;
-    memory_[at(body)].still = 0.0;
+    memory_[at(body)].still = memory_[at(body)].here = 0.0;
     if (memory_[at(body)].group < 0) return;
     for (int next = body; memory_[at(next)].group >= 0; next = std::exchange(next_[at(next)], next)) {
         memory_[at(next)].group = -1;
-        memory_[at(next)].still = 0.0;
+        memory_[at(next)].still = memory_[at(next)].here = 0.0;
         changed_.push_back(next);
         --count_;
     }
@@ -134,9 +134,11 @@ void Rest::note_places(std::span<const Body> bodies, std::span<const char> turns
         const bool spins_on = turns_unseen[at(index)] && spins_alike(body, memory);
         if ((spins_on || is_turned_alike(body, sizes, memory)) && is_near(body, sizes, memory)) {
             memory.still += dt;
+            memory.here += dt;
             if (!spins_on) memory.spin.setZero();
         } else {
-            memory.still = 0.0;
+            if (memory.here < constants::rest::time) memory.still = 0.0;
+            memory.here = 0.0;
             memory.position = body.position;
             memory.orientation = body.orientation;
             memory.spin = turns_unseen[at(index)] ? body.angular_momentum : Vector3::Zero();

@@ -35,7 +35,8 @@ class Rest {
     // State per body that is carried to the next step.
     struct Memory {
         int group = -1;      // at rest: number shared by bodies that came to rest together; negative otherwise
-        double still = 0.0;  // s, for which it has been within the bound of this place
+        double still = 0.0;  // s, for which it has moved by at most the bound in any while (constants::rest::time)
+        double here = 0.0;   // s, for which it has been within the bound of this place
         Vector3 position = Vector3::Zero();  // m
         Quaternion orientation = Quaternion::Identity();
         Vector3 spin = Vector3::Zero();  // kg m^2/s, angular momentum kept by a body whose turning no row sees

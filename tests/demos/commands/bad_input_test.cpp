@@ -69,7 +69,7 @@ const char* const everything = R"({
                                  [[0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0]]], "contact_forces": [{"a": "ground", "b": "box", "points": [
                   {"feature": 1, "position_m": [0, 0, 0], "normal_n": [1, 1], "friction_first_n": [0, 0, 0],
                    "friction_last_n": [0, 0, 0]}]}],
-              "places": [{"body": "box", "wide": true, "still_s": 0.5, "position_m": [0, 2, 0],
+              "places": [{"body": "box", "wide": true, "still_s": 0.5, "here_s": 0.5, "position_m": [0, 2, 0],
                           "orientation_wxyz": [1, 0, 0, 0], "angular_momentum_kg_m2_per_s": [0, 0, 0]}],
               "at_rest": [["box"]]},
     "options": {"seconds": 0.1},
@@ -228,6 +228,7 @@ const std::vector<Field> fields{
     {"place", "body", "/state/places/0/body", no_words},
     {"place", "wide", "/state/places/0/wide", {"1", "\"yes\"", "null"}},
     {"place", "still_s", "/state/places/0/still_s", both(no_numbers, {"-1"})},
+    {"place", "here_s", "/state/places/0/here_s", both(no_numbers, {"-1"})},
     {"place", "position_m", "/state/places/0/position_m", no_vectors},
     {"place", "orientation_wxyz", "/state/places/0/orientation_wxyz", {"1", "[1, 0, 0]", "[2, 0, 0, 0]"}},
     {"place", "angular_momentum_kg_m2_per_s", "/state/places/0/angular_momentum_kg_m2_per_s", no_vectors},
