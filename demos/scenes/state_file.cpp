@@ -27,7 +27,8 @@ const Keys state_keys{
     "time_s",           "warm_start",     "substeps", "force_rate_per_s", "distance_forces_n", "joint_forces_n",
     "joint_angles_rad", "contact_forces", "places",   "at_rest",          "solved_exactly",    "kept_steps"};
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
-const Keys place_keys{"body", "wide", "still_s", "here_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
+const Keys place_keys{
+    "body", "wide", "still_s", "here_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
 const Keys contact_keys{"a", "b", "points"};
 const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
 
