@@ -58,7 +58,7 @@ Prospect describe_seesaw(const ParameterValues& values, Random&) {
     add_box(scene, "heavy", Vector3::Constant(edge), heavy, {shift + arm, top, 0}, mu);
     look_at_all(scene);
     if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene), .ends = Ends::slides, .rest_by = 12.0, .leaving = {"board"}};
+    return {.scene = std::move(scene), .ends = Ends::slides, .rest_by = 12.0, .leaving = {"heavy"}};
 }
 
 using Storey = std::array<bool, 3>;  // which of three planks side by side are there
@@ -128,7 +128,7 @@ Family seesaw() {
     return {
         "seesaw",
         "A board across a narrow block, with a light and a heavy cube on its ends.",
-        "Stands while the common centre of board and cubes is over the block, else falls.",
+        "Stands while the common centre of board and cubes is over the block, else the heavy cube goes down.",
         {{{"ratio", "R", "mass of the heavy cube over that of the light one", 0, 1, 300}, 1, 300, Draw::by_decades},
          {{"width", "M", "of the block, m", 0, 0.05, 0.4}, 0.05, 0.4},
          {{"inside", "0|1", "1: over the block, 0: beside it", 0, 0, 1, true}, 0, 1},
