@@ -40,14 +40,15 @@ inline constexpr double long_ratio = 2.0;
 
 // Rows of contacts and joints (section 5).
 namespace rows {
-// Distance up to which a point of a pair is that of the step before, if it has no feature of its own.
+// Distance up to which a point takes over the force of one of the step before, if none has its feature.
 inline constexpr double same_point = 0.02;
 // Gap above which a point is apart, and not held off by an error that the solver has left.
 inline constexpr double apart = 1e-5;
-// Speed from which on a point slides, over what the external forces of a step cause: less has no direction.
+// Speed from which on the direction of sliding counts, as a share of the root of size times acceleration by
+// external forces; under the paper's bound, of a size per step. Slower points are held along fixed tangents.
 inline constexpr double sliding = 1e-4;
-// Softness of rows that close a loop, as a share of their A_jj: forces for what no motion can reach become zero,
-// and a bridge of twelve planks sags by 3e-5 m.
+// Softness of rows that close a loop, as a share of their A_jj. Modes of the loop that are softer still, where bars
+// fold onto each other, count as none; a bridge of twelve planks sags by 3e-5 m.
 inline constexpr double softness_in_loops = 1e-4;
 // Heights by which contacts are ordered are rounded to a share of the size, because otherwise rounding errors would
 // decide the order within a layer, differently after each step. In any unit: so scaled scenes keep their order.
@@ -66,7 +67,7 @@ inline constexpr double least_left = 0.1;
 inline constexpr double noticed = 1e-3;
 // Way of the points of a pair that separates after which it is looked at again.
 inline constexpr double unseen_way = 1e-2;
-// Angle by which a body may turn freely before its way is taken for another one [rad].
+// Largest turn of a body along one motion in which impacts are searched [rad].
 inline constexpr double steady_turn = 0.3;
 // How often a pair that touches without an impact is looked at in a step.
 inline constexpr double looks_per_step = 16.0;
@@ -98,7 +99,8 @@ inline constexpr double steps_of_force = 1.5;
 // Share of the bodies that move above which an island is a heap, and no structure that stands.
 inline constexpr double a_part = 0.02;
 // Small steps of a heap, in which impacts change everything anyway, and of what carries load. With 5 instead of 8 a
-// step of 1000 falling cubes takes four fifths of the time, and the heaps of one family in 15 do not come to rest.
+// step of 1000 falling cubes takes four fifths of the time, but 8 of 15 heaps of rods overlap too deeply instead of
+// 5, and one of 15 heaps of boxes does not come to rest.
 inline constexpr int steps_of_moving = 8, steps_of_carrying = 16;
 // The more, the smaller a body and the larger its force: a body at rest is compressed by at most so much of its
 // radius of gyration; up to a limit.
