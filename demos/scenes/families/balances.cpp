@@ -21,8 +21,7 @@ constexpr double within = 0.8;      // share of the support in which the centre 
 Prospect describe_overhang(const ParameterValues& values, Random&) {
     const Vector3 block(1.0, 0.25, 0.5);  // m
     const double mu = values.number("friction");
-    const bool inside = values.whole("inside") == 1;
-    const double share = inside ? 1.0 - values.number("beyond") : 1.0 + values.number("beyond");
+    const double share = less_than_limit(values);
     const int n = values.whole("blocks");
     SceneDescription scene = on_ground(mu);
     double x = 0.0;
@@ -30,12 +29,7 @@ Prospect describe_overhang(const ParameterValues& values, Random&) {
         if (i > 0) x += share * block.x() / (2.0 * (n - i));
         add_box(scene, "block " + std::to_string(i + 1), block, 1.0, {x, (i + 0.5) * block.y(), 0}, mu);
     }
-    look_at_all(scene);
-    if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene),
-            .ends = Ends::topples,
-            .rest_by = 8.0,
-            .leaving = {"block " + std::to_string(n)}};
+    return ends_by_limit(values, std::move(scene), Ends::topples, 8.0, "block " + std::to_string(n));
 }
 
 // The plank is shifted so that the common centre of it and of the two weights is off the middle of the block by a
@@ -44,8 +38,7 @@ Prospect describe_seesaw(const ParameterValues& values, Random&) {
     const Vector3 board(2.0, 0.1, 0.5);                      // m
     constexpr double edge = 0.3, height = 0.4, mass = 10.0;  // m, m, kg: of a weight, the block, the board
     const double mu = values.number("friction"), width = values.number("width");
-    const bool inside = values.whole("inside") == 1;
-    const double share = inside ? 1.0 - values.number("beyond") : 1.0 + values.number("beyond");
+    const double share = less_than_limit(values);
     const double light = 1.0, heavy = values.number("ratio");  // kg
     const double arm = 0.5 * (board.x() - edge);
     const double centre = (heavy - light) * arm / (mass + light + heavy);
@@ -56,9 +49,7 @@ Prospect describe_seesaw(const ParameterValues& values, Random&) {
     const double top = height + board.y() + 0.5 * edge;
     add_box(scene, "light", Vector3::Constant(edge), light, {shift - arm, top, 0}, mu);
     add_box(scene, "heavy", Vector3::Constant(edge), heavy, {shift + arm, top, 0}, mu);
-    look_at_all(scene);
-    if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene), .ends = Ends::slides, .rest_by = 12.0, .leaving = {"heavy"}};
+    return ends_by_limit(values, std::move(scene), Ends::slides, 12.0, "heavy");
 }
 
 using Storey = std::array<bool, 3>;  // which of three planks side by side are there
@@ -118,8 +109,8 @@ Family overhang() {
             "Blocks that overhang by a share less or more than the maximum.",
             "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
             {{{"blocks", "N", "number of blocks", 0, 2, 12, true}, 2, 6},
-             {{"inside", "0|1", "1: inside the limit, 0: outside", 0, 0, 1, true}, 0, 1},
-             {{"beyond", "X", "share of the limit that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
+             inside_of("1: inside the limit, 0: outside"),
+             beyond_of(0.02, 0.2, "share of the limit that is left or exceeded"),
              friction_of(0.3, 1.0)},
             describe_overhang};
 }
@@ -131,8 +122,8 @@ Family seesaw() {
         "Stands while the common centre of board and cubes is over the block, else the heavy cube goes down.",
         {{{"ratio", "R", "mass of the heavy cube over that of the light one", 0, 1, 300}, 1, 300, Draw::by_decades},
          {{"width", "M", "of the block, m", 0, 0.05, 0.4}, 0.05, 0.4},
-         {{"inside", "0|1", "1: over the block, 0: beside it", 0, 0, 1, true}, 0, 1},
-         {{"beyond", "X", "share of half the width that is left or exceeded", 0, 0.02, 0.2}, 0.02, 0.2},
+         inside_of("1: over the block, 0: beside it"),
+         beyond_of(0.02, 0.2, "share of half the width that is left or exceeded"),
          friction_of(0.3, 1.0)},
         describe_seesaw};
 }

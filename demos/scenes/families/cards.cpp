@@ -75,26 +75,19 @@ Prospect describe_leaning_slab(const ParameterValues& values, Random&) {
     const double sine = std::sin(phi), cosine = std::cos(phi);
     const double out = 0.5 * (length * sine - thickness * cosine);
     const double limit = out / (length * cosine + of_wall * (length * sine - out));
-    const bool inside = values.whole("inside") == 1;
-    const double mu = limit * (inside ? 1.0 + values.number("beyond") : 1.0 - values.number("beyond"));
+    const double mu = limit * more_than_limit(values);
 
     // A pair has the geometric mean of its coefficients.
-    Prospect prospect{.scene = on_ground(mu * mu)};
+    SceneDescription scene = on_ground(mu * mu);
     constexpr double high = 3.0;  // m
-    prospect.scene.bodies.push_back({.name = "wall",
-                                     .shape = BoxShape{{1.0, high, 2.0}},
-                                     .position = {0.5, 0.5 * high, 0},
-                                     .friction = of_wall * of_wall});
-    add_box(prospect.scene, "slab", {thickness, length, width}, 1.0,
+    scene.bodies.push_back({.name = "wall",
+                            .shape = BoxShape{{1.0, high, 2.0}},
+                            .position = {0.5, 0.5 * high, 0},
+                            .friction = of_wall * of_wall});
+    add_box(scene, "slab", {thickness, length, width}, 1.0,
             {-0.5 * (length * sine + thickness * cosine), 0.5 * (length * cosine + thickness * sine), 0}, 1.0)
         .orientation = inclined(-phi);
-    if (!inside) {
-        prospect.ends = Ends::slides;
-        prospect.rest_by = 8.0;
-        prospect.leaving = {"slab"};
-    }
-    look_at_all(prospect.scene);
-    return prospect;
+    return ends_by_limit(values, std::move(scene), Ends::slides, 8.0, "slab");
 }
 
 }  // namespace
@@ -127,8 +120,8 @@ Family leaning_slab() {
             {{{"lean", "RAD", "from the vertical, rad", 0, 0.15, 0.8}, 0.15, 0.8},
              {{"thickness", "M", "of the slab of 2 m, m", 0, 0.02, 0.2}, 0.02, 0.2},
              {{"wall-friction", "MU", "friction coefficient at the wall", 0, 0, 0.6}, 0, 0.6},
-             {{"inside", "0|1", "1: more friction than the limit, 0: less", 0, 0, 1, true}, 0, 1},
-             {{"beyond", "X", "share of the limit by which it is more or less", 0, 0.05, 0.5}, 0.05, 0.5}},
+             inside_of("1: more friction than the limit, 0: less"),
+             beyond_of(0.05, 0.5, "share of the limit by which it is more or less")},
             describe_leaning_slab};
 }
 

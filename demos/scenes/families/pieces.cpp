@@ -13,6 +13,29 @@ FamilyParameter friction_of(double low, double high) {
     return {{"friction", "MU", "friction coefficient", 0, low, high}, low, high};
 }
 
+FamilyParameter inside_of(std::string_view help) {
+    return {{"inside", "0|1", help, 0, 0, 1, true}, 0, 1};
+}
+
+FamilyParameter beyond_of(double low, double high, std::string_view help) {
+    return {{"beyond", "X", help, 0, low, high}, low, high};
+}
+
+double less_than_limit(const ParameterValues& values) {
+    return values.whole("inside") == 1 ? 1.0 - values.number("beyond") : 1.0 + values.number("beyond");
+}
+
+double more_than_limit(const ParameterValues& values) {
+    return values.whole("inside") == 1 ? 1.0 + values.number("beyond") : 1.0 - values.number("beyond");
+}
+
+Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
+                       const std::string& leaving) {
+    look_at_all(scene);
+    if (values.whole("inside") == 1) return {.scene = std::move(scene)};
+    return {.scene = std::move(scene), .ends = outside, .rest_by = rest_by, .leaving = {leaving}};
+}
+
 SceneDescription on_ground(double friction) {
     SceneDescription scene;
     scene.gravity = Vector3(0, -gravity, 0);

@@ -6,6 +6,7 @@
 #include "demos/scenes/scene_description.h"
 
 #include <string>
+#include <string_view>
 
 namespace pushfactor::demos::families {
 
@@ -13,6 +14,17 @@ constexpr double gravity = 10.0;  // m/s^2
 
 // The parameter "friction", between `low` and `high`.
 FamilyParameter friction_of(double low, double high);
+
+// The parameters "inside" and "beyond" of a family whose members stand within a limit: on which side of it a member
+// is, and by which share of it.
+FamilyParameter inside_of(std::string_view help);
+FamilyParameter beyond_of(double low, double high, std::string_view help);
+// What such a member has of its limit, where standing takes less than that, or more.
+double less_than_limit(const ParameterValues& values);
+double more_than_limit(const ParameterValues& values);
+// Within its limit the member stands, else these bodies leave by the time `rest_by` [s].
+Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
+                       const std::string& leaving);
 
 // An empty scene with its ground.
 SceneDescription on_ground(double friction);

@@ -29,8 +29,7 @@ void add_prism(SceneDescription& scene, const std::string& name, const std::vect
 Prospect describe_cut_column(const ParameterValues& values, Random&) {
     constexpr double side = 1.0, density = 1000.0;  // m, kg/m^3
     const double slope = std::tan(values.number("angle"));
-    const bool inside = values.whole("inside") == 1;
-    const double mu = slope * (inside ? 1.0 + values.number("beyond") : 1.0 - values.number("beyond"));
+    const double mu = slope * more_than_limit(values);
     SceneDescription scene = on_ground(mu);
     const int cubes = values.whole("cubes");
     for (int k = 0; k < cubes; ++k) {
@@ -44,19 +43,13 @@ Prospect describe_cut_column(const ParameterValues& values, Random&) {
             {{-half, cut - rise, 0}, {half, cut + rise, 0}, {-half, ground + side, 0}, {half, ground + side, 0}},
             side, density, mu);
     }
-    look_at_all(scene);
-    if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene),
-            .ends = Ends::slides,
-            .rest_by = 15.0,
-            .leaving = {"cube " + std::to_string(cubes) + " upper"}};
+    return ends_by_limit(values, std::move(scene), Ends::slides, 15.0, "cube " + std::to_string(cubes) + " upper");
 }
 
 Prospect describe_arch(const ParameterValues& values, Random&) {
-    const bool inside = values.whole("inside") == 1;
     const int voussoirs = values.whole("voussoirs");
     const double least = scenes::least_thickness({.voussoirs = voussoirs}, scenes::arch_friction);
-    const double thickness = least * (inside ? 1.0 + values.number("beyond") : 1.0 - values.number("beyond"));
+    const double thickness = least * more_than_limit(values);
     ParameterValues of_arch(scenes::arch_parameters());
     for (const Parameter& parameter : scenes::arch_parameters()) {
         if (parameter.name == "voussoirs") of_arch.set(parameter, std::to_string(voussoirs));
@@ -65,11 +58,8 @@ Prospect describe_arch(const ParameterValues& values, Random&) {
     SceneDescription scene = scenes::arch(of_arch);
     scene.gravity = Vector3(0, -gravity, 0);
     scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .position = {0, *scene.view.floor, 0}});
-    if (inside) return {.scene = std::move(scene)};
-    return {.scene = std::move(scene),
-            .ends = Ends::slides,
-            .rest_by = 8.0,
-            .leaving = {"voussoir " + std::to_string((voussoirs + 1) / 2)}};
+    return ends_by_limit(values, std::move(scene), Ends::slides, 8.0,
+                         "voussoir " + std::to_string((voussoirs + 1) / 2));
 }
 
 }  // namespace
@@ -80,8 +70,8 @@ Family cut_column() {
             "Stands if friction exceeds the tangent of the cuts' angle, else the upper halves slide.",
             {{{"cubes", "N", "number of cubes", 0, 1, 12, true}, 1, 5},
              {{"angle", "RAD", "of the cuts, rad", 0, 0.1, 0.6}, 0.1, 0.6},
-             {{"inside", "0|1", "1: more friction than the limit, 0: less", 0, 0, 1, true}, 0, 1},
-             {{"beyond", "X", "share of the limit by which it is more or less", 0, 0.05, 0.3}, 0.05, 0.3}},
+             inside_of("1: more friction than the limit, 0: less"),
+             beyond_of(0.05, 0.3, "share of the limit by which it is more or less")},
             describe_cut_column};
 }
 
@@ -90,8 +80,8 @@ Family arch() {
             "A semicircular arch, thicker or thinner than the least thickness that can stand.",
             "Stands if a line of thrust fits inside its joints (Heyman 1966), else it falls.",
             {{{"voussoirs", "N", "number of voussoirs", 0, 4, 61, true}, 4, 21},
-             {{"inside", "0|1", "1: thicker than the limit, 0: thinner", 0, 0, 1, true}, 0, 1},
-             {{"beyond", "X", "share of the limit by which it is more or less", 0, 0.02, 0.3}, 0.02, 0.3}},
+             inside_of("1: thicker than the limit, 0: thinner"),
+             beyond_of(0.02, 0.3, "share of the limit by which it is more or less")},
             describe_arch};
 }
 
