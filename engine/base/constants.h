@@ -113,13 +113,13 @@ inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // ms. With a quarter of the latter, a heavy ball shakes the cubes on which it has fallen until they are scattered.
 inline constexpr double most_at_first = 2e8, most_again = 8e7;
 // A few bodies that stand are always worth so many: a stack of five cubes, of two columns.
-inline constexpr double least_of_standing = 5e5;
+inline constexpr double least_of_standing = 1e6;
 // The same per body, for islands that take no small steps; for joints, which forces far from the solution pull
 // apart; and for bars alone, which one factorisation solves.
 inline constexpr double of_a_body = 2e5, of_a_body_on_bars = 2e4;
-// Factorisations that it needs: from forces that are nearly right, or where nothing has bounds, one to find the
-// forces and one to see that no row changes its state; else most islands take so many.
-inline constexpr double when_near = 2.0, from_afar = 16.0;
+// Factorisations that it needs: where the solution lasts, or nothing has bounds, one to find the forces and one to
+// see that no row changes its state; else most islands take so many.
+inline constexpr double when_near = 2.0, from_afar = 10.0;
 // Residuals up to which forces are nearly right, and up to which they are as good as right, over the speed that the
 // external forces of a step cause.
 inline constexpr double near = 1e-3, good = 1e-6;

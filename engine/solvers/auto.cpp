@@ -52,7 +52,7 @@ class Auto {
 
     // Returns whether nothing is left to do; otherwise the forces are the better ones of guess and result.
     bool solve_exactly(const Termination& termination, double of_one, double worth, SolveCount& count) {
-        if (exact_.factorisation(rows_) > of_one) return false;
+        if (exact_.step_work(rows_) > of_one) return false;
         const double guessed = rows_.residual();
         guess_ = rows_.rows;
         Effort effort(worth);

@@ -30,7 +30,7 @@ class Direct {
         exact_.take(island);
         exact_.plan();
         const double most = most_work_of_a_column * columns;
-        if (usual_factorisations * columns * exact_.factorisation(rows_) <= most) {
+        if (usual_factorisations * columns * exact_.step_work(rows_) <= most) {
             Effort effort(most, termination.iterations);
             count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_low, effort, count);
         }

@@ -83,7 +83,6 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool standing = stands(dt, bodies, island), limited = island.has(RowDigest::limited);
     const double near_one = near * speed_by_forces(dt, bodies, island);
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
-    const bool is_near = std::max(residuals.front(), residuals.back()) <= near_one;
     const double sweeps = sweeps_of_a_step * division_of(dt, bodies, island).steps;
     const double as_many = standing ? sweeps * mass_ratio(bodies, island) : sweeps;
     const double of_sweeps =
@@ -92,7 +91,7 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const double least = std::max(standing ? least_of_standing : 0.0, of_body * island.movable());
-    return {std::max(std::min(of_sweeps, most), least), is_near || !limited ? when_near : from_afar};
+    return {std::max(std::min(of_sweeps, most), least), lasts || !limited ? when_near : from_afar};
 }
 
 }  // namespace pushfactor::engine::choice

@@ -1,5 +1,7 @@
 #include "engine/solvers/exact/active_set.h"
 
+#include <algorithm>
+
 namespace pushfactor::engine::solvers {
 
 namespace {
@@ -25,6 +27,8 @@ constexpr double close_share = 0.01;
 // Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.
 constexpr int most_changes_without_gain = 3;
 constexpr double diverged = 1e3;
+// Rows that touch separate by rounding errors up to this share of the largest error of a row.
+constexpr double touching_share = 1e-9;
 
 }  // namespace
 
@@ -38,12 +42,15 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
         const double moved = y[j] + step_size(j) * r_[j];
         states_[j] = State::set;
         if (!(row.scale > 0.0)) continue;
+        const bool touches = row.leader < 0 && row.low < row.high && std::abs(r_[j]) * row.scale < touching_;
         const bool may_follow = row.leader >= 0 && states_[static_cast<std::size_t>(row.leader)] == State::free &&
                                 act_on_the_same(row, problem.rows[static_cast<std::size_t>(row.leader)]);
         if (row.disc != Disc::none) {
             if (row.disc == Disc::second) find_disc_state(problem, y, j, may_follow);
-        } else if (moved > row.low * scale && moved < row.high * scale) {
+        } else if (touches || (moved > row.low * scale && moved < row.high * scale)) {
             states_[j] = State::free;
+        } else if (may_follow && scale == 0.0) {
+            states_[j] = State::free;  // what has carried nothing yet sticks
         } else if (may_follow) {
             states_[j] = moved <= row.low * scale ? State::follows_low : State::follows_high;
         }
@@ -61,7 +68,7 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     const double w_1 = y[j - 1] + step * r_[j - 1], w_2 = y[j] + step * r_[j];
     const double length = std::sqrt(w_1 * w_1 + w_2 * w_2);
     const double radius = second.high * bound_scale(second, y);
-    if (length < radius) {
+    if (length < radius || (may_follow && radius == 0.0)) {
         states_[j - 1] = states_[j] = State::free;
         return;
     }
@@ -228,12 +235,15 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
     const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
     if (rho_ != begin) factored_.clear();
     set_rho(problem, begin);
+    const bool any_known = std::any_of(y.begin(), y.end(), [](double force) { return force != 0.0; });
+    touching_ = any_known ? 0.0 : touching_share * best_.residual();
     // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
     // not solved again for a minute from creeping.
     for (bool enough = false; !enough && count.iterations - before < changes &&
                               without_gain < most_changes_without_gain && effort.affords(most);) {
         enough = best_.residual() <= tolerance;
         const bool stayed = change(order, problem, y, effort, count);
+        touching_ = 0.0;
         const bool better = look(problem, y, effort, count);
         without_gain = better ? 0 : without_gain + 1;
         if (pace == Pace::careful) {

@@ -14,6 +14,9 @@
 // (redundant contacts) and vanishes with y' - y, so that a few steps with the same matrix converge to rounding.
 // Everything is written in differences, so that large rho costs no digits. Without sliding the matrix is symmetric.
 //
+// Where no forces are known, all rows that touch are free at first, and friction sticks. Most structures are solved
+// by that factor; from zero forces the natural map would load one layer of bodies per step.
+//
 // For a soft row rho becomes rho / (1 + rho soft): its softness is a proximal term that stays.
 //
 // Both rows of a disc are free while a Jacobi step would leave them inside. On the circle the natural map is
@@ -102,6 +105,7 @@ class ActiveSet {
     BestForces best_;
     std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
     std::vector<State> states_, factored_;  // current, and of the factor
+    double touching_ = 0.0;  // m/s, speed up to which a row without force touches; 0 where forces are known
     double rho_ = 0.0;
     std::vector<double> rhos_;   // by row
     std::vector<Slide> slides_;  // current, in row order

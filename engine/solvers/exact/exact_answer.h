@@ -26,12 +26,12 @@ class ExactAnswer {
     // Plans the factorisation unless it takes more than `most_work` multiply-adds. To be called second.
     void plan(double most_work = infinity) { structures_.plan(*structure_, most_work); }
 
-    // Multiply-adds of one factorisation including assembly; may be infinite if that exceeds the plan's limit.
+    // Multiply-adds of a factorisation and of what is done with it; may be infinite if that exceeds the plan's
+    // limit.
     template <int columns>
-    double factorisation(const UnitRows<columns>& rows) const {
-        const Elimination& order = structure_->order;
-        return (rows.bounds_follow() ? order.general_work() : order.symmetric_work()) +
-               rows.factor_work_of(static_cast<int>(rows.rows.size()));
+    double step_work(const UnitRows<columns>& rows) const {
+        return InteriorPoint::step_work(structure_->order, static_cast<double>(rows.rows.size()),
+                                        rows.bounds_follow());
     }
 
     // Improves the forces until the natural residual is at most `tolerance` [m/s], stops falling, or the effort is

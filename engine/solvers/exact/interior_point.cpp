@@ -403,8 +403,8 @@ double InteriorPoint::solve(const Elimination& order, const UnitProblem& problem
 
         const double share = step(order, problem);
         short_steps = share < short_step ? short_steps + 1 : 0;
-        const double work = problem.assembly_work() + matrix_.factor_work() + 16.0 * problem.look_work() +
-                            4.0 * matrix_.solve_work();
+        const double work = problem.assembly_work() + matrix_.factor_work() +
+                            solve_work(order, static_cast<double>(problem.rows.size()));
         effort.spend_factorisation(work);
         count.multiply_adds += work;
         ++count.iterations;

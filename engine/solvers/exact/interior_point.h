@@ -44,6 +44,12 @@ namespace pushfactor::engine::solvers {
 
 class InteriorPoint {
   public:
+    // Multiply-adds of a step for so many rows. If their bounds follow others the matrix is general.
+    static double step_work(const Elimination& order, double rows, bool bounds_follow) {
+        const double factor = bounds_follow ? order.general_work() : order.symmetric_work();
+        return factor + UnitProblem::assembly_work(rows, bounds_follow) + solve_work(order, rows);
+    }
+
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], stops falling, or
     // `steps` factorisations or the effort are used up. Returns the final residual [m/s]; y is the best iterate
     // among those that give the bodies no more energy than the warm start or zero force, and never worse than
@@ -52,6 +58,11 @@ class InteriorPoint {
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
   private:
+    // Of a predictor and a corrector, each refined once.
+    static double solve_work(const Elimination& order, double rows) {
+        return 4.0 * order.solve_work() + 16.0 * UnitProblem::look_work(rows);
+    }
+
     // One bound of a row: distance, multiplier, and the steps of both.
     struct Bound {
         bool is = false;  // the bound exists

@@ -31,9 +31,11 @@ struct UnitProblem {
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
     // matrix to be factorised.
-    double look_work() const { return 12.0 * static_cast<double>(rows.size()); }
+    double look_work() const { return look_work(static_cast<double>(rows.size())); }
     double pass_work() const { return 2.0 * look_work(); }
-    double assembly_work() const { return (bounds_follow ? 180.0 : 108.0) * static_cast<double>(rows.size()); }
+    double assembly_work() const { return assembly_work(static_cast<double>(rows.size()), bounds_follow); }
+    static double look_work(double rows) { return 12.0 * rows; }
+    static double assembly_work(double rows, bool bounds_follow) { return (bounds_follow ? 180.0 : 108.0) * rows; }
 };
 
 using BodyVelocities = std::vector<Vector6>;

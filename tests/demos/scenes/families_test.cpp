@@ -131,3 +131,19 @@ TEST_CASE("a family, a parameter or a value that there is not is refused in one 
     check_refused("family wall --row 3", "--row: unknown option; did you mean --rows?");
     check_refused("family wall --seed -1", "--seed -1: must be a whole number from 0 to 1000000000");
 }
+
+// What touches carries and sticks, so that the first factorisation finds the forces of all layers.
+TEST_CASE("the first step of walls and towers, whose forces are unknown, takes one factorisation") {
+    for (const std::string_view family : {"wall", "round-tower", "square-tower", "crossed", "stacks"}) {
+        for (const int seed : {1, 2, 3, 4, 5}) {
+            const Member member = draw_member(*find_family(family), {.seed = seed});
+            INFO(member.command());
+            const Settings settings = tests::awake_settings("default");
+            Simulation simulation(build_scene(member.prospect.scene, settings), settings);
+            const Sample& first = simulation.advance();
+            CHECK(first.count.sweeps == 1);  // 12 to 18 from contacts that begin open
+            CHECK(first.count.islands_exact == first.count.islands);
+            CHECK(first.residual < 1e-12);
+        }
+    }
+}
