@@ -105,9 +105,9 @@ inline constexpr int steps_of_moving = 8, steps_of_carrying = 16;
 // The more, the smaller a body and the larger its force: a body at rest is compressed by at most so much of its
 // radius of gyration; up to a limit.
 inline constexpr double compressed = 0.01, most_steps = 1000.0;
-// What a direct solution is worth, in sweeps over the rows: those of twice as many small steps, of two solves each.
-// Where an island stands, and has no forces yet or nearly the right ones, the solution lasts, and is worth what a
-// wall of 200 bricks takes.
+// What a direct solution is worth where an island stands, in sweeps over the rows: those of twice as many small
+// steps, of two solves each, times the ratio of its masses, because sweeps need so many more. Where it has no
+// forces yet or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
 inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // Limits on its multiply-adds, so that no step takes longer than some 50 ms and none after the first than some 20
 // ms. With a quarter of the latter, a heavy ball shakes the cubes on which it has fallen until they are scattered.

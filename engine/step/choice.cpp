@@ -83,10 +83,9 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool standing = stands(dt, bodies, island), limited = island.has(RowDigest::limited);
     const double near_one = near * speed_by_forces(dt, bodies, island);
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
-    const double sweeps = sweeps_of_a_step * division_of(dt, bodies, island).steps;
-    const double as_many = standing ? sweeps * mass_ratio(bodies, island) : sweeps;
-    const double of_sweeps =
-        (lasts ? sweeps_that_last : std::min(as_many, sweeps_that_last)) * 24.0 * island.columns * island.rows;
+    const double sweeps = sweeps_of_a_step * division_of(dt, bodies, island).steps * mass_ratio(bodies, island);
+    const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
+    const double of_sweeps = worth * 24.0 * island.columns * island.rows;
     const double most = has_forces ? most_again : most_at_first;
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;

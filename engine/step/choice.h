@@ -2,8 +2,8 @@
 // state alone, and no memory of earlier steps.
 //
 //   - An island whose guess is good enough is not solved (island_solver.h).
-//   - It is solved directly if that costs no more than a few small steps. One that stands and has no forces yet may
-//     cost more, because once found they last.
+//   - It is solved directly where it stands, if the solution lasts or a few bodies make it cheap; and where nothing
+//     else serves: joints, bars alone, and islands that take no small steps.
 //   - Everything else takes small steps: few in a heap in which bodies move, because impacts change it anyway; more
 //     in a structure that stands, because what carries load is compressed by g h^2.
 #pragma once

@@ -130,6 +130,7 @@ TEST_CASE("the bars of the wave have the lengths that give 40 to 89 swings in 12
 TEST_CASE("a chain keeps its links under substeps, better than without") {
     Settings settings = tests::awake_settings("default");
     settings.iterations = 500;
+    settings.substeps = 1;
     Run one(simulate("chain", settings, {{"links", "10"}}));
     one.advance(3);
     settings.substeps = 8;
