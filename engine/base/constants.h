@@ -112,10 +112,9 @@ inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // Limits on its multiply-adds, so that no step takes longer than some 50 ms and none after the first than some 20
 // ms. With a quarter of the latter, a heavy ball shakes the cubes on which it has fallen until they are scattered.
 inline constexpr double most_at_first = 2e8, most_again = 8e7;
-// A few bodies that stand are always worth so many: a stack of five cubes, of two columns.
-inline constexpr double least_of_standing = 1e6;
-// The same per body, for islands that take no small steps; for joints, which forces far from the solution pull
-// apart; and for bars alone, which one factorisation solves.
+// What it is always worth per body, of a few bodies that stand, as a stack of five and one more; of islands that
+// take no small steps; of joints, which forces far from the solution pull apart; and of bars with contacts.
+inline constexpr int few = 6;
 inline constexpr double of_a_body = 2e5, of_a_body_on_bars = 2e4;
 // Factorisations that it needs: where the solution lasts, or nothing has bounds, one to find the forces and one to
 // see that no row changes its state; else most islands take so many.
