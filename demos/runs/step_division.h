@@ -33,8 +33,7 @@ class StepDivision {
     explicit StepDivision(int parts) : memory_{.parts = 1.0 * parts} {}
 
     // As many parts as the rules require, at least 1. From step to step the number falls by no more than a
-    // sixteenth: a length error that is small for a long step is corrected faster in a short one, so that every
-    // change of step length costs energy.
+    // sixteenth: every change of step length leaves an error of second order.
     // `before`: memory() of the previous step for a resumed run.
     explicit StepDivision(std::vector<StepRule> rules, const DivisionMemory& before = {})
         : rules_(std::move(rules)), memory_(before) {}

@@ -112,9 +112,10 @@ inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // Limits on its multiply-adds, so that no step takes longer than some 50 ms and none after the first than some 20
 // ms. With a quarter of the latter, a heavy ball shakes the cubes on which it has fallen until they are scattered.
 inline constexpr double most_at_first = 2e8, most_again = 8e7;
-// What it is always worth per body: of a few bodies that stand, as a stack of five; of islands that take no small
-// steps; of joints, which forces far from the solution pull apart; of bars alone; and less if bars have contacts.
+// Bodies of a stack of five and one more: so few that stand are worth what so many are.
 inline constexpr int few = 6;
+// What it is always worth per body: of these; of islands that take no small steps; of joints, which forces far from
+// the solution pull apart; of bars alone. And of bars with contacts.
 inline constexpr double of_a_body = 2e5, of_a_body_on_bars = 2e4;
 // Factorisations that it needs: where the solution lasts, or nothing has bounds, one to find the forces and one to
 // see that no row changes its state; else most islands take so many.

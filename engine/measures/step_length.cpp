@@ -11,7 +11,7 @@ namespace {
 
 // Constants of the rules in the header: largest dt times a frequency or angular velocity.
 constexpr double swing_a_step = 0.5;
-constexpr double turn_a_step = 0.035;  // rad
+constexpr double turn_a_step = 0.034;  // rad
 
 // Contribution of one end of a bar or a ball joint to omega^2 / T, 1/(kg m).
 double end_softness(const Body& body, const Vector3& point, double length) {

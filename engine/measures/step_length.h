@@ -8,7 +8,7 @@
 //             constraint is linearised (5.2.1), so this stiffness is explicit and needs omega dt < 2, like every
 //             oscillator under semi-implicit Euler; 2 omega dt <= 1 conserves its energy too. In a ball joint with
 //             force T bodies swing with omega^2 = T sum of r/I.
-//   turning   A bar that turns by an angle a per step leaves its circle by l a^2 / 2: a <= 0.035. The same for a
+//   turning   A bar that turns by an angle a per step leaves its circle by l a^2 / 2: a <= 0.034. The same for a
 //             body that turns about a ball joint, by r a^2 / 2.
 #pragma once
 

@@ -87,11 +87,11 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
     const double of_sweeps = worth * 24.0 * island.columns * island.rows;
     const double most = has_forces ? most_again : most_at_first;
-    const bool needs_it =
-        !divided || (standing && island.movable() <= few) || island.has(RowDigest::joins) || !limited;
+    const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
-    return {std::max(std::min(of_sweeps, most), of_body * island.movable()),
-            lasts || !limited ? when_near : from_afar};
+    const double of_few = standing && island.movable() <= few ? few * of_a_body : 0.0;
+    const double least = std::max(of_few, of_body * island.movable());
+    return {std::max(std::min(of_sweeps, most), least), lasts || !limited ? when_near : from_afar};
 }
 
 }  // namespace pushfactor::engine::choice

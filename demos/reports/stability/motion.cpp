@@ -75,7 +75,7 @@ Chapter chains() {
         const double swing = 10.0 * (20.0 * mass + 190.0);  // J, from the horizontal to straight down
         chapter.add(fmt::format("chain-{}-kg", mass), "chain",
                     {{"end-mass", std::to_string(mass)}, {"substeps", "auto"}}, "moving",
-                    {{"max_length_error_m", 0.001}, {"energy_change_at_end_j", 0.02, 0.0, swing}},
+                    {{"max_length_error_m", 0.0015}, {"energy_change_at_end_j", 0.02, 0.0, swing}},
                     with_paper("moving", "moving", reached), mass == 1000);
     };
     add(1, {0.03, 0.08});

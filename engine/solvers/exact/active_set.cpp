@@ -42,14 +42,15 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
         const double moved = y[j] + step_size(j) * r_[j];
         states_[j] = State::set;
         if (!(row.scale > 0.0)) continue;
-        const bool touches = row.low < row.high && std::abs(r_[j]) * row.scale < touching_;
+        const bool touches = row.leader < 0 && row.low < row.high && std::abs(r_[j]) * row.scale < touching_;
         const bool may_follow = row.leader >= 0 && states_[static_cast<std::size_t>(row.leader)] == State::free &&
                                 act_on_the_same(row, problem.rows[static_cast<std::size_t>(row.leader)]);
         if (row.disc != Disc::none) {
             if (row.disc == Disc::second) find_disc_state(problem, y, j, may_follow);
-        } else if ((touches && (row.leader < 0 || may_follow)) ||
-                   (moved > row.low * scale && moved < row.high * scale)) {
+        } else if (touches || (moved > row.low * scale && moved < row.high * scale)) {
             states_[j] = State::free;
+        } else if (may_follow && scale == 0.0) {
+            states_[j] = State::free;  // what has carried nothing yet sticks
         } else if (may_follow) {
             states_[j] = moved <= row.low * scale ? State::follows_low : State::follows_high;
         }
@@ -67,7 +68,7 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     const double w_1 = y[j - 1] + step * r_[j - 1], w_2 = y[j] + step * r_[j];
     const double length = std::sqrt(w_1 * w_1 + w_2 * w_2);
     const double radius = second.high * bound_scale(second, y);
-    if (length < radius || (may_follow && length * second.scale < touching_)) {
+    if (length < radius || (may_follow && radius == 0.0)) {
         states_[j - 1] = states_[j] = State::free;
         return;
     }
