@@ -5,6 +5,7 @@
 #include "demos/runs/simulation.h"
 #include "demos/scenes/catalogue.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,15 @@ inline demos::Settings solved_exactly(demos::Settings settings) {
     settings.tolerance_low = 1e-13;
     settings.warm_start = true;
     return settings;
+}
+
+// Of the last step [N].
+inline double largest_joint_force(const engine::JointConstraints& joints) {
+    double largest = 0.0;
+    for (const engine::JointForce& force : joints.forces()) {
+        largest = std::max(largest, engine::Vector3(force[0].last, force[1].last, force[2].last).norm());
+    }
+    return largest;
 }
 
 // A simulation with its measurements, as the program runs it.

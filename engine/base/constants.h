@@ -109,7 +109,7 @@ inline constexpr double compressed = 0.01, most_steps = 1000.0;
 // steps, of two solves each, times the ratio of its masses, because sweeps need so many more. Where it has no
 // forces yet or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
 inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
-// Limits on its multiply-adds, so that no step takes longer than some 50 ms and none after the first than some 20
+// Limits on its multiply-adds, so that no step takes longer than some 80 ms and none after the first than some 30
 // ms. With a quarter of the latter, a heavy ball shakes the cubes on which it has fallen until they are scattered.
 inline constexpr double most_at_first = 2e8, most_again = 8e7;
 // Bodies of a stack of five and one more: so few that stand are worth what so many are.

@@ -43,7 +43,7 @@ class Auto {
   private:
     // Returns whether a factorisation may take no more than `most` multiply-adds.
     bool plans(const Island& island, double most) {
-        if (UnitRows<columns>::factor_work_of(island.rows) > most) return false;
+        if (UnitProblem::assembly_work(island.rows, false) > most) return false;
         exact_.take(island);
         if (work_of_a_pair * exact_.pairs() > most) return false;
         exact_.plan(most);

@@ -324,8 +324,6 @@ class UnitRows {
     // Multiply-adds of one pass that reads and writes every row in every column, and of one that only reads.
     double pass_work() const { return 24.0 * columns * static_cast<double>(rows.size()); }
     double look_work() const { return 12.0 * columns * static_cast<double>(rows.size()); }
-    // Multiply-adds of adding all rows to a matrix to be factorised.
-    static double factor_work_of(int rows) { return 108.0 * rows; }
 
     // Whether any bound is a multiple of another row's force.
     bool bounds_follow() const {

@@ -47,10 +47,9 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
                                 act_on_the_same(row, problem.rows[static_cast<std::size_t>(row.leader)]);
         if (row.disc != Disc::none) {
             if (row.disc == Disc::second) find_disc_state(problem, y, j, may_follow);
-        } else if (touches || (moved > row.low * scale && moved < row.high * scale)) {
+        } else if (touches || (may_follow && scale == 0.0) ||
+                   (moved > row.low * scale && moved < row.high * scale)) {
             states_[j] = State::free;
-        } else if (may_follow && scale == 0.0) {
-            states_[j] = State::free;  // what has carried nothing yet sticks
         } else if (may_follow) {
             states_[j] = moved <= row.low * scale ? State::follows_low : State::follows_high;
         }

@@ -14,8 +14,9 @@
 // (redundant contacts) and vanishes with y' - y, so that a few steps with the same matrix converge to rounding.
 // Everything is written in differences, so that large rho costs no digits. Without sliding the matrix is symmetric.
 //
-// Where no forces are known, all rows that touch are free at first, and friction sticks. Most structures are solved
-// by that factor; from zero forces the natural map would load one layer of bodies per step.
+// Where no forces are known, all rows that touch are free at first; and where a contact has carried nothing yet,
+// its friction is. Most structures are solved by that factor; from zero forces the natural map would load one layer
+// of bodies per step, and slide in the direction of rounding errors.
 //
 // For a soft row rho becomes rho / (1 + rho soft): its softness is a proximal term that stays.
 //

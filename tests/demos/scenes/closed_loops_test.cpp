@@ -48,23 +48,6 @@ SceneDescription ring(int sides, double length, bool welded) {
     return scene;
 }
 
-// A lift of crossed bars, `storeys` high.
-SceneDescription scissors(int storeys, double length, double angle) {
-    SceneDescription scene;
-    scene.name = "scissors";
-    const double height = length * std::sin(angle);
-    const Vector3 end(0.5 * length, 0, 0), side(0, 0, 0.6 * thickness);
-    for (int k = 0; k < storeys; ++k) {
-        add_bar(scene, Vector3(0, k * height, 0) + side, angle, length, 1.0);
-        add_bar(scene, Vector3(0, k * height, 0) - side, -angle, length, 1.0);
-        scene.joints.push_back(hinge(2 * k, -side, 2 * k + 1, side, false));
-        if (k == 0) continue;
-        scene.joints.push_back(hinge(2 * k - 2, end - side, 2 * k + 1, end + side, false));
-        scene.joints.push_back(hinge(2 * k - 1, -end + side, 2 * k, -end - side, false));
-    }
-    return scene;
-}
-
 // A plate on four arms with wheels that touch its sides, springs from the arms to the plate, and a load that falls
 // on it.
 SceneDescription cart(double load, double speed, double radius) {
@@ -111,17 +94,6 @@ SceneDescription cart(double load, double speed, double radius) {
     return scene;
 }
 
-// Turns and lifts all bodies, and puts a ground under them.
-void drop(SceneDescription& scene, const Quaternion& turn, double height) {
-    for (BodyDescription& body : scene.bodies) {
-        body.position = turn * body.position + Vector3(0, height, 0);
-        body.orientation = turn * body.orientation;
-    }
-    scene.contacts = true;
-    scene.gravity = {0, -9.81, 0};
-    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
-}
-
 // Of all forces that keep the bodies together those of least norm, with rows of unit length: -A^+ (J M^-1 t +
 // dJ/dt v), t being the torque of the spin and A = J M^-1 J^T.
 Eigen::VectorXd least_forces(const engine::World& world, std::span<const engine::Joint> joints) {
@@ -159,35 +131,7 @@ Eigen::VectorXd least_forces(const engine::World& world, std::span<const engine:
     return -(unit.asDiagonal() * inverse.solve(unit.asDiagonal() * asked));
 }
 
-double largest_joint_force(const engine::JointConstraints& joints) {
-    double largest = 0.0;
-    for (const engine::JointForce& force : joints.forces()) {
-        largest = std::max(largest, Vector3(force[0].last, force[1].last, force[2].last).norm());
-    }
-    return largest;
-}
-
 }  // namespace
-
-TEST_CASE(
-    "rings and scissors that drop gain nothing, hold together, and lie with forces of the size of their weight") {
-    tests::Random random(5);
-    for (int trial = 0; trial < 24; ++trial) {
-        const double length = random.in(0.5, 1.4);
-        SceneDescription scene = trial % 3 == 2 ? scissors(1 + trial % 4, length, random.in(0.5, 1.0))
-                                                : ring(3 + trial % 6, length, trial % 3 == 1);
-        const double weight = 9.81 * static_cast<double>(scene.bodies.size());
-        drop(scene, random.rotation(), random.in(4.0, 6.0));
-        tests::Run run(
-            Simulation(build_scene(scene, tests::awake_settings("default")), tests::awake_settings("default")));
-        run.advance(4.0);
-        INFO(scene.name << " " << trial << ", length error " << run.measurements.max_length_error());
-        CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
-        CHECK(run.measurements.max_length_error() < 0.02);
-        CHECK(largest_joint_force(*run.simulation.scene().joints) < 10.0 * weight);
-        CHECK(run.measurements.substeps().largest < 32);
-    }
-}
 
 TEST_CASE("wheels that touch their cart do not jam it, however hard a load hits it") {
     tests::Random random(7);
@@ -199,7 +143,7 @@ TEST_CASE("wheels that touch their cart do not jam it, however hard a load hits 
             run.advance(4.0);
             INFO(load << " kg, trial " << trial << ", mean substeps " << run.measurements.substeps().mean());
             CHECK(run.measurements.energy_gain() < 0.01 * run.measurements.initial_energy());
-            CHECK(largest_joint_force(*run.simulation.scene().joints) < 9.81 * (load + 7.0));
+            CHECK(tests::largest_joint_force(*run.simulation.scene().joints) < 9.81 * (load + 7.0));
             CHECK(run.measurements.substeps().largest < 60);
         }
     }
