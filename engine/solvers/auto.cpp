@@ -7,7 +7,6 @@
 // rule depends on structure and guess, never on earlier steps or the clock.
 #include "engine/solvers/auto.h"
 
-#include "engine/solvers/by_columns.h"
 #include "engine/solvers/direct.h"
 #include "engine/solvers/exact/exact_answer.h"
 #include "engine/solvers/single_row.h"
@@ -22,23 +21,27 @@ namespace {
 // Least multiply-adds of a factorisation per pair of bodies: one block.
 constexpr double work_of_a_pair = 216.0;
 
-template <int columns>
-class Auto {
+class Auto : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
-                     Columns& lambda) {
+                     Columns& lambda) override {
         if (island.rows == 1) return solve_single_row(system, island, lambda);
-        SolveCount count;
-        const double worth = std::min(termination.worth, most_work_of_a_column * columns);
-        const double of_one = worth / (termination.factorisations * columns);
-        const bool may_be_worth = plans(island, of_one);
-        if (!may_be_worth && termination.iterations == 0) return count;
-        rows_.load(system, island, lambda);
-        const bool done = may_be_worth && solve_exactly(termination, of_one, worth, count);
-        if (!done) work_down(rows_, termination, count, sweep<columns>);
-        rows_.store(system, island, lambda);
-        return count;
+        const double worth = std::min(termination.worth, most_work_of_a_column * island.columns);
+        const double of_one = worth / (termination.factorisations * island.columns);
+        bool may_be_worth = plans(island, of_one);
+        if (!may_be_worth && termination.iterations == 0) return {};
+        Effort effort(worth, island.columns);
+        return by_columns(rows_, system, island, lambda, [&](UnitRows&) {
+            SolveCount count;
+            if (may_be_worth && solve_exactly(termination, of_one, effort, count)) return count;
+            if (termination.iterations == 0) may_be_worth = false;  // no other column will do either
+            const SolveCount swept = work_down(rows_, termination, [](UnitRows& rows) { return sweep(rows); });
+            count.iterations += swept.iterations;
+            count.multiply_adds += swept.multiply_adds;
+            return count;
+        });
     }
+    std::unique_ptr<Solver> another() const override { return std::make_unique<Auto>(); }
 
   private:
     // Returns whether a factorisation may take no more than `most` multiply-adds.
@@ -50,12 +53,13 @@ class Auto {
         return true;
     }
 
-    // Returns whether nothing is left to do; otherwise the forces are the better ones of guess and result.
-    bool solve_exactly(const Termination& termination, double of_one, double worth, SolveCount& count) {
+    // Returns whether nothing is left to do in this column; otherwise the forces are the better ones of guess and
+    // result.
+    bool solve_exactly(const Termination& termination, double of_one, Effort& effort, SolveCount& count) {
         if (exact_.step_work(rows_) > of_one) return false;
         const double guessed = rows_.residual();
         guess_ = rows_.rows;
-        Effort effort(worth);
+        effort.begin_column();
         count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_high, effort, count);
         // Sweeps cannot lower the residual of contradicting rows either.
         if (count.exact || count.contradicts) return true;
@@ -69,15 +73,15 @@ class Auto {
         return count.exact;
     }
 
-    UnitRows<columns> rows_;
-    std::vector<typename UnitRows<columns>::Row> guess_;
+    UnitRows rows_;
+    std::vector<UnitRow> guess_;
     ExactAnswer exact_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_auto() {
-    return std::make_unique<ByColumns<Auto>>();
+    return std::make_unique<Auto>();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -2,7 +2,6 @@
 // on which the exact method fails: both from its best iterate and from the warm start, whichever gets farther.
 #include "engine/solvers/direct.h"
 
-#include "engine/solvers/by_columns.h"
 #include "engine/solvers/exact/exact_answer.h"
 #include "engine/solvers/single_row.h"
 #include "engine/solvers/sweep.h"
@@ -14,63 +13,64 @@ namespace {
 // Largest number of sweeps after a failed exact solve.
 constexpr int most_sweeps = 200;
 
-template <int columns>
-class Direct {
+class Direct : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
-                     Columns& lambda) {
+                     Columns& lambda) override {
         if (island.rows == 1) {
             SolveCount single = solve_single_row(system, island, lambda);
             single.exact = true;
             return single;
         }
-        SolveCount count;
-        rows_.load(system, island, lambda);
-        guess_ = rows_.rows;
         exact_.take(island);
         exact_.plan();
-        const double most = most_work_of_a_column * columns;
-        if (usual_factorisations * columns * exact_.step_work(rows_) <= most) {
-            Effort effort(most, termination.iterations);
+        Effort effort(most_work_of_a_column * island.columns, island.columns, termination.iterations);
+        return by_columns(rows_, system, island, lambda,
+                          [&](UnitRows&) { return solve_column(termination, effort); });
+    }
+    std::unique_ptr<Solver> another() const override { return std::make_unique<Direct>(); }
+
+  private:
+    SolveCount solve_column(const Termination& termination, Effort& effort) {
+        SolveCount count;
+        guess_ = rows_.rows;
+        effort.begin_column();
+        if (usual_factorisations * exact_.step_work(rows_) <= most_work_of_a_column) {
             count.exact = exact_.solve(rows_, termination.tolerance_low, termination.tolerance_low, effort, count);
         }
         // What is within the upper tolerance needs no more, although rounding or the effort has ended it early.
         count.exact = count.exact || rows_.residual() <= termination.tolerance_high;
-        if (!count.exact && !count.contradicts) {
-            sweep_from(Rows(rows_.rows), termination, count);
-            if (rows_.residual() > termination.tolerance_low) sweep_from(guess_, termination, count);
-        }
-        rows_.store(system, island, lambda);
+        if (count.exact || count.contradicts) return count;
+        sweep_from(std::vector<UnitRow>(rows_.rows), termination, count);
+        if (rows_.residual() > termination.tolerance_low) sweep_from(guess_, termination, count);
         return count;
     }
 
-  private:
-    using Rows = std::vector<typename UnitRows<columns>::Row>;
-
     // Sweeps from `start` and keeps the result if it is better than the current forces.
-    void sweep_from(const Rows& start, const Termination& termination, SolveCount& count) {
-        const Rows before = rows_.rows;
+    void sweep_from(const std::vector<UnitRow>& start, const Termination& termination, SolveCount& count) {
+        const std::vector<UnitRow> before = rows_.rows;
         const double reached = rows_.residual();
         rows_.rows = start;
         rows_.follow();
         Termination sweeps = termination;
         sweeps.iterations = std::min(termination.iterations, most_sweeps);
-        work_down(rows_, sweeps, count, sweep<columns>);
-        count.multiply_adds += 2.0 * rows_.look_work();
+        const SolveCount swept = work_down(rows_, sweeps, [](UnitRows& rows) { return sweep(rows); });
+        count.iterations += swept.iterations;
+        count.multiply_adds += swept.multiply_adds + 2.0 * rows_.look_work();
         if (rows_.residual() < reached) return;
         rows_.rows = before;
         rows_.follow();
     }
 
-    UnitRows<columns> rows_;
-    Rows guess_;
+    UnitRows rows_;
+    std::vector<UnitRow> guess_;
     ExactAnswer exact_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_direct() {
-    return std::make_unique<ByColumns<Direct>>();
+    return std::make_unique<Direct>();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -1,5 +1,5 @@
 // The Jacobi method, paper 7.1.1 for all rows at once: "uses the newly calculated lambdas only after the iteration
-// is finished" (7.1). In the form of unit_rows.h:
+// is finished" (7.1). In the form of unit_row.h:
 //
 //   y_j <- clamp(y_j + w (t_j - u_j . x))     with y and x of the last iteration on the right
 //
@@ -12,53 +12,46 @@
 // equal bars between two bodies, diverge. A bound that follows another row uses that row's y of the last iteration.
 #include "engine/solvers/jacobi.h"
 
-#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 
 namespace {
 
-template <int columns>
-class SimultaneousRows {
+class SimultaneousRows : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
-                     Columns& lambda) {
-        return iterate(rows_, system, island, termination, lambda, [this](UnitRows<columns>&) { return pass(); });
+                     Columns& lambda) override {
+        return iterate(rows_, system, island, termination, lambda, [this](UnitRows&) { return pass(); });
     }
+    std::unique_ptr<Solver> another() const override { return std::make_unique<SimultaneousRows>(); }
 
   private:
     // One iteration. Returns the largest change of a row's velocity [m/s].
     double pass() {
         next_.resize(rows_.rows.size());
         for (std::size_t j = 0; j < next_.size(); ++j) {
-            const auto& row = rows_.rows[j];
-            for (int c = 0; c < columns; ++c) {
-                double& y = next_[j][rows_.at(c)];
-                y = row.y[rows_.at(c)] + jacobi_weight * rows_.error(row, c);
-                if (row.disc == Disc::none) y = rows_.clamped(row, c, y);
-                if (row.disc == Disc::second) rows_.put_in_disc(row, c, next_[j - 1][rows_.at(c)], y);
-            }
+            const UnitRow& row = rows_.rows[j];
+            next_[j] = row.y + jacobi_weight * rows_.error(row);
+            if (row.disc == Disc::none) next_[j] = rows_.clamped(row, next_[j]);
+            if (row.disc == Disc::second) rows_.put_in_disc(row, next_[j - 1], next_[j]);
         }
         double largest = 0.0;
         for (std::size_t j = 0; j < next_.size(); ++j) {
-            auto& row = rows_.rows[j];
-            for (int c = 0; c < columns; ++c) {
-                const double change = rows_.set(row, c, next_[j][rows_.at(c)]);
-                largest = std::max(largest, row.scale * std::abs(change));
-            }
+            UnitRow& row = rows_.rows[j];
+            largest = std::max(largest, row.scale * std::abs(rows_.set(row, next_[j])));
         }
         return largest;
     }
 
-    UnitRows<columns> rows_;
-    std::vector<std::array<double, columns>> next_;
+    UnitRows rows_;
+    std::vector<double> next_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_jacobi() {
-    return std::make_unique<ByColumns<SimultaneousRows>>();
+    return std::make_unique<SimultaneousRows>();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -4,46 +4,15 @@
 
 #include "engine/constraints/constraint_row.h"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace pushfactor::engine::solvers {
 
 using Two [[gnu::vector_size(16), gnu::may_alias]] = double;
 
-// One value per column of the system: a double for one column, two lanes for two.
-template <int columns>
-struct Lanes;
-
-template <>
-struct Lanes<1> {
-    using Value = double;
-
-    static Value of(const std::array<double, 1>& values) { return values[0]; }
-    static void write(Value value, std::array<double, 1>& to) { to[0] = value; }
-    static Value all(double value) { return value; }
-    static double in(Value value, int) { return value; }
-    static double largest(Value value) { return value; }
-
-    // Horizontal sum of each column's pair.
-    static Value sum(const Two (&sums)[1]) { return sums[0][0] + sums[0][1]; }
-};
-
-template <>
-struct Lanes<2> {
-    using Value = Two;
-
-    static Value of(const std::array<double, 2>& values) { return Two{values[0], values[1]}; }
-    static void write(Value value, std::array<double, 2>& to) { to = {value[0], value[1]}; }
-    static Value all(double value) { return Two{value, value}; }
-    static double in(Value value, int column) { return value[column]; }
-    static double largest(Value value) { return value[0] < value[1] ? value[1] : value[0]; }
-
-    static Value sum(const Two (&sums)[2]) {
-        return __builtin_shufflevector(sums[0], sums[1], 0, 2) + __builtin_shufflevector(sums[0], sums[1], 1, 3);
-    }
-};
+inline double sum_of(Two pair) {
+    return pair[0] + pair[1];
+}
 
 // Calls `body` with 0, 1, .. count - 1 as compile-time constants: the overhead of such short loops exceeds their
 // body.
@@ -53,27 +22,6 @@ void unrolled(const Body& body) {
         (body(std::integral_constant<int, i>()), ...);
     }
     (std::make_integer_sequence<int, count>());
-}
-
-// std::min, std::max and std::abs per lane.
-template <typename Value>
-Value smaller(Value a, Value b) {
-    return b < a ? b : a;
-}
-template <typename Value>
-Value larger(Value a, Value b) {
-    return a < b ? b : a;
-}
-template <typename Value>
-Value magnitude(Value a) {
-    return larger(a, -a);
-}
-
-inline double root(double a) {
-    return std::sqrt(a);
-}
-inline Two root(Two a) {
-    return Two{std::sqrt(a[0]), std::sqrt(a[1])};
 }
 
 // Pointers to the numbers of a row's two bodies, three pairs each.

@@ -1,30 +1,29 @@
 // Projected Gauss-Seidel, paper 7.1.1 row after row, with the sum over the other rows computed through the bodies
-// (unit_rows.h). Both columns are swept together.
+// (unit_row.h).
 #include "engine/solvers/pgs.h"
 
-#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 
 namespace pushfactor::engine::solvers {
 
 namespace {
 
-template <int columns>
-class Sweeps {
+class Sweeps : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
-                     Columns& lambda) {
-        return iterate(rows_, system, island, termination, lambda, sweep<columns>);
+                     Columns& lambda) override {
+        return iterate(rows_, system, island, termination, lambda, [](UnitRows& rows) { return sweep(rows); });
     }
+    std::unique_ptr<Solver> another() const override { return std::make_unique<Sweeps>(); }
 
   private:
-    UnitRows<columns> rows_;
+    UnitRows rows_;
 };
 
 }  // namespace
 
 std::unique_ptr<Solver> make_pgs() {
-    return std::make_unique<ByColumns<Sweeps>>();
+    return std::make_unique<Sweeps>();
 }
 
 }  // namespace pushfactor::engine::solvers

@@ -8,7 +8,6 @@
 #include "engine/solvers/nncg.h"
 #include "engine/solvers/pgs.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -26,11 +25,7 @@ SolveCount Solver::solve(const SystemEquation& system, const Termination& termin
     for (const Island& island : islands.all()) {
         const bool checked = termination.tolerance_high > 0.0;
         if (checked && island_residual(system, island, lambda) <= termination.tolerance_high) continue;
-        const SolveCount count = solve(system, island, termination, lambda);
-        all.iterations = std::max(all.iterations, count.iterations);
-        all.multiply_adds += count.multiply_adds;
-        all.exact = all.exact && count.exact;
-        all.contradicts = all.contradicts || count.contradicts;
+        all.add(solve(system, island, termination, lambda));
     }
     return all;
 }

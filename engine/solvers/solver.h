@@ -4,6 +4,7 @@
 #include "engine/system/islands.h"
 #include "engine/system/system_equation.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -29,11 +30,20 @@ struct Termination {
 
 // Result and cost of a solve.
 struct SolveCount {
-    int iterations = 0;          // of the solver's own kind
+    int iterations = 0;          // of the solver's own kind, of the column with the most of them
     double row_updates = 0.0;    // 0: in each iteration every row in every column
     double multiply_adds = 0.0;  // work, machine-independent; without loading and storing
     bool exact = false;          // solved by an exact method
     bool contradicts = false;    // it found rows that no forces can satisfy together
+
+    // Adds another column or island.
+    void add(const SolveCount& other) {
+        iterations = std::max(iterations, other.iterations);
+        row_updates += other.row_updates;
+        multiply_adds += other.multiply_adds;
+        exact = exact && other.exact;
+        contradicts = contradicts || other.contradicts;
+    }
 };
 
 class Solver {

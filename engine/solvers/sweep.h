@@ -13,28 +13,23 @@ namespace pushfactor::engine::solvers {
 // rows before them: equivalent to one row after the other. The two rows of a disc compute their forces before
 // either moves, and then move together.
 //
-// With `give_way` a row keeps only a share of its force (Row::keeps): y <- clamp(keeps (y + t - u . x)).
+// With `give_way` a row keeps only a share of its force (UnitRow::keeps): y <- clamp(keeps (y + t - u . x)).
 //
 // For some blocks; `bodies_of` returns the velocities of a block's bodies.
-template <int columns, bool give_way = false, typename BodiesOf>
-[[gnu::flatten]] double sweep(UnitRows<columns>& system, std::span<const typename UnitRows<columns>::Block> blocks,
+template <bool give_way = false, typename BodiesOf>
+[[gnu::flatten]] double sweep(UnitRows& system, std::span<const UnitRows::Block> blocks,
                               const BodiesOf& bodies_of) {
-    using Value = typename UnitRows<columns>::Value;
-    using Block = typename UnitRows<columns>::Block;
-    Value largest{};
-    system.for_each_block(blocks, [&](const Block& block, auto count, auto disc) {
-        auto* row = system.rows_of(block);
-        Velocity x[columns];
-        unrolled<columns>([&](auto c) { x[c] = bodies_of(block, c); });
-        Value wanted[count], changes[count];
-        unrolled<count>([&](auto i) { wanted[i] = Lanes<columns>::of(row[i].y) + system.error(row[i], x); });
-        if constexpr (disc == UnitRows<columns>::soft_row) {
-            wanted[0] -= row[0].soft * Lanes<columns>::of(row[0].y);
-        }
-        const auto move = [&](auto i, Value moved) {
-            changes[i] = moved - Lanes<columns>::of(row[i].y);
-            Lanes<columns>::write(moved, row[i].y);
-            largest = larger(largest, row[i].scale * magnitude(changes[i]));
+    double largest = 0.0;
+    system.for_each_block(blocks, [&](const UnitRows::Block& block, auto count, auto disc) {
+        UnitRow* row = system.rows_of(block);
+        const Velocity x = bodies_of(block);
+        double wanted[count], changes[count];
+        unrolled<count>([&](auto i) { wanted[i] = row[i].y + system.error(row[i], x); });
+        if constexpr (disc == UnitRows::soft_row) wanted[0] -= row[0].soft * row[0].y;
+        const auto move = [&](auto i, double moved) {
+            changes[i] = moved - row[i].y;
+            row[i].y = moved;
+            largest = std::max(largest, row[i].scale * std::abs(changes[i]));
         };
         const auto take_off = [&](auto i, auto k) { wanted[i] -= block.couplings[i + k - 1] * changes[k]; };
         unrolled<count>([&](auto i) {
@@ -50,25 +45,23 @@ template <int columns, bool give_way = false, typename BodiesOf>
                 if constexpr (disc < 0 || i != disc) move(i, system.clamped(row[i], wanted[i]));
             }
         });
-        system.template push<count>(block, changes, x);
+        system.push<count>(block, changes, x);
     });
-    return Lanes<columns>::largest(largest);
+    return largest;
 }
 
-template <int columns>
-double sweep(UnitRows<columns>& system) {
-    using Block = typename UnitRows<columns>::Block;
-    system.couple();
-    return sweep(system, system.blocks,
-                 [&](const Block& block, std::size_t c) { return system.at_bodies(block, c); });
+// All blocks.
+inline double sweep(UnitRows& rows) {
+    return sweep(rows, rows.blocks, [&](const UnitRows::Block& block) { return rows.at_bodies(block); });
 }
 
 // Repeats `pass`, which reads and writes every row once and returns the largest change of a row's velocity [m/s],
 // until the residual is at most the lower tolerance or the iterations are used up; with zero tolerances, all of
-// them. Returns whether the tolerance was reached.
-template <int columns, typename Pass>
-bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCount& count, Pass pass) {
+// them.
+template <typename Pass>
+SolveCount work_down(UnitRows& rows, const Termination& termination, const Pass& pass) {
     const bool checked = termination.tolerance_high > 0.0;
+    SolveCount count;
     for (int k = 0; k < termination.iterations; ++k) {
         ++count.iterations;
         count.multiply_adds += rows.pass_work();
@@ -76,20 +69,31 @@ bool work_down(UnitRows<columns>& rows, const Termination& termination, SolveCou
         // The change is no bound on the residual, but while it is large the residual need not be computed.
         if (!checked || change > termination.tolerance_low) continue;
         count.multiply_adds += rows.look_work();
-        if (rows.residual() <= termination.tolerance_low) return true;
+        if (rows.residual() <= termination.tolerance_low) break;
     }
-    return false;
+    return count;
 }
 
-// A whole solve by such passes.
-template <int columns, typename Pass>
-SolveCount iterate(UnitRows<columns>& rows, const SystemEquation& system, const Island& island,
-                   const Termination& termination, Columns& lambda, Pass pass) {
-    SolveCount count;
-    rows.load(system, island, lambda);
-    work_down(rows, termination, count, pass);
-    rows.store(system, island, lambda);
-    return count;
+// Solves the columns of an island, one after the other, by `solve(rows)`, which returns its count.
+template <typename Solve>
+SolveCount by_columns(UnitRows& rows, const SystemEquation& system, const Island& island, Columns& lambda,
+                      const Solve& solve) {
+    SolveCount all{.exact = true};
+    rows.load(system, island);
+    for (int column = 0; column < island.columns; ++column) {
+        rows.take(system, island, lambda, column);
+        all.add(solve(rows));
+        rows.store(system, island, column, lambda);
+    }
+    return all;
+}
+
+// A whole solve by passes (work_down).
+template <typename Pass>
+SolveCount iterate(UnitRows& rows, const SystemEquation& system, const Island& island,
+                   const Termination& termination, Columns& lambda, const Pass& pass) {
+    return by_columns(rows, system, island, lambda,
+                      [&](UnitRows& loaded) { return work_down(loaded, termination, pass); });
 }
 
 }  // namespace pushfactor::engine::solvers

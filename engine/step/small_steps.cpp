@@ -124,10 +124,11 @@ void SmallSteps::load(const Step& step, Team& team) {
     const Island& island = dissection_.island();
     dissection_.in_any_order(team, [&](const Part& part) {
         for (int k = part.begin_run; k < part.end_run; ++k) {
-            rows_.load_run(step.system, island, island.runs[static_cast<std::size_t>(k)], step.lambda,
-                           step.lambda.cols() - 1, step.h);
+            const RowRun& run = island.runs[static_cast<std::size_t>(k)];
+            rows_.load_run(step.system, island, run);
+            rows_.take_run(step.system, run, step.lambda, step.lambda.cols() - 1, step.h);
         }
-        std::vector<solvers::UnitRows<1>::Block>& blocks = state_of(part).blocks;
+        std::vector<Block>& blocks = state_of(part).blocks;
         blocks.clear();
         rows_.add_blocks(part.begin_row, part.end_row, blocks);
     });
@@ -165,7 +166,7 @@ void SmallSteps::begin(const Step& step, const Part& part) {
     state.followed.clear();
     each_row(part, [&](std::size_t number, int j) {
         const ConstraintRow& source = row_of(step.system, j);
-        solvers::UnitRows<1>::Row& row = rows_.rows[number];
+        solvers::UnitRow& row = rows_.rows[number];
         const double carried = step.system.carried_by(static_cast<std::size_t>(j));
         const ConstraintSource* const follows = step.sources.follower_of(j);
         if (follows) {
@@ -184,13 +185,13 @@ void SmallSteps::begin(const Step& step, const Part& part) {
             state.holding.push_back(
                 {number, j, source.correction, source.error, source.error, carried, open_side, follows != nullptr});
         } else {
-            row.t[0] = (source.push.lasting + carried) / row.scale;
+            row.t = (source.push.lasting + carried) / row.scale;
         }
     });
 }
 
 // s u . d of a row [m].
-double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
+double SmallSteps::moved_along(const solvers::UnitRow& row) const {
     const auto half = [this](int body, const Vector6& axis) {
         const auto number = static_cast<std::size_t>(body);
         return number < moved_.size() ? axis.dot(moved_[number]) : 0.0;
@@ -202,7 +203,7 @@ double SmallSteps::moved_along(const solvers::UnitRows<1>::Row& row) const {
 // one without.
 void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& part) {
     for (Holding& own : state_of(part).holding) {
-        solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+        solvers::UnitRow& row = rows_.rows[own.row];
         if (which == Solve::without_push && !own.is_followed)
             own.error = own.start + moved_along(row) - elapsed * own.carried;
         const double error = own.error;
@@ -219,7 +220,7 @@ void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& 
         row.keeps = which == Solve::with_push
                         ? constants::small_steps::stiffness / (constants::small_steps::stiffness + share)
                         : 1.0;
-        row.t[0] = (speed + own.carried) / row.scale;
+        row.t = (speed + own.carried) / row.scale;
     }
 }
 
@@ -234,7 +235,7 @@ Body SmallSteps::placed(const Step& step, int number, int body) const {
     return now;
 }
 
-void SmallSteps::add_impulse(const solvers::UnitRows<1>::Row& row, double y) {
+void SmallSteps::add_impulse(const solvers::UnitRow& row, double y) {
     const auto add = [&](int body, const Vector6& axis) {
         const auto number = static_cast<std::size_t>(body);
         if (number >= impulse_.size()) return;
@@ -256,24 +257,24 @@ void SmallSteps::follow(const Step& step, const Followed& own, PartState& state)
     const SystemEquation& system = step.system;
     const auto first = static_cast<std::size_t>(own.of_step), count = static_cast<std::size_t>(own.count);
     const ConstraintRow& before = system.rows[first];
-    const solvers::UnitRows<1>::Row& some = rows_.rows[own.first_row];
+    const solvers::UnitRow& some = rows_.rows[own.first_row];
     const Body a = placed(step, some.a, before.body_a), b = placed(step, some.b, before.body_b);
     state.rows.clear();
     own.source->append_rows_of(static_cast<std::size_t>(before.label.point), {before.body_a, before.body_b, a, b},
                                step.h, state.rows);
     std::size_t holding = own.first_holding;
     for (std::size_t k = 0; k < count; ++k) {
-        solvers::UnitRows<1>::Row& row = rows_.rows[own.first_row + k];
+        solvers::UnitRow& row = rows_.rows[own.first_row + k];
         if (!(row.scale > 0.0)) continue;
-        const double force = row.y[0] / row.scale;
-        add_impulse(row, -row.y[0]);
+        const double force = row.y / row.scale;
+        add_impulse(row, -row.y);
         rows_.replace(system, state.rows[k], own.first_row + k, step.h);
-        row.y[0] = force * row.scale;
-        add_impulse(row, row.y[0]);
+        row.y = force * row.scale;
+        add_impulse(row, row.y);
         if (holding < state.holding.size() && state.holding[holding].row == own.first_row + k) {
             state.holding[holding++].error = state.rows[k].error;
         } else {
-            row.t[0] = (state.rows[k].push.lasting + system.carried_by(first + k)) / row.scale;
+            row.t = (state.rows[k].push.lasting + system.carried_by(first + k)) / row.scale;
         }
     }
 }
@@ -318,15 +319,14 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     dissection_.in_any_order(team, [&](const Part& part) {
         const auto end = static_cast<std::size_t>(part.end_row);
         for (auto j = static_cast<std::size_t>(part.begin_row); j < end; ++j) {
-            if (rows_.rows[j].scale > 0.0) sums[j] += rows_.rows[j].y[0] / rows_.rows[j].scale;
+            if (rows_.rows[j].scale > 0.0) sums[j] += rows_.rows[j].y / rows_.rows[j].scale;
         }
     });
 }
 
 double SmallSteps::sweep(std::span<const Block> blocks) {
     Vector6 still = Vector6::Zero();
-    return solvers::sweep<1, true>(
-        rows_, blocks, [&](const Block& block, std::size_t c) { return rows_.at_bodies(block, c, still); });
+    return solvers::sweep<true>(rows_, blocks, [&](const Block& block) { return rows_.at_bodies(block, still); });
 }
 
 // Sweeps the blocks of bodies whose rows have changed by more than `least` [m/s] in sweep `number` or the one
@@ -360,7 +360,7 @@ void SmallSteps::store(const Step& step, Team& team) {
             const double scale = rows_.rows[number].scale;
             step.lambda(j, last) = lasting_[number] / step.system.dt;
             step.lambda(j, 0) = two ? pushing_[number] / step.system.dt : step.lambda(j, last);
-            const double latest = scale > 0.0 ? rows_.rows[number].y[0] / (step.h * scale) : 0.0;
+            const double latest = scale > 0.0 ? rows_.rows[number].y / (step.h * scale) : 0.0;
             step.ending[static_cast<std::size_t>(j)] = {latest, latest};
         });
         for (Eigen::Index column = 0; column <= last; ++column) {
@@ -377,7 +377,7 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
     for (const Holding& own : state.holding) {
         if (own.open_side == 0.0) continue;
         const ConstraintRow& source = row_of(step.system, own.of_step);
-        solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
+        solvers::UnitRow& row = rows_.rows[own.row];
         const double moved = moved_along(row) - step.system.dt * own.carried;
         const double error = own.open_side * (source.error + moved), before = own.open_side * source.error;
         const double correcting = own.open_side * step.system.dt * source.push.correcting;
@@ -386,8 +386,8 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
             want = std::clamp(correcting, 0.0, std::max(0.0, -before)) - std::max(0.0, own.open_side * moved);
             want = std::max(0.0, want);
         }
-        row.t[0] = own.open_side * want / row.scale;
-        row.y[0] = 0.0;
+        row.t = own.open_side * want / row.scale;
+        row.y = 0.0;
         state.is_pushed = state.is_pushed || want > 0.0;
     }
 }
@@ -404,8 +404,8 @@ void SmallSteps::push_apart(const Step& step, Team& team) {
         dissection_.by_rounds(team, [&](const Part& part) {
             for (const Holding& own : state_of(part).holding) {
                 if (own.open_side == 0.0) continue;
-                solvers::UnitRows<1>::Row& row = rows_.rows[own.row];
-                rows_.set(row, 0, rows_.clamped(row, 0, row.y[0] + rows_.error(row, 0)));
+                solvers::UnitRow& row = rows_.rows[own.row];
+                rows_.set(row, rows_.clamped(row, row.y + rows_.error(row)));
             }
         });
     }

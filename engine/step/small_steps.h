@@ -17,7 +17,7 @@
 // because what is hit would first move into what is behind it.
 //
 // Symbols: x velocity and d displacement of a body scaled by the square root of its mass, M^(1/2) v [sqrt(kg) m/s]
-// and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_rows.h; e error of a row [m].
+// and [sqrt(kg) m]; u_j, y_j, t_j as in solvers/unit_row.h; e error of a row [m].
 //
 //   open row (gap, loose rope)   t = -e / h in both solves: it may close
 //   closed row, bar, joint       t = -r e / h with the push, 0 without it
@@ -88,7 +88,7 @@ class SmallSteps {
 
   private:
     using Part = Dissection::Part;
-    using Block = solvers::UnitRows<1>::Block;
+    using Block = solvers::UnitRows::Block;
 
     // A row that holds a place, one-sided or not.
     struct Holding {
@@ -149,8 +149,8 @@ class SmallSteps {
     void plan_push(const Step& step, const Part& part);
     void store(const Step& step, Team& team);
     void write_forces(const Step& step, Team& team) const;
-    double moved_along(const solvers::UnitRows<1>::Row& row) const;
-    void add_impulse(const solvers::UnitRows<1>::Row& row, double y);
+    double moved_along(const solvers::UnitRow& row) const;
+    void add_impulse(const solvers::UnitRow& row, double y);
     template <typename Visit>
     void each_row(const Part& part, const Visit& visit) const;
     template <typename Visit>
@@ -160,7 +160,7 @@ class SmallSteps {
     std::optional<Division> division_;
     double residual_ = 0.0;
     Dissection dissection_;  // of the current island
-    solvers::UnitRows<1> rows_;
+    solvers::UnitRows rows_;
     std::vector<PartState> states_;
     // By movable body of the island:
     std::vector<Vector6> pull_;     // x added by the external forces per small step

@@ -1,7 +1,6 @@
 // A solver, as engine/README.md shows it.
 #include "engine/solvers/solver.h"
 
-#include "engine/solvers/by_columns.h"
 #include "engine/solvers/sweep.h"
 #include "tests/catch.h"
 #include "tests/engine/solvers/problems.h"
@@ -16,29 +15,25 @@ namespace {
 // Projected successive over-relaxation: 7.1.1 row after row, but every row goes `weight` times as far.
 constexpr double weight = 1.6;  // 0..2; 1 is Gauss-Seidel
 
-template <int columns>
-class OverRelaxed {
+class OverRelaxed : public Solver {
   public:
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
-                     Columns& lambda) {
-        return iterate(rows_, system, island, termination, lambda, [](UnitRows<columns>& rows) {
+                     Columns& lambda) override {
+        return iterate(rows_, system, island, termination, lambda, [](UnitRows& rows) {
             double largest = 0.0;
-            for (auto& row : rows.rows) {
-                for (int c = 0; c < columns; ++c) {
-                    const double y = row.y[rows.at(c)] + weight * rows.error(row, c);
-                    largest = std::max(largest, rows.move(row, c, y));
-                }
+            for (UnitRow& row : rows.rows) {
+                largest = std::max(largest, rows.move(row, row.y + weight * rows.error(row)));
             }
             return largest;
         });
     }
 
   private:
-    UnitRows<columns> rows_;
+    UnitRows rows_;
 };
 
 std::unique_ptr<Solver> make_over_relaxed() {
-    return std::make_unique<ByColumns<OverRelaxed>>();
+    return std::make_unique<OverRelaxed>();
 }
 // [end]
 

@@ -6,8 +6,6 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-using Row = UnitProblem::Row;
-
 constexpr double greatest_rho = 1e9;
 // With discs the natural map is not linear between its bounds, so steps may have to stay near the
 // linearisation point: rho starts at careful_rho and grows after each improvement; otherwise it shrinks and the
@@ -37,7 +35,7 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
     states_.resize(y.size());
     slides_.clear();
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const double scale = bound_scale(row, y);
         const double moved = y[j] + step_size(j) * r_[j];
         states_[j] = State::set;
@@ -62,7 +60,7 @@ void ActiveSet::find_states(const UnitProblem& problem, const std::vector<double
 // + rho (t - U x) does not depend on y, and the damper is y' = -a rho u . delta x.
 void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                 bool may_follow) {
-    const Row &first = problem.rows[j - 1], &second = problem.rows[j];
+    const UnitRow &first = problem.rows[j - 1], &second = problem.rows[j];
     const double step = step_size(j);
     const double w_1 = y[j - 1] + step * r_[j - 1], w_2 = y[j] + step * r_[j];
     const double length = std::sqrt(w_1 * w_1 + w_2 * w_2);
@@ -82,7 +80,7 @@ void ActiveSet::find_disc_state(const UnitProblem& problem, const std::vector<do
     slides_.push_back(slide);
 }
 
-double ActiveSet::factor_of(const Row& row, State state) const {
+double ActiveSet::factor_of(const UnitRow& row, State state) const {
     return state == State::follows_low ? row.low : row.high;
 }
 
@@ -91,26 +89,26 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
     matrix_.begin(order);
     pushed_.resize(problem.rows.size());
     bool any_follows = false;
-    const auto follow_leader = [&](const Row& row, double factor, const Jacobian& unit) {
+    const auto follow_leader = [&](const UnitRow& row, double factor, const Jacobian& unit) {
         Jacobian& pushed = pushed_[static_cast<std::size_t>(row.leader)];
         pushed.a += factor * unit.a;
         pushed.b += factor * unit.b;
         any_follows = true;
     };
     for (std::size_t j = 0; j < states_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         if (states_[j] == State::free) pushed_[j] = *row.unit;
         if (states_[j] != State::follows_low && states_[j] != State::follows_high) continue;
         follow_leader(row, factor_of(row, states_[j]), *row.unit);
     }
     for (const Slide& slide : slides_) {
-        const Row& row = problem.rows[slide.second];
+        const UnitRow& row = problem.rows[slide.second];
         if (slide.follows) follow_leader(row, row.high, slide.along);
     }
     double work = 0.0;
     for (std::size_t j = 0; j < states_.size(); ++j) {
         if (states_[j] != State::free) continue;
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const double rho = rhos_[j];
         if (any_follows) {
             matrix_.add_product(row.a, rho * pushed_[j].a, row.unit->a, row.b, rho * pushed_[j].b, row.unit->b);
@@ -120,7 +118,7 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
         work += any_follows ? 180.0 : 108.0;
     }
     for (const Slide& slide : slides_) {
-        const Row& row = problem.rows[slide.second];
+        const UnitRow& row = problem.rows[slide.second];
         matrix_.add(row.a, slide.across.a, row.b, slide.across.b, slide.k);
         work += 108.0;
     }
@@ -143,7 +141,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     moved_.resize(y.size());
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         switch (states_[j]) {
             case State::free:
                 for (const auto& [body, axis] :
@@ -165,12 +163,12 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     for (const Slide& slide : slides_) start_slide(problem, slide, y);
     matrix_.solve(d_);
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         if (states_[j] == State::free) moved_[j] = y[j] + rhos_[j] * (r_[j] - along(row, d_));
     }
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const double scale = bound_scale(row, y);  // uses the leader's new value
         if (states_[j] == State::slides) {
             if (row.disc == Disc::second) end_slide(problem, *slide++, y);
@@ -188,7 +186,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
 
 // Applies to the bodies the change of a sliding point's force for unchanged leader and velocities.
 void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y) {
-    const Row& row = problem.rows[slide.second];
+    const UnitRow& row = problem.rows[slide.second];
     const double y_1 = y[slide.second - 1], y_2 = y[slide.second];
     const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
     const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
@@ -198,7 +196,7 @@ void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, cons
 
 // Writes the forces of a sliding point, on the circle.
 void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::vector<double>& y) {
-    const Row& row = problem.rows[slide.second];
+    const UnitRow& row = problem.rows[slide.second];
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
     const double radius = row.high * bound_scale(row, y);
     const double before = slide.d_1 * y_2 - slide.d_2 * y_1;

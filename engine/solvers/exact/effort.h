@@ -6,13 +6,14 @@ namespace pushfactor::engine::solvers {
 class Effort {
   public:
     // Limits on multiply-adds in total and on factorisations per column.
-    explicit Effort(double work, double factorisations = infinity) : left_(work), of_a_column_(factorisations) {
-        begin_column(1);
+    explicit Effort(double work, int columns = 1, double factorisations = infinity)
+        : left_(work), columns_(columns), of_a_column_(factorisations) {
+        if (columns == 1) begin_column();
     }
 
-    // Gives a column its share of the rest; `columns` is the number of columns still to come, including this one.
-    void begin_column(int columns) {
-        work_ = left_ / columns;
+    // Gives the next column its share of the rest.
+    void begin_column() {
+        work_ = left_ / columns_--;
         factorisations_ = of_a_column_;
     }
 
@@ -21,16 +22,15 @@ class Effort {
     void spend(double work) {
         work_ -= work;
         left_ -= work;
-        spent_ += work;
     }
     void spend_factorisation(double work) {
         spend(work);
         factorisations_ -= 1.0;
     }
-    double spent() const { return spent_; }
 
   private:
-    double left_ = 0.0, work_ = 0.0, spent_ = 0.0;  // multiply-adds, of all columns and of the current one
+    double left_ = 0.0, work_ = 0.0;  // multiply-adds, of all columns and of the current one
+    int columns_ = 1;                 // still to come
     double of_a_column_ = 0.0, factorisations_ = 0.0;
 };
 

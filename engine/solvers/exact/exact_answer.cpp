@@ -6,7 +6,7 @@ namespace pushfactor::engine::solvers {
 
 double asked_speed(const UnitProblem& problem) {
     double fastest = 0.0;
-    for (const UnitProblem::Row& row : problem.rows) {
+    for (const UnitRow& row : problem.rows) {
         const double alone = row.leader < 0 ? clamped(row, row.t, 1.0) : 0.0;
         fastest = std::max(fastest, row.scale * std::abs(alone));
     }
@@ -58,7 +58,7 @@ bool ExactAnswer::contradicts() {
     x_.assign(problem_.bodies, Vector6::Zero());
     double asked = 0.0, by_followers = 0.0, yielded = 0.0;
     for (std::size_t j = 0; j < y_.size(); ++j) {
-        const UnitProblem::Row& row = problem_.rows[j];
+        const UnitRow& row = problem_.rows[j];
         if (row.disc == Disc::first) continue;
         const Change change = natural_change(problem_, y_, r_, j);
         asked += change.squared();
@@ -100,6 +100,17 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
         for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
+}
+
+bool ExactAnswer::solve(UnitRows& rows, double tolerance, double will_do, Effort& effort, SolveCount& count) {
+    problem_ = {rows.rows, rows.velocity.size(), rows.bounds_follow(), rows.has_discs(), rows.has_soft()};
+    y_.resize(rows.rows.size());
+    for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = rows.rows[j].y;
+    clamp(problem_, y_);
+    const bool solved = settle(tolerance, will_do, effort, count);
+    for (std::size_t j = 0; j < y_.size(); ++j) rows.rows[j].y = y_[j];
+    rows.follow();
+    return solved;
 }
 
 bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, SolveCount& count) {

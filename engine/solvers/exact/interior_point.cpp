@@ -6,8 +6,6 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
-using Row = UnitProblem::Row;
-
 // Smaller is better, until rounding errors of the factors show: earlier for unsymmetric ones and for rows without
 // bounds. Contacts under heavy load need a small value: the residual is the force error that delta leaves, divided
 // by delta.
@@ -46,7 +44,7 @@ constexpr int most_steps_without_gain = 10;
 double InteriorPoint::typical_force(const UnitProblem& problem, const std::vector<double>& y) const {
     double typical = std::numeric_limits<double>::min();
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const double here = clamped(row, y[j] + r_[j], bound_scale(row, y)) - y[j];
         const double from_zero = clamped(row, row.t, 1.0);
         typical = std::max({typical, std::abs(here), row.leader < 0 ? std::abs(from_zero) : std::abs(row.t)});
@@ -60,7 +58,7 @@ void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>&
     points_.assign(y.size(), {});
     discs_.clear();
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         if (row.disc != Disc::none) {
             if (row.disc == Disc::second) start_disc(problem, y, j, typical);
@@ -91,7 +89,7 @@ void InteriorPoint::start(const UnitProblem& problem, const std::vector<double>&
 // Both rows of the disc whose second row is `j`.
 void InteriorPoint::start_disc(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                                double typical) {
-    const Row& row = problem.rows[j];
+    const UnitRow& row = problem.rows[j];
     const Point* leader = row.leader < 0 ? nullptr : &points_[static_cast<std::size_t>(row.leader)];
     const double radius = row.high * (leader ? leader->y : 1.0);
     Point &first = points_[j - 1], &second = points_[j];
@@ -109,7 +107,7 @@ void InteriorPoint::start_disc(const UnitProblem& problem, const std::vector<dou
 }
 
 void InteriorPoint::look_at(const UnitProblem& problem, DiscPoint& disc) const {
-    const Row &first = problem.rows[disc.second - 1], &second = problem.rows[disc.second];
+    const UnitRow &first = problem.rows[disc.second - 1], &second = problem.rows[disc.second];
     disc.radius = second.high * bound_scale(second, y_);
     disc.e_1 = y_[disc.second - 1] / disc.radius;
     disc.e_2 = y_[disc.second] / disc.radius;
@@ -131,7 +129,7 @@ void InteriorPoint::look(const UnitProblem& problem) {
     for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = points_[j].y;
     follow(problem, y_, x_, r_);
     for (std::size_t j = 0; j < y_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         const double scale = bound_scale(row, y_);
         const auto error = [&](double bound, double distance, double s) {
@@ -209,7 +207,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
     matrix_.begin(order);
     pushed_.resize(problem.rows.size());
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         if (problem.bounds_follow) pushed_[j] = *row.unit;
         if (point.w == 0.0) continue;
@@ -236,12 +234,12 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         pushed.b += (disc.w_along * disc.c) * disc.along.b;
     }
     for (const DiscPoint& disc : discs_) {
-        const Row& row = problem.rows[disc.second];
+        const UnitRow& row = problem.rows[disc.second];
         matrix_.add(row.a, disc.along.a, row.b, disc.along.b, disc.w_along);
         matrix_.add(row.a, disc.across.a, row.b, disc.across.b, disc.w_across);
     }
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const Point& point = points_[j];
         if (point.w == 0.0) continue;
         if (problem.bounds_follow && row.leader < 0) {
@@ -259,7 +257,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
 void InteriorPoint::aim(const UnitProblem& problem, double target, double second_order) {
     d_.assign(problem.bodies, Vector6::Zero());
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         const auto aim_at = [&](Bound& bound) {
             if (!bound.is) return;
@@ -280,7 +278,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         const double r_1 = r_[disc.second - 1] - disc.e_1 * disc.dz, r_2 = r_[disc.second] - disc.e_2 * disc.dz;
         disc.own_along = disc.w_along * (disc.d_1 * r_1 + disc.d_2 * r_2);
         disc.own_across = disc.w_across * (disc.d_1 * r_2 - disc.d_2 * r_1);
-        const Row& row = problem.rows[disc.second];
+        const UnitRow& row = problem.rows[disc.second];
         if (disc.follows) {
             disc.own_along += disc.w_along * disc.c * points_[static_cast<std::size_t>(row.leader)].own;
         }
@@ -298,7 +296,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
     for (std::size_t i = 0; i < missed_.size(); ++i) d_[i] += missed_[i];
     find_steps(problem);
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         if (point.w == 0.0) continue;
         const double of_leader = point.leader < 0 ? 0.0 : points_[static_cast<std::size_t>(point.leader)].dy;
@@ -334,7 +332,7 @@ void InteriorPoint::find_steps(const UnitProblem& problem) {
         point.dy = point.own + point.w * (of_leader - along(problem.rows[j], d_));
     }
     for (const DiscPoint& disc : discs_) {
-        const Row& row = problem.rows[disc.second];
+        const UnitRow& row = problem.rows[disc.second];
         double of_leader = 0.0;
         if (disc.follows) {
             const Point& leader = points_[static_cast<std::size_t>(row.leader)];

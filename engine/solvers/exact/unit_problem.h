@@ -1,9 +1,10 @@
-// One column of the system in unit rows (unit_rows.h), in the form for the exact methods. Internal to the solvers.
+// One column of the system in unit rows (unit_row.h), in the form for the exact methods. Internal to the solvers.
 //
 // Symbols: y forces, x velocities of the bodies [both sqrt(kg) m/s], U the unit axes, r = t - U x with x = U^T y
 // the residual of the rows; of soft rows r = t - U x - soft y.
 #pragma once
 
+#include "engine/solvers/unit_row.h"
 #include "engine/system/system_equation.h"
 
 #include <algorithm>
@@ -13,17 +14,7 @@
 namespace pushfactor::engine::solvers {
 
 struct UnitProblem {
-    struct Row {
-        int a = 0, b = 0;                // bodies
-        const Jacobian* unit = nullptr;  // u_j
-        double t = 0.0;
-        double low = 0.0, high = 0.0;  // bounds of y, or factors of the leader's y
-        int leader = -1;               // earlier row that its bounds follow, or -1
-        Disc disc = Disc::none;
-        double scale = 0.0;  // m/s of a row per unit of y; 0 for a row that cannot move anything
-        double soft = 0.0;   // share of its softness in A_jj
-    };
-    std::vector<Row> rows;
+    std::vector<UnitRow> rows;  // their y are not read
     std::size_t bodies = 0;
     bool bounds_follow = false;  // some row has a leader
     bool has_discs = false;
@@ -41,12 +32,12 @@ struct UnitProblem {
 using BodyVelocities = std::vector<Vector6>;
 
 // Factor of a row's bounds for the forces `y`.
-inline double bound_scale(const UnitProblem::Row& row, const std::vector<double>& y) {
+inline double bound_scale(const UnitRow& row, const std::vector<double>& y) {
     return row.leader < 0 ? 1.0 : y[static_cast<std::size_t>(row.leader)];
 }
 
 // `value` clamped to the bounds of a row without a disc, multiplied by `scale`.
-inline double clamped(const UnitProblem::Row& row, double value, double scale) {
+inline double clamped(const UnitRow& row, double value, double scale) {
     return std::max(std::min(value, row.high * scale), row.low * scale);
 }
 
@@ -54,7 +45,7 @@ inline double clamped(const UnitProblem::Row& row, double value, double scale) {
 // the first none.
 inline void clamp(const UnitProblem& problem, const std::vector<double>& y, std::size_t j,
                   std::vector<double>& value) {
-    const UnitProblem::Row& row = problem.rows[j];
+    const UnitRow& row = problem.rows[j];
     const double scale = bound_scale(row, y);
     if (row.disc == Disc::none) value[j] = clamped(row, value[j], scale);
     if (row.disc != Disc::second) return;
@@ -68,30 +59,29 @@ inline void clamp(const UnitProblem& problem, std::vector<double>& y) {
     for (std::size_t j = 0; j < y.size(); ++j) clamp(problem, y, j, y);
 }
 
-inline bool act_on_the_same(const UnitProblem::Row& a, const UnitProblem::Row& b) {
+inline bool act_on_the_same(const UnitRow& a, const UnitRow& b) {
     return a.a == b.a && a.b == b.b;
 }
 
 // Linear combination of the two tangents of a disc.
-inline Jacobian between(const UnitProblem::Row& first, double share_1, const UnitProblem::Row& second,
-                        double share_2) {
+inline Jacobian between(const UnitRow& first, double share_1, const UnitRow& second, double share_2) {
     return {share_1 * first.unit->a + share_2 * second.unit->a, share_1 * first.unit->b + share_2 * second.unit->b};
 }
 
 // u . v for an axis u between the bodies of the row; and for the row's own axis.
-inline double along(const UnitProblem::Row& row, const Jacobian& u, const BodyVelocities& v) {
+inline double along(const UnitRow& row, const Jacobian& u, const BodyVelocities& v) {
     return u.a.dot(v[static_cast<std::size_t>(row.a)]) + u.b.dot(v[static_cast<std::size_t>(row.b)]);
 }
-inline double along(const UnitProblem::Row& row, const BodyVelocities& v) {
+inline double along(const UnitRow& row, const BodyVelocities& v) {
     return along(row, *row.unit, v);
 }
 
 // v += u y, likewise.
-inline void push(const UnitProblem::Row& row, const Jacobian& u, double y, BodyVelocities& v) {
+inline void push(const UnitRow& row, const Jacobian& u, double y, BodyVelocities& v) {
     v[static_cast<std::size_t>(row.a)].noalias() += u.a * y;
     v[static_cast<std::size_t>(row.b)].noalias() += u.b * y;
 }
-inline void push(const UnitProblem::Row& row, double y, BodyVelocities& v) {
+inline void push(const UnitRow& row, double y, BodyVelocities& v) {
     push(row, *row.unit, y, v);
 }
 
@@ -114,7 +104,7 @@ struct Change {
 };
 inline Change natural_change(const UnitProblem& problem, const std::vector<double>& y, const std::vector<double>& r,
                              std::size_t j) {
-    const UnitProblem::Row& row = problem.rows[j];
+    const UnitRow& row = problem.rows[j];
     const double scale = bound_scale(row, y);
     if (row.disc == Disc::none) return {0.0, clamped(row, y[j] + r[j], scale) - y[j]};
     if (row.disc == Disc::first) return {};

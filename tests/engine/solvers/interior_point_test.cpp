@@ -70,7 +70,7 @@ struct UnitColumn {
 
 bool is_within_bounds(const UnitProblem& problem, const std::vector<double>& y) {
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const UnitProblem::Row& row = problem.rows[j];
+        const UnitRow& row = problem.rows[j];
         const double scale = bound_scale(row, y);
         if (!(y[j] >= row.low * scale && y[j] <= row.high * scale)) return false;
     }
@@ -146,7 +146,7 @@ TEST_CASE("an effort that is used up ends a solve with the best that was found")
     for (const double factorisations : {0.0, 5.0, 10.0, 20.0, 40.0}) {
         UnitColumn column(frozen);
         std::vector<double> y(frozen.rows.size(), 0.0);
-        Effort effort(1e12, factorisations);
+        Effort effort(1e12, 1, factorisations);
         const double reached =
             InteriorPoint().solve(column.order, column.problem, 1e-9, 1000, y, effort, column.count);
         CHECK(column.count.iterations <= factorisations);
