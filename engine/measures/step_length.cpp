@@ -47,19 +47,23 @@ double swing(const Distance& distance, const DistanceForce& force, std::span<con
            end_swing(bodies[at(distance.body_b)], distance.point_b, pull, distance.length);
 }
 
-// Angular velocity of the bodies about an off-centre ball joint [rad/s].
-double turning_about(const Vector3& point_a, const Body& a, const Vector3& point_b, const Body& b) {
-    double largest = 0.0;
-    if (!point_a.isZero(0.0)) largest = angular_velocity(a).norm();
-    if (point_b.isZero(0.0)) return largest;
-    return std::max(largest, angular_velocity(b).norm());
+// Angular velocity of an end that is off the centre [rad/s]. A ball joint sees nothing of a spin about the
+// direction to it but that a stout body nods.
+double end_turning(const Body& body, const Vector3& point, bool is_hinge) {
+    if (point.isZero(0.0)) return 0.0;
+    const Vector3 spin = angular_velocity(body);
+    if (is_hinge) return spin.norm();
+    const Vector3 direction = body.orientation * point.normalized();
+    const double about = std::abs(direction.dot(spin));
+    const double nods = std::abs(direction.dot(body.angular_momentum)) * softness_across(body, point);
+    return std::hypot(direction.cross(spin).norm(), std::min(about, nods));
 }
 
-// Angular velocity of a bar's direction, or of the bodies about an off-centre ball joint [rad/s].
+// Angular velocity of a bar's direction, or about an off-centre ball joint [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
     if (is_ball_joint(distance)) {
-        return turning_about(distance.point_a, bodies[at(distance.body_a)], distance.point_b,
-                             bodies[at(distance.body_b)]);
+        return std::max(end_turning(bodies[at(distance.body_a)], distance.point_a, false),
+                        end_turning(bodies[at(distance.body_b)], distance.point_b, false));
     }
     const auto [from, to] = span_of(distance, bodies);
     const Vector3 p_ab = to - from;
@@ -110,8 +114,9 @@ double tension_rate(const JointConstraints& joints, std::span<const Body> bodies
 double turning_rate(const JointConstraints& joints, std::span<const Body> bodies) {
     double largest = 0.0;
     for (const Joint& joint : joints.joints()) {
-        largest = std::max(largest, turning_about(joint.point_a, bodies[at(joint.body_a)], joint.point_b,
-                                                  bodies[at(joint.body_b)]));
+        const bool is_hinge = joint.hinge.has_value();
+        largest = std::max({largest, end_turning(bodies[at(joint.body_a)], joint.point_a, is_hinge),
+                            end_turning(bodies[at(joint.body_b)], joint.point_b, is_hinge)});
     }
     return largest / turn_a_step;
 }

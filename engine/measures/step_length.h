@@ -10,7 +10,9 @@
 //             oscillator under semi-implicit Euler; 2 omega dt <= 1 conserves its energy too. In a ball joint with
 //             force T bodies swing with omega^2 = T sum of s/I.
 //   turning   A bar that turns by an angle a per step leaves its circle by l a^2 / 2: a <= 0.034. The same for a
-//             body that turns about a ball joint, by r a^2 / 2.
+//             body that turns about a joint, by r a^2 / 2. A spin about r turns a hinge, but no ball joint: there
+//             it counts no more than the nodding L/I that its angular momentum L makes of a push, which is all of
+//             the spin of a disc on its axle and little of that of a slender bar.
 #pragma once
 
 #include "engine/constraints/distance_constraints.h"

@@ -48,12 +48,12 @@ constexpr double work_of_20_ms = 8e7;
 
 }  // namespace
 
-// Of fourteen of each family none gains anything, no force is above 0.7 of the weight, and three trusses take up to
-// 1.4e8 multiply-adds in a step. The last to tip over, a welded ring, does so after 3.2 s.
+// Of fourteen of each family none gains anything, no force is above 0.7 of the weight, and no step takes more than
+// 7.4e7 multiply-adds. The last to tip over, a welded ring, does so after 3.2 s.
 TEST_CASE(
     "random rings, scissors, frames and wishbones that drop gain nothing, and lie with less than their weight",
     "[long]") {
-    each_member(false, 3, [](const LoopFamily& family, SceneDescription& scene, tests::Random& random) {
+    each_member(false, 3, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
         drop(scene, random);
         const double weight = gravity * tests::mass_of(scene);
         tests::Run run = start(scene);
@@ -62,15 +62,15 @@ TEST_CASE(
         CHECK(run.measurements.max_length_error() < 0.02);
         CHECK(run.measurements.max_speed_last_second() < 1.0);
         CHECK(tests::largest_joint_force(*run.simulation.scene().joints) < weight);
-        if (family.name != "truss") CHECK(work < work_of_20_ms);
+        CHECK(work < work_of_20_ms);
     });
 }
 
 // Measured at most 4e-16, and for wishbones 7e-8, in their first step; with momenta for all of an error 2e-3, and
-// with angular momenta that do not turn along 1e-4. Of fourteen spatial rings one gains 1.4e-3 for some steps, near
-// a dead point that its steps do not resolve.
+// with angular momenta that do not turn along 1e-4, and with the forces of open joints in the middle 3e-3. Of
+// fourteen spatial rings one gains 1.4e-3 for some steps, near a dead point that its steps do not resolve.
 TEST_CASE("random loops that turn freely gain no energy, whatever the number of substeps does") {
-    each_member(false, 4, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
+    each_member(false, 6, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
         set_free(scene, random);
         tests::Run run = start(scene);
         advance(run, 5.0);

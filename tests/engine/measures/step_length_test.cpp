@@ -96,6 +96,23 @@ TEST_CASE("a bar that turns asks for 0.034 radians in a step, whatever moves alo
     CHECK(turning_rate(bar(0.0), both) == 0.0);
 }
 
+TEST_CASE(
+    "a spin about the way to a ball joint counts as far as it makes the body nod, and all of a turn across it") {
+    const auto rate_of = [](const Vector3& size, const Vector3& spin, bool hinge) {
+        std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(2.0, size, {0.5, 0, 0})};
+        bodies[1].angular_momentum = spin.cwiseQuotient(bodies[1].inverse_inertia);
+        Joint joint{.body_a = 0, .body_b = 1, .point_b = {-0.5, 0, 0}};
+        if (hinge) joint.hinge = Hinge{};
+        return turning_rate(JointConstraints({joint}, {}, true), bodies);
+    };
+    const Vector3 bar(1.0, 0.05, 0.05), disc(0.1, 1.0, 1.0);
+    const double nods = 2.0 * 0.05 * 0.05 / (1.0 + 0.05 * 0.05);
+    CHECK(rate_of(bar, {7, 0, 0}, false) == Approx(nods * 7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(bar, {0, 7, 0}, false) == Approx(7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(bar, {7, 0, 0}, true) == Approx(7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(disc, {7, 0, 0}, false) == Approx(7.0 / 0.034).epsilon(1e-12));
+}
+
 TEST_CASE("a rope that carries nothing and a ball joint at both centres ask for nothing") {
     std::vector<Body> bodies = ball_at({1, 0, 0});
     bodies[1].linear_momentum = {0, 100, 0};
