@@ -26,11 +26,20 @@ bool rests(const World& world, const std::pair<int, int>& bodies) {
     return world.rest && (world.rest->is_at_rest(bodies.first) || world.rest->is_at_rest(bodies.second));
 }
 
-// Rate of a row along its axis [m/s].
-double rate_of(const ConstraintRow& row, std::span<const Body> bodies) {
-    const auto velocity_of = [bodies](int body) {
-        const Body& own = bodies[static_cast<std::size_t>(body)];
-        return stacked(velocity(own), angular_velocity(own));
+// With the momenta of `after` in the place of `before`: its turn within the step changes the velocities, but no
+// force of the step works on that.
+Body pushed(const Body& before, const Body& after) {
+    Body own = after;
+    own.orientation = before.orientation;
+    return own;
+}
+
+// Rate of a row along its axis [m/s], in the middle of the push.
+double rate_of(const ConstraintRow& row, std::span<const Body> before, std::span<const Body> after) {
+    const auto velocity_of = [&](int body) -> Vector6 {
+        const Body& own = before[static_cast<std::size_t>(body)];
+        const Body end = pushed(own, after[static_cast<std::size_t>(body)]);
+        return 0.5 * stacked(velocity(own) + velocity(end), angular_velocity(own) + angular_velocity(end));
     };
     return row.jacobian.a.dot(velocity_of(row.body_a)) + row.jacobian.b.dot(velocity_of(row.body_b));
 }
@@ -48,7 +57,7 @@ double work_of_drives(const World& world, std::span<const Body> before) {
                 const double force = lambda(j, lambda.cols() - 1);
                 if (row.label.kind == RowKind::friction) work += force * row.push.lasting;
                 if (row.label.kind == RowKind::motor && row.push.lasting != 0.0) {
-                    const double rate = 0.5 * (rate_of(row, before) + rate_of(row, world.bodies));
+                    const double rate = rate_of(row, before, world.bodies);
                     work += force * (rate - world.system().carried_by(static_cast<std::size_t>(j)));
                 }
             }
@@ -143,7 +152,7 @@ double EnergyAccount::external_work_of(const World& world, double dt) const {
         if (before.is_static()) continue;
         const Vector3 force = after.force - gravity_ / after.inverse_mass;
         const Vector3 moved = 0.5 * dt * (velocity(before) + velocity(after));
-        const Vector3 turned = 0.5 * dt * (angular_velocity(before) + angular_velocity(after));
+        const Vector3 turned = 0.5 * dt * (angular_velocity(before) + angular_velocity(pushed(before, after)));
         work += force.dot(moved) + after.torque.dot(turned);
     }
     return work;

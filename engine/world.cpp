@@ -302,17 +302,22 @@ void World::integrate(Body& body, std::size_t i, double dt) {
     // With a single-frame push (8.1) these momenta are used for this move only.
     const Vector3 p = advance_momentum(body.linear_momentum, body.force + f_cv.head<3>(), dt);
     const Vector3 l = advance_momentum(body.angular_momentum, body.torque + f_cv.tail<3>(), dt);
+    const Quaternion turned = rotate(body, l, dt);
     body.position = advance_position(body, p, dt);
-    body.orientation = rotate(body, l, dt);
-
     if (!step_solver_.has_lasting_force(i)) {
+        body.orientation = turned;
         body.linear_momentum = p;
         body.angular_momentum = l;
         return;
     }
     const Vector6& f_c0 = step_solver_.forces().lasting[i];
+    const Vector3 l_c0 = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
     body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
-    body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
+    // What a change of the step moves only (keep_for_step) turns the momentum along with the body, which else
+    // would turn faster or slower about it.
+    body.angular_momentum =
+        changed_from_ > 0.0 ? Vector3(turned * (rotate(body, l_c0, dt).conjugate() * l_c0)) : l_c0;
+    body.orientation = turned;
 }
 
 void World::find_what_turns_unseen() {

@@ -9,7 +9,7 @@
 //   limits            c = L (phi - low) >= 0    j_c = L [0, -u, 0, u],   lambda >= 0
 //                     c = L (high - phi) >= 0   j_c = L [0, u, 0, -u],   lambda >= 0
 //
-// Symbols: p_ab = p_b - p_a [m]; r_i lever arms to the point in the middle [m]; e_k the world's axes; u unit
+// Symbols: p_ab = p_b - p_a [m]; r_i = p_i - x_i lever arms [m], see point_jacobian.h; e_k the world's axes; u unit
 // length; t_k two unit vectors across u, fixed in a; theta the rotation from u to the axis of b, along u x axis
 // [rad]; phi angle of b about u, from where b is at angle 0, with all turns since the start [rad]; omega speed of
 // the motor [rad/s]; T its largest torque [N m]; k and d stiffness and damping of a servo, which is a spring as in

@@ -62,15 +62,34 @@ class PairPoint {
     bool a_moves_, b_moves_;
 };
 
+// kg m^2, world frame.
+inline Matrix3 world_inertia(const Body& body) {
+    const Matrix3 axes = body.orientation.toRotationMatrix();
+    return axes * body.inverse_inertia.cwiseInverse().asDiagonal() * axes.transpose();
+}
+
 // Appends three rows, along the world's x, y and z, that hold a point of each body together [m, world frame]: a
 // ball joint (5.2 with length 0).
+//
+// While it is open, force and reaction act at two points, and would turn the pair by a couple. It is taken from
+// both bodies as from one piece, so that both get the same angular acceleration; halves, as of forces in the
+// middle, would spin a slender bar about itself. A static body takes half: then they act in the middle.
 inline void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b,
                               const Correction& correction, double dt, RowList& rows) {
-    const Vector3 p_ab = on_b - on_a, middle = 0.5 * (on_a + on_b);
-    const PairPoint points(bodies, middle);
+    const Vector3 p_ab = on_b - on_a;
+    const PairPoint points(bodies, on_a, on_b);
+    const bool a_moves = !bodies.body_a.is_static(), b_moves = !bodies.body_b.is_static();
+    Matrix3 share_of_a = 0.5 * Matrix3::Identity();
+    if (a_moves && b_moves) {
+        const Matrix3 inertia = world_inertia(bodies.body_a);
+        share_of_a = inertia * (inertia + world_inertia(bodies.body_b)).inverse();
+    }
     for (int axis = 0; axis < 3; ++axis) {
         ConstraintRow& row = rows.emplace_back();
         points.place(row, Vector3::Unit(axis));
+        const Vector3 couple = p_ab.cross(Vector3::Unit(axis)), of_a = share_of_a * couple;
+        if (a_moves) row.jacobian.a.tail<3>() -= of_a;
+        if (b_moves) row.jacobian.b.tail<3>() -= couple - of_a;
         row.push = correct(correction, -p_ab[axis], dt);
         row.error = p_ab[axis];
         row.correction = &correction;

@@ -13,33 +13,57 @@ namespace {
 constexpr double swing_a_step = 0.5;
 constexpr double turn_a_step = 0.034;  // rad
 
-// Contribution of one end of a bar or a ball joint to omega^2 / T, 1/(kg m).
-double end_softness(const Body& body, const Vector3& point, double length) {
-    const double r = point.norm();
-    const double inverse_moment = body.inverse_inertia.maxCoeff();
-    const double of_bar = length > 0.0 ? (body.inverse_mass + r * r * inverse_moment) / length : 0.0;
-    return of_bar + r * inverse_moment;
+// The largest turn by a moment of 1 N m across r, 1/(kg m^2). Turning about r moves no point on it.
+double softness_across(const Body& body, const Vector3& r) {
+    if (r.isZero(0.0)) return 0.0;
+    const Vector3 first = r.unitOrthogonal(), second = r.normalized().cross(first);
+    const double a = first.cwiseAbs2().dot(body.inverse_inertia);
+    const double b = second.cwiseAbs2().dot(body.inverse_inertia);
+    const double both = first.cwiseProduct(second).dot(body.inverse_inertia);
+    return 0.5 * (a + b) + std::hypot(0.5 * (a - b), both);
 }
 
-// Tension of a bar, or force in a ball joint [N]; 0 for a bar under compression.
-double tension(const Distance& distance, const DistanceForce& force) {
-    if (!is_ball_joint(distance)) return std::max(0.0, -force[0].last);
-    return Vector3(force[0].last, force[1].last, force[2].last).norm();
+// omega^2 of one end under `force` on it [N]: about the end, and sideways with a bar of `length`, 0 for a joint.
+double end_swing(const Body& body, const Vector3& point, const Vector3& force, double length) {
+    const double softness = softness_across(body, point);
+    const double outwards = std::abs(force.dot(body.orientation * point));
+    if (length == 0.0) return outwards * softness;
+    return outwards * softness + force.norm() * (body.inverse_mass + point.squaredNorm() * softness) / length;
 }
 
-// Angular velocity of the bodies about an off-centre ball joint [rad/s].
-double turning_about(const Vector3& point_a, const Body& a, const Vector3& point_b, const Body& b) {
-    double largest = 0.0;
-    if (!point_a.isZero(0.0)) largest = angular_velocity(a).norm();
-    if (point_b.isZero(0.0)) return largest;
-    return std::max(largest, angular_velocity(b).norm());
+Vector3 last_of(const Lambda& x, const Lambda& y, const Lambda& z) {
+    return {x.last, y.last, z.last};
 }
 
-// Angular velocity of a bar's direction, or of the bodies about an off-centre ball joint [rad/s].
+// omega^2 of a bar or a ball joint; 0 for a bar under compression.
+double swing(const Distance& distance, const DistanceForce& force, std::span<const Body> bodies) {
+    Vector3 pull = last_of(force[0], force[1], force[2]);
+    if (!is_ball_joint(distance)) {
+        if (!(force[0].last < 0.0)) return 0.0;
+        const auto [from, to] = span_of(distance, bodies);
+        pull = force[0].last * (to - from).normalized();
+    }
+    return end_swing(bodies[at(distance.body_a)], distance.point_a, pull, distance.length) +
+           end_swing(bodies[at(distance.body_b)], distance.point_b, pull, distance.length);
+}
+
+// Angular velocity of an end that is off the centre [rad/s]. A ball joint sees nothing of a spin about the
+// direction to it but that a stout body nods.
+double end_turning(const Body& body, const Vector3& point, bool is_hinge) {
+    if (point.isZero(0.0)) return 0.0;
+    const Vector3 spin = angular_velocity(body);
+    if (is_hinge) return spin.norm();
+    const Vector3 direction = body.orientation * point.normalized();
+    const double about = std::abs(direction.dot(spin));
+    const double nods = std::abs(direction.dot(body.angular_momentum)) * softness_across(body, point);
+    return std::hypot(direction.cross(spin).norm(), std::min(about, nods));
+}
+
+// Angular velocity of a bar's direction, or about an off-centre ball joint [rad/s].
 double turning(const Distance& distance, std::span<const Body> bodies) {
     if (is_ball_joint(distance)) {
-        return turning_about(distance.point_a, bodies[at(distance.body_a)], distance.point_b,
-                             bodies[at(distance.body_b)]);
+        return std::max(end_turning(bodies[at(distance.body_a)], distance.point_a, false),
+                        end_turning(bodies[at(distance.body_b)], distance.point_b, false));
     }
     const auto [from, to] = span_of(distance, bodies);
     const Vector3 p_ab = to - from;
@@ -59,10 +83,7 @@ bool holds(const Distance& distance, const DistanceForce& force) {
 double tension_rate(const DistanceConstraints& distances, std::span<const Body> bodies) {
     double largest = 0.0;  // omega^2
     for (std::size_t i = 0; i < distances.distances().size(); ++i) {
-        const Distance& distance = distances.distances()[i];
-        const double softness = end_softness(bodies[at(distance.body_a)], distance.point_a, distance.length) +
-                                end_softness(bodies[at(distance.body_b)], distance.point_b, distance.length);
-        largest = std::max(largest, tension(distance, distances.forces()[i]) * softness);
+        largest = std::max(largest, swing(distances.distances()[i], distances.forces()[i], bodies));
     }
     return std::sqrt(largest) / swing_a_step;
 }
@@ -83,9 +104,9 @@ double tension_rate(const JointConstraints& joints, std::span<const Body> bodies
     for (std::size_t i = 0; i < joints.joints().size(); ++i) {
         const Joint& joint = joints.joints()[i];
         const JointForce& force = joints.forces()[i];
-        const double softness = end_softness(bodies[at(joint.body_a)], joint.point_a, 0.0) +
-                                end_softness(bodies[at(joint.body_b)], joint.point_b, 0.0);
-        largest = std::max(largest, Vector3(force[0].last, force[1].last, force[2].last).norm() * softness);
+        const Vector3 pull = last_of(force[0], force[1], force[2]);
+        largest = std::max(largest, end_swing(bodies[at(joint.body_a)], joint.point_a, pull, 0.0) +
+                                        end_swing(bodies[at(joint.body_b)], joint.point_b, pull, 0.0));
     }
     return std::sqrt(largest) / swing_a_step;
 }
@@ -93,8 +114,9 @@ double tension_rate(const JointConstraints& joints, std::span<const Body> bodies
 double turning_rate(const JointConstraints& joints, std::span<const Body> bodies) {
     double largest = 0.0;
     for (const Joint& joint : joints.joints()) {
-        largest = std::max(largest, turning_about(joint.point_a, bodies[at(joint.body_a)], joint.point_b,
-                                                  bodies[at(joint.body_b)]));
+        const bool is_hinge = joint.hinge.has_value();
+        largest = std::max({largest, end_turning(bodies[at(joint.body_a)], joint.point_a, is_hinge),
+                            end_turning(bodies[at(joint.body_b)], joint.point_b, is_hinge)});
     }
     return largest / turn_a_step;
 }

@@ -214,6 +214,36 @@ TEST_CASE("joints of a ring that turns freely have the least forces that hold it
     }
 }
 
+// Four slender bars of mass m, with the joints d from the middle, begin to turn about any axis; w_1 and w_2 are
+// along the diagonals. Momentum of two bars that meet at a joint, and moment about their middles, give its force in
+// the plane: m d / 2 times the norm of (w_1 w_2, w_3^2 + (w_1^2 + w_2^2) / 2), and nothing across the plane. The
+// second step has half more, because the first goes straight on.
+TEST_CASE("joints of a square that begins to turn freely have the force that its bars need") {
+    tests::Random random(8);
+    for (int trial = 0; trial < 6; ++trial) {
+        SceneDescription scene = ring(4, random.in(1.2, 2.0), false);
+        for (BodyDescription& body : scene.bodies) {
+            BoxShape& box = std::get<BoxShape>(body.shape);
+            box.size.y() = box.size.z() = 0.02 * box.size.x();
+        }
+        const Vector3 spin = random.in(1.0, 4.0) * random.vector(-1.0, 1.0).normalized();
+        for (BodyDescription& body : scene.bodies) {
+            body.velocity = spin.cross(body.position);
+            body.angular_velocity = spin;
+        }
+        Settings settings = tests::awake_settings("default");
+        settings.substeps = 8;
+        Simulation run(build_scene(scene, settings), settings);
+        run.advance();
+        const double from_middle = scene.bodies[0].position.norm() * std::numbers::sqrt2;
+        const double along = spin.z() * spin.z() + 0.5 * spin.head<2>().squaredNorm();
+        const double expected = 0.5 * from_middle * std::hypot(along, spin.x() * spin.y());
+        for (const engine::JointForce& force : run.scene().joints->forces()) {
+            CHECK(Vector3(force[0].last, force[1].last, force[2].last).norm() == Approx(expected).epsilon(0.01));
+        }
+    }
+}
+
 TEST_CASE("a door with one, two and three hinges opens alike, and three share its weight") {
     std::vector<double> angles;
     for (const int hinges : {1, 2, 3}) {

@@ -44,42 +44,33 @@ void each_member(bool driven, unsigned seeds, const Visit& visit) {
     }
 }
 
-// Seven bars with hinges in all directions have dead points, near which the start of a spin, whose first step goes
-// straight on, excites them: one of fourteen gains 1.3 %.
-bool is_spatial(const LoopFamily& family) {
-    return family.name == "spatial ring";
-}
-
-// 20 ms. Scissors, frames, and what a motor presses to the ground may need more while they land or wedge.
 constexpr double work_of_20_ms = 8e7;
-
-bool is_small(const LoopFamily& family) {
-    return family.name.ends_with("ring") || family.name == "wishbones";
-}
 
 }  // namespace
 
-// Of fourteen of each family all but one spatial ring gain less than 2e-4, and no force is above 0.7 of the weight.
+// Of fourteen of each family none gains anything, no force is above 0.7 of the weight, and no step takes more than
+// 7.4e7 multiply-adds. The last to tip over, a welded ring, does so after 3.2 s.
 TEST_CASE(
     "random rings, scissors, frames and wishbones that drop gain nothing, and lie with less than their weight",
     "[long]") {
-    each_member(false, 2, [](const LoopFamily& family, SceneDescription& scene, tests::Random& random) {
+    each_member(false, 3, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
         drop(scene, random);
         const double weight = gravity * tests::mass_of(scene);
         tests::Run run = start(scene);
-        const double work = advance(run, 4.0);
-        if (!is_spatial(family)) CHECK(run.measurements.energy_gain() < 5e-4 * run.measurements.initial_energy());
+        const double work = advance(run, 5.0);
+        CHECK(run.measurements.energy_gain() < 1e-6 * run.measurements.initial_energy());
         CHECK(run.measurements.max_length_error() < 0.02);
         CHECK(run.measurements.max_speed_last_second() < 1.0);
         CHECK(tests::largest_joint_force(*run.simulation.scene().joints) < weight);
-        if (is_small(family)) CHECK(work < work_of_20_ms);
+        CHECK(work < work_of_20_ms);
     });
 }
 
-// Measured at most 4e-16, and for wishbones 5e-7, in their first step; with momenta for all of an error 2e-3.
+// Measured at most 4e-16, and for wishbones 7e-8, in their first step; with momenta for all of an error 2e-3, and
+// with angular momenta that do not turn along 1e-4, and with the forces of open joints in the middle 3e-3. Of
+// fourteen spatial rings one gains 1.4e-3 for some steps, near a dead point that its steps do not resolve.
 TEST_CASE("random loops that turn freely gain no energy, whatever the number of substeps does") {
-    each_member(false, 4, [](const LoopFamily& family, SceneDescription& scene, tests::Random& random) {
-        if (is_spatial(family)) return;
+    each_member(false, 6, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
         set_free(scene, random);
         tests::Run run = start(scene);
         advance(run, 5.0);
@@ -94,8 +85,8 @@ TEST_CASE("random loops driven by a motor gain no more than its work", "[long]")
         tests::Run run = start(scene);
         const double work = advance(run, 4.0);
         CHECK(run.measurements.energy_gain() <
-              0.01 * (family.anchored ? height : run.measurements.initial_energy()));
+              1e-3 * (family.anchored ? height : run.measurements.initial_energy()));
         CHECK(run.measurements.max_length_error() < 0.02);
-        if (family.anchored) CHECK(work < work_of_20_ms);
+        CHECK(work < work_of_20_ms);
     });
 }

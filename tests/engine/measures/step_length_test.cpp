@@ -45,6 +45,25 @@ TEST_CASE("between two bodies the tension rule has their reduced mass, and at an
 }
 
 TEST_CASE(
+    "a slender bar on a joint swings with its moment across itself, and what a force has across it does nothing") {
+    std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(2.0, {1.0, 0.05, 0.05}, {0.5, 0, 0})};
+    bodies[1].orientation = Quaternion(Eigen::AngleAxisd(1.0, Vector3::UnitY()));
+    JointConstraints joints({{.body_a = 0, .body_b = 1, .point_b = {-0.5, 0, 0}}}, {}, true);
+    const auto rate_of = [&](const Vector3& force) {
+        const Vector3 own = bodies[1].orientation * force;
+        JointForce rows{};
+        for (std::size_t k = 0; k < 3; ++k) rows[k].last = own[static_cast<Eigen::Index>(k)];
+        joints.set_forces({rows});
+        return tension_rate(joints, bodies);
+    };
+    const double across = 2.0 * (1.0 + 0.05 * 0.05) / 12.0;
+    const double swing = 2.0 * std::sqrt(20.0 * 0.5 / across);
+    CHECK(rate_of({-20, 0, 0}) == Approx(swing).epsilon(1e-12));
+    CHECK(rate_of({-20, 300, 0}) == Approx(swing).epsilon(1e-12));
+    CHECK(rate_of({0, 300, 400}) < 1e-6 * swing);
+}
+
+TEST_CASE(
     "a hanging pendulum keeps its energy at the length that the tension rule allows and gains it at 4 times") {
     const auto highest_after = [](double share) {
         World world;
@@ -75,6 +94,23 @@ TEST_CASE("a bar that turns asks for 0.034 radians in a step, whatever moves alo
     std::vector<Body> both{ball_body(1.0, 0.1, {0, 0, 0}), ball_body(1.0, 0.1, {3, 0, 0})};
     for (Body& body : both) body.linear_momentum = {4, 5, 6};
     CHECK(turning_rate(bar(0.0), both) == 0.0);
+}
+
+TEST_CASE(
+    "a spin about the way to a ball joint counts as far as it makes the body nod, and all of a turn across it") {
+    const auto rate_of = [](const Vector3& size, const Vector3& spin, bool hinge) {
+        std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(2.0, size, {0.5, 0, 0})};
+        bodies[1].angular_momentum = spin.cwiseQuotient(bodies[1].inverse_inertia);
+        Joint joint{.body_a = 0, .body_b = 1, .point_b = {-0.5, 0, 0}};
+        if (hinge) joint.hinge = Hinge{};
+        return turning_rate(JointConstraints({joint}, {}, true), bodies);
+    };
+    const Vector3 bar(1.0, 0.05, 0.05), disc(0.1, 1.0, 1.0);
+    const double nods = 2.0 * 0.05 * 0.05 / (1.0 + 0.05 * 0.05);
+    CHECK(rate_of(bar, {7, 0, 0}, false) == Approx(nods * 7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(bar, {0, 7, 0}, false) == Approx(7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(bar, {7, 0, 0}, true) == Approx(7.0 / 0.034).epsilon(1e-12));
+    CHECK(rate_of(disc, {7, 0, 0}, false) == Approx(7.0 / 0.034).epsilon(1e-12));
 }
 
 TEST_CASE("a rope that carries nothing and a ball joint at both centres ask for nothing") {
