@@ -259,18 +259,15 @@ std::vector<Option> check_options() {
         {"against", "DIR",
          "compare the PNG files of FOLDER with those of this folder instead; nothing is rendered"},
         {"tolerance", "LIST",
-         "comma-separated list of LEVELS[:SHARE%]: at most SHARE of the pixels differ by more than LEVELS of 255 "
-         "[0, equal "
-         "pixels, with the program and driver that made the pictures; else 2:0.05%,16:0.005%]"},
+         "comma-separated list of LEVELS[:SHARE%]: at most SHARE of the pixels differ by more than LEVELS of "
+         "255 [0, equal pixels, with the program and driver that made the pictures; else 2:0.05%,16:0.005%]"},
         {"flip", "N", "largest mean FLIP error instead, 0 to 1: what a person would see at 67 pixels per degree"},
         {"physics", "hash|M|off",
-         "hash: the final state is bit-identical; M: poses are within M metres and radians of trajectory.csv in "
-         "the "
-         "folder (made by render --trajectory), for another compiler or C library; off [hash]"},
+         "hash: the final state is bit-identical; M: poses are within M metres and radians of trajectory.csv "
+         "in the folder (made by render --trajectory), for another compiler or C library; off [hash]"},
         {"update", "",
-         "print the differences and replace pictures, summary.json and trajectory.csv, all or nothing; config.json "
-         "is "
-         "never overwritten",
+         "print the differences and replace pictures, summary.json and trajectory.csv, all or nothing; "
+         "config.json is never overwritten",
          group, OptionKind::flag},
         {"jobs", "N", "folders that are checked at once [1]"},
         {"gl", "osmesa|egl", "OpenGL back end [as in the config.json]"},

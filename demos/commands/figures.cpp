@@ -100,8 +100,7 @@ std::vector<Option> figures_options() {
         {"out", "DIR", "folder for the page and its pictures [out/figures]"},
         {"width", "N|LENGTH",
          "width of a figure in pixels, or for print a length (85mm, 17cm, 3.35in, 240pt), which adds NAME.pdf, "
-         "NAME.tex "
-         "and pushfactor.bib [1600]"},
+         "NAME.tex and pushfactor.bib [1600]"},
         {"dpi", "N", "with a length: pixels per inch, 72 to 1200 and at most 4096 pixels in all [300]"},
         {"font-size", "LENGTH", "with a length: size of all letters on paper, 4 to 24 pt [8pt]"},
         {"theme", "NAME", "light, or dark for slides [light]"},

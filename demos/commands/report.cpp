@@ -129,9 +129,8 @@ std::vector<Option> report_options() {
         {"out", "DIR", "folder for the page, its pictures and tables [out/report-NAME]"},
         {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
         {"only", "PART,...",
-         "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; atlas: "
-         "maps "
-         "[all]",
+         "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
+         "atlas: maps [all]",
          group, OptionKind::list},
         {"problems", "FILE|DIR", "error: contact problems of FCLib (.hdf5) instead of our own frozen ones", group,
          OptionKind::reads},
@@ -224,15 +223,12 @@ void carry_out(const Report& command) {
 }
 
 Entry report_entry() {
-    return {
-        "report", "REPORT",
-        "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work and "
-        "run "
-        "time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: work and "
-        "time "
-        "per step of each scene; `atlas`: maps of outcomes over two parameters; `merge DIR...`: the page of the "
-        "shards in these folders",
-        report_options, read_any_report};
+    return {"report", "REPORT",
+            "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work "
+            "and run time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: "
+            "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `merge DIR...`: "
+            "the page of the shards in these folders",
+            report_options, read_any_report};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -165,16 +165,12 @@ const std::array frame_table{
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
         "overlay", "WHAT",
-        "comma-separated list. contacts, forces, torques, push, velocities: points and arrows with a legend, one "
-        "scale for the run (forces:50 is 50 N per metre). islands: one colour each (fifteen, then repeated). rest: "
-        "bodies at rest, still but awake, moving. no-contacts: lines between bodies that may not touch. thrust: "
-        "the "
-        "line of thrust, which connects the centres of pressure of neighbouring contacts. trails: paths of the "
-        "last "
-        "second (trails:0.5: half a second)",
+        "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 is "
+        "50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
+        "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last second; "
+        "trails:0.5: half a second)",
         "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, no-contacts, "
-        "thrust, "
-        "trails; forces, torques, push and velocities may have a scale like forces:50, trails seconds",
+        "thrust, trails; forces, torques, push and velocities may have a scale like forces:50, trails seconds",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }, of_pictures | of_models | of_run},
     FrameOption{
         "compare", "OPTION=V1,V2,...",
