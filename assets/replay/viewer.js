@@ -1,4 +1,4 @@
-// The page: clock, camera, what is shown, and what other programs may ask (window.pushfactor, see the README of demos).
+// The page: clock, camera, what is shown, and what other programs may ask (window.pushfactor, see demos/FORMATS.md).
 const $ = (id) => document.getElementById(id);
 const about = JSON.parse($("run").textContent);
 const end = JSON.parse($("end").textContent);

@@ -34,7 +34,7 @@ Rules understand_rules(const Check& request) {
         if (!limits) {
             throw UsageError(
                 fmt::format("--tolerance {}: must be LEVELS or LEVELS:SHARE% (0 to 255, 0 to 100), or "
-                            "several with commas: 2:0.05%,16:0.005%",
+                            "a comma-separated list: 2:0.05%,16:0.005%",
                             *request.tolerance));
         }
         rules.tolerance = Tolerance{.limits = *limits};
@@ -259,22 +259,22 @@ std::vector<Option> check_options() {
         {"against", "DIR",
          "compare the PNG files of FOLDER with those of this folder instead; nothing is rendered"},
         {"tolerance", "LIST",
-         "LEVELS[:SHARE%],...: how many pixels may differ by more than so many levels of 255 [equal where program "
-         "and "
-         "driver are the same, else 2:0.05%,16:0.005%]"},
-        {"flip", "N", "largest mean FLIP error instead: what a person would see, 0 to 1"},
+         "comma-separated list of LEVELS[:SHARE%]: at most SHARE of the pixels differ by more than LEVELS of "
+         "255 [0, equal pixels, with the program and driver that made the pictures; else 2:0.05%,16:0.005%]"},
+        {"flip", "N", "largest mean FLIP error instead, 0 to 1: what a person would see at 67 pixels per degree"},
         {"physics", "hash|M|off",
-         "hash: the state at the end is equal to the bit; M: poses are within M metres and radians of "
-         "trajectory.csv "
-         "in the folder; off [hash]"},
-        {"update", "", "accept the new pictures and summaries: prints what differs and replaces it", group,
-         OptionKind::flag},
+         "hash: the final state is bit-identical; M: poses are within M metres and radians of trajectory.csv "
+         "in the folder (made by render --trajectory), for another compiler or C library; off [hash]"},
+        {"update", "",
+         "print the differences and replace pictures, summary.json and trajectory.csv, all or nothing; "
+         "config.json is never overwritten",
+         group, OptionKind::flag},
         {"jobs", "N", "folders that are checked at once [1]"},
         {"gl", "osmesa|egl", "OpenGL back end [as in the config.json]"},
-        {"out", "DIR", "folder for the page and its pictures [out/check]"},
-        {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
-        {"markdown", "FILE", "a summary as Markdown, for the summary of a job", group, OptionKind::writes},
-        {"allow-not-compared", "", "status 0 although something could not be compared", group, OptionKind::flag},
+        {"out", "DIR", "folder for the page, with the 20 worst pictures of each folder [out/check]"},
+        {"junit", "FILE", "the verdicts as JUnit XML, for CI servers", group, OptionKind::writes},
+        {"markdown", "FILE", "a summary as Markdown, for $GITHUB_STEP_SUMMARY", group, OptionKind::writes},
+        {"allow-not-compared", "", "status 0 even if something could not be compared", group, OptionKind::flag},
     };
 }
 
@@ -323,10 +323,10 @@ void carry_out(const Check& request) {
 }
 
 Entry check_entry() {
-    return {
-        "check", "FOLDER...",
-        "renders folders of pictures again and says what differs. FOLDER is one of `render`, or has such below it",
-        check_options, read_check};
+    return {"check", "FOLDER...",
+            "renders folders of pictures again and says what differs. FOLDER was made by `render`, or contains "
+            "such folders",
+            check_options, read_check};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace pushfactor::demos {
 
@@ -33,7 +34,9 @@ std::string help_of_program(const std::vector<Entry>& entries) {
     for (const Entry& entry : entries) {
         text += fmt::format("  {:<12}{}\n", entry.name, entry.description.substr(0, entry.description.find(". ")));
     }
-    return text + "\nOptions:\n  --help      Print this text\n  --version   Print the version and the commit\n" +
+    return text +
+           "\nOptions:\n  --help       Print this text\n  --version    Print the version and the commit\n"
+           "  --reference  Print all commands and options as a page in Markdown\n" +
            exit_statuses;
 }
 
@@ -41,6 +44,36 @@ std::string help_of_command(const Entry& entry) {
     return fmt::format("{}\n\nUsage: pushfactor {}{} [OPTIONS]\n{}{}{}", entry.description, entry.name,
                        entry.names.empty() ? "" : " " + entry.names, help_of(entry.options()),
                        entry.appendix ? entry.appendix() : "", exit_statuses);
+}
+
+// An Entry has these texts in common with others.
+struct SharedPart {
+    std::string title, text;
+    std::vector<std::string> commands;
+};
+
+// The options of a command by group, and its appendix.
+std::vector<SharedPart> parts_of(const Entry& entry) {
+    std::vector<SharedPart> parts;
+    for (const auto& [group, rows] : markdown_of(entry.options())) parts.push_back({group, rows, {entry.name}});
+    if (entry.appendix) {
+        const std::string text = entry.appendix();  // "\nTitle:\n  lines\n"
+        const std::size_t colon = text.find(":\n");
+        parts.push_back({text.substr(1, colon - 1), "```\n" + text.substr(colon + 2) + "```\n", {entry.name}});
+    }
+    return parts;
+}
+
+// As GitHub makes it of a heading.
+std::string anchor_of(const std::string& title) {
+    std::string anchor;
+    for (const char c : title) {
+        if (c == ' ') anchor += '-';
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') {
+            anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+    }
+    return anchor;
 }
 
 bool asks_for_help(const std::string& word) {
@@ -66,6 +99,52 @@ std::vector<Entry> command_entries() {
             figures_entry(), report_entry(), check_entry(),  doctor_entry()};
 }
 
+std::string reference_text() {
+    const std::vector<Entry> entries = command_entries();
+    std::vector<SharedPart> parts;  // equal ones are one
+    for (const Entry& entry : entries) {
+        for (SharedPart& part : parts_of(entry)) {
+            const auto same = std::ranges::find_if(parts, [&](const SharedPart& other) {
+                return other.title == part.title && other.text == part.text;
+            });
+            if (same == parts.end()) {
+                parts.push_back(std::move(part));
+            } else {
+                same->commands.push_back(entry.name);
+            }
+        }
+    }
+    std::string text =
+        "# Commands and options\n\nPrinted by `pushfactor --reference`, from the same tables as `pushfactor "
+        "COMMAND --help`. Defaults are in\nbrackets. Files and exit statuses are in [FORMATS.md](FORMATS.md), "
+        "examples in the [guide](README.md).\n";
+    std::vector<std::string> headings = names_of(entries);
+    for (const SharedPart& part : parts) {
+        if (part.commands.size() > 1) headings.push_back(part.title);
+    }
+    for (std::string& heading : headings) heading = fmt::format("[{}](#{})", heading, anchor_of(heading));
+    text += fmt::format("\n{}\n", fmt::join(headings, " -\n"));
+    for (const Entry& entry : entries) {
+        text += fmt::format("\n## {}\n\n`pushfactor {}{} [OPTIONS]`: {}.\n", entry.name, entry.name,
+                            entry.names.empty() ? "" : " " + entry.names, entry.description);
+        std::vector<std::string> links;
+        for (const SharedPart& part : parts) {
+            if (std::ranges::find(part.commands, entry.name) == part.commands.end()) continue;
+            if (part.commands.size() > 1) {
+                links.push_back(fmt::format("[{}](#{})", part.title, anchor_of(part.title)));
+            } else {
+                text += (part.title == "Options" ? "\n" : fmt::format("\n{}:\n\n", part.title)) + part.text;
+            }
+        }
+        if (!links.empty()) text += fmt::format("\nAlso: {}.\n", fmt::join(links, ", "));
+    }
+    for (const SharedPart& part : parts) {
+        if (part.commands.size() == 1) continue;
+        text += fmt::format("\n## {}\n\nOf {}.\n\n{}", part.title, fmt::join(part.commands, ", "), part.text);
+    }
+    return text;
+}
+
 std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words) {
     const std::vector<Entry> entries = command_entries();
     if (words.empty()) {
@@ -78,6 +157,10 @@ std::optional<CommandLine> parse_command_line(const std::vector<std::string>& wo
     }
     if (words.front() == "--version") {
         print("pushfactor " + version_text() + "\n");
+        return std::nullopt;
+    }
+    if (words.front() == "--reference") {
+        print(reference_text());
         return std::nullopt;
     }
     const Entry& entry = find_entry(entries, words.front());

@@ -17,6 +17,9 @@ struct CommandLine {
 
 std::vector<commands::Entry> command_entries();
 
+// All commands with their options, from the tables of the help texts: the page demos/REFERENCE.md.
+std::string reference_text();
+
 // The words after the program's name. None after printing help or the version. Throws UsageError.
 std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words);
 

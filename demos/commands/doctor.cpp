@@ -99,9 +99,8 @@ std::string json_text_of(const std::vector<Finding>& findings) {
 }
 
 std::vector<Option> doctor_options() {
-    return {
-        {"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
-        {"json", "", "print JSON: for each finding whether it is ok, and the line", "Options", OptionKind::flag}};
+    return {{"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
+            {"json", "", "print JSON", "Options", OptionKind::flag}};
 }
 
 AnyCommand read_doctor(Words& words) {
@@ -134,7 +133,8 @@ void carry_out(const Doctor& command) {
 }
 
 Entry doctor_entry() {
-    return {"doctor", "", "what is installed here: libraries, programs, font; whether pictures can be rendered",
+    return {"doctor", "",
+            "what is installed: libraries, programs, font; and whether pictures can be rendered (status 3 if not)",
             doctor_options, read_doctor};
 }
 

@@ -113,14 +113,6 @@ AnyCommand read_family(Words& words) {
     return command;
 }
 
-std::string family_help() {
-    std::string text = "\nParameters [at random]:\n";
-    for (const Kind& family : families::families()) {
-        text += fmt::format("  {}\n{}", family.name, parameters_text(family, "    "));
-    }
-    return text;
-}
-
 }  // namespace
 
 void carry_out(const Family& command) {
@@ -129,12 +121,11 @@ void carry_out(const Family& command) {
 }
 
 Entry family_entry() {
-    return {"family",
-            "[NAME]",
-            "families of scenes; with a name prints a member, drawn at random, as a scene file",
-            family_options,
-            read_family,
-            family_help};
+    return {
+        "family", "[NAME]",
+        "lists the families of random scenes and their parameters; with a name prints a member as a scene file. "
+        "Parameters are options, drawn at random where they are not given",
+        family_options, read_family};
 }
 
 }  // namespace pushfactor::demos::commands

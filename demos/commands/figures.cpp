@@ -99,14 +99,14 @@ std::vector<Option> figures_options() {
     return {
         {"out", "DIR", "folder for the page and its pictures [out/figures]"},
         {"width", "N|LENGTH",
-         "width of a figure: pixels, or for print a length (85mm, 17cm, 3.35in, 240pt), which adds PDF and LaTeX "
-         "[1600]"},
-        {"dpi", "N", "with a length: pixels per inch of pictures [300]"},
-        {"font-size", "LENGTH", "with a length: size of all letters on paper [8pt]"},
-        {"theme", "NAME", "light, or dark for talks [light]"},
-        {"background", "NAME", "plain, or none: transparent [plain]"},
+         "width of a figure in pixels, or for print a length (85mm, 17cm, 3.35in, 240pt), which adds NAME.pdf, "
+         "NAME.tex and pushfactor.bib [1600]"},
+        {"dpi", "N", "with a length: pixels per inch, 72 to 1200 and at most 4096 pixels in all [300]"},
+        {"font-size", "LENGTH", "with a length: size of all letters on paper, 4 to 24 pt [8pt]"},
+        {"theme", "NAME", "light, or dark for slides [light]"},
+        {"background", "NAME", "plain, or none: transparent, without the ground and its shadows [plain]"},
         {"samples", "N",
-         "renderings averaged per picture: smoother edges, soft shadows, light of the whole sky from 16 on [32]"},
+         "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [32]"},
     };
 }
 
@@ -154,7 +154,7 @@ void carry_out(const Figures& command) {
 }
 
 Entry figures_entry() {
-    return {"figures", "[FIGURE...]", "the figures of the paper's sections 8, 10 and 12, and ours, as one page",
+    return {"figures", "[FIGURE...]", "Figures 5 to 11 of the paper and some of our own, on one page",
             figures_options, read_figures};
 }
 

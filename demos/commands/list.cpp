@@ -36,7 +36,7 @@ void carry_out(const List& command) {
 }
 
 Entry list_entry() {
-    return {"list", "", "the scenes: what happens, their parameters, what each is made of", list_options,
+    return {"list", "", "the scenes: what happens, what they are made of, their parameters", list_options,
             read_list};
 }
 

@@ -187,13 +187,15 @@ std::vector<Option> render_options() {
     const std::string frames = "Frames", shares = "Long films on many machines";
     add(frame_option_table(~0u, frames));
     add({
-        {"out", "DIR", "folder for the frames [out/SCENE, or out/SCENE for each of several]", frames},
-        {"video", "FILE", "also write a video (.mp4, .webm or .gif); needs ffmpeg", frames, OptionKind::writes},
-        {"frames", "on|off", "off: no PNG files, only the video or the replay [on]", frames},
+        {"out", "DIR", "folder for the frames; with several scenes one folder per scene in it [out/SCENE]", frames},
+        {"video", "FILE",
+         "also write a video (.mp4, .webm or .gif, which stays in memory until its end); needs ffmpeg", frames,
+         OptionKind::writes},
+        {"frames", "on|off", "off: only the video or the replay, no PNG files [on]", frames},
         {"shard", "K/N", "draw only every N-th frame, from the K-th on", shares},
         {"from-trajectory", "FILE", "draw the poses of this file of --trajectory instead of simulating again",
          shares, OptionKind::reads},
-        {"join", "DIR", "make the --video of the frames in these folders; draws nothing; may be repeated", shares,
+        {"join", "DIR", "make the --video of the frames in this folder; draws nothing; may be repeated", shares,
          OptionKind::list},
     });
     return table;

@@ -123,35 +123,32 @@ void make_report(const Report& request, const std::vector<std::filesystem::path>
 }
 
 std::vector<Option> report_options() {
-    const std::string pieces = "Shares of a report (error, stability, atlas), which `report merge` joins";
+    const std::string pieces = "Shards of report error, stability and atlas, for report merge";
     const std::string grid = "A map of your own (report atlas)", group = "Options";
     return {
         {"out", "DIR", "folder for the page, its pictures and tables [out/report-NAME]"},
         {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
         {"only", "PART,...",
-         "parts of the report; error: scenes, frozen, consistency; stability: its chapters; cost: scenes; atlas: "
-         "its "
-         "maps [all]",
+         "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
+         "atlas: maps [all]",
          group, OptionKind::list},
-        {"problems", "FILE|DIR",
-         "error: contact problems of FCLib instead of our own frozen ones: a file or a folder (.hdf5)", group,
+        {"problems", "FILE|DIR", "error: contact problems of FCLib (.hdf5) instead of our own frozen ones", group,
          OptionKind::reads},
         {"beside", "FILE",
-         "error: other engines on the same scenes, a CSV file with the columns of error.csv; with --problems other "
-         "solvers on these, with those of problems.csv",
+         "error: results of other programs, as a CSV file with the columns of error.csv; with --problems those of "
+         "problems.csv",
          group, OptionKind::reads},
-        {"export", "DIR",
-         "error: write frozen problems of our scenes there, as JSON, and those of contacts as FCLib"},
+        {"export", "DIR", "error: write the frozen problems there as JSON, and those of contacts for FCLib too"},
         {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
-        {"markdown", "FILE", "a summary as Markdown, for the summary of a job", group, OptionKind::writes},
-        {"shard", "K/N", "make only the K-th of N shares, and no page; what is done is skipped", pieces},
+        {"markdown", "FILE", "a summary as Markdown, for $GITHUB_STEP_SUMMARY", group, OptionKind::writes},
+        {"shard", "K/N", "make only the K-th of N shares, and no page; finished pieces are skipped", pieces},
         {"jobs", "N", "runs at once [one per processor; error, which measures times: 1]", pieces},
         {"grid", "SCENE", "name of a scene, or a scene file", grid},
-        {"x", "OPTION=VALUES", "values FROM:TO:STEP, log:FROM:TO:COUNT or A,B,C", grid},
+        {"x", "OPTION=VALUES", "values FROM:TO:STEP, log:FROM:TO:COUNT (equal factors) or A,B,C", grid},
         {"y", "OPTION=VALUES", "the same for the other axis", grid},
-        {"measure", "NAME", "the number of the summary that cells show [max_penetration_m]", grid},
-        {"set", "OPTION=VALUE", "an option of all cells; may be repeated", grid, OptionKind::list},
-        {"replays", "X:Y,...|all", "replays of these cells", grid, OptionKind::list},
+        {"measure", "NAME", "number of the summary to show in the cells [max_penetration_m]", grid},
+        {"set", "OPTION=VALUE", "option for all cells; may be repeated", grid, OptionKind::list},
+        {"replays", "X:Y,...|all", "add replays of these cells, X:Y as in atlas.csv", grid, OptionKind::list},
     };
 }
 
@@ -226,13 +223,12 @@ void carry_out(const Report& command) {
 }
 
 Entry report_entry() {
-    return {
-        "report", "REPORT",
-        "measurements of many runs, as CSV files and a page of plots. REPORT is error: error against work and run "
-        "time, of every method and scene; stability: stiff and extreme cases, each judged; cost: work and time "
-        "per step of each scene; atlas: maps of outcomes over two parameters; merge DIR...: the page of the "
-        "shards in these folders",
-        report_options, read_any_report};
+    return {"report", "REPORT",
+            "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work "
+            "and run time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: "
+            "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `merge DIR...`: "
+            "the page of the shards in these folders",
+            report_options, read_any_report};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -54,7 +54,7 @@ void go_through(ObservedRun& observed, const std::string& name, long steps, pict
 std::vector<Option> run_options() {
     std::vector<Option> table = simulation_option_table();
     for (const auto& more :
-         {output_option_table(), frame_option_table(of_run, "Output (FILE - is standard output)")}) {
+         {output_option_table(), frame_option_table(of_run, "Frames of --trajectory, --replay and --glb")}) {
         table.insert(table.end(), more.begin(), more.end());
     }
     return table;
@@ -118,7 +118,8 @@ void carry_out(const Run& request) {
 }
 
 Entry run_entry() {
-    return {"run", "SCENE", "physics only: CSV files and a summary", run_options, read_run, scene_parameters_help};
+    return {"run",       "SCENE",  "physics only: CSV files and a summary as JSON",
+            run_options, read_run, scene_parameters_help};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -16,12 +16,12 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-const char* const output_group = "Output (FILE - is standard output)";
+const char* const output_group = "Output files (- is standard output)";
 
 std::string preset_help() {
     std::string help = "preset that the options start from";
     for (const Preset& preset : presets()) help += fmt::format("; {}: {}", preset.name, preset.description);
-    return help + "; overrides what files say about them [default]";
+    return help + "; overrides the method options of files [default]";
 }
 
 // Names of the parameters of all scenes, each once.
@@ -58,13 +58,12 @@ std::vector<Option> output_option_table() {
         file("trajectory", "one line per body and step (per body and frame with --fps)"),
         file("rows", "one line per constraint row and step, with its force"),
         file("summary", "the summary as JSON [run: standard output]"),
-        file("replay", "a page (.html) that plays the run in a browser; at most 60 frames per second, or --fps"),
-        {"replay-data", "all|poses", "poses: the replay without velocities and forces, for a smaller file [all]",
-         output_group},
-        file("glb", "the run as a glTF file (.glb) for Blender and others; one key per 1/60 s, or per 1/fps"),
+        file("replay", "an HTML page that plays the run in a browser; at most 60 frames per second, or --fps"),
+        {"replay-data", "all|poses", "poses: a smaller replay without velocities and forces [all]", output_group},
+        file("glb", "the run as a glTF file for Blender and other programs; 60 keys per second, or --fps"),
         {"measure", "NAME",
-         "a number of the summary that compares with the exact motion, which takes longer than the run: "
-         "angle_error_rms_deg of pendulum-wave; may be repeated [null]",
+         "also compute this number of the summary, which takes longer than the run (null without it): "
+         "angle_error_rms_deg of pendulum-wave compares with the exact motion; may be repeated",
          output_group, OptionKind::list},
         file("save-state", "the final state, as a scene file that resumes the run"),
         {"timing", "", "CPU time of the steps in the CSV and the summary; the run uses one thread", output_group,

@@ -52,6 +52,28 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     return lines;
 }
 
+// The headings of the options that are listed, in their order.
+std::vector<std::string> groups_of(const std::vector<Option>& options) {
+    std::vector<std::string> groups;
+    for (const Option& option : options) {
+        if (!option.group.empty() && std::ranges::find(groups, option.group) == groups.end()) {
+            groups.push_back(option.group);
+        }
+    }
+    return groups;
+}
+
+std::string usage_of(const Option& option) {
+    return "--" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
+}
+
+// As a cell of a table in Markdown.
+std::string cell_of(const std::string& text) {
+    std::string cell;
+    for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);
+    return cell;
+}
+
 }  // namespace
 
 Words::Words(std::string command, std::vector<Option> known, std::vector<std::string> arguments)
@@ -181,24 +203,31 @@ std::vector<std::string> Words::outputs() const {
 
 std::string help_of(const std::vector<Option>& options) {
     constexpr std::size_t indent = 30;
-    std::vector<std::string> groups;
-    for (const Option& option : options) {
-        if (!option.group.empty() && std::ranges::find(groups, option.group) == groups.end()) {
-            groups.push_back(option.group);
-        }
-    }
     std::string text;
-    for (const std::string& group : groups) {
+    for (const std::string& group : groups_of(options)) {
         text += "\n" + group + ":\n";
         for (const Option& option : options) {
             if (option.group != group) continue;
-            std::string head = "  --" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
+            const std::string head = "  " + usage_of(option);
             const std::string gap =
                 head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ');
             text += head + gap + wrapped(option.help, indent) + "\n";
         }
     }
     return text;
+}
+
+std::vector<std::pair<std::string, std::string>> markdown_of(const std::vector<Option>& options) {
+    std::vector<std::pair<std::string, std::string>> tables;
+    for (const std::string& group : groups_of(options)) {
+        std::string table = "| option | |\n|---|---|\n";
+        for (const Option& option : options) {
+            if (option.group != group) continue;
+            table += fmt::format("| `{}` | {} |\n", cell_of(usage_of(option)), cell_of(option.help));
+        }
+        tables.emplace_back(group, table);
+    }
+    return tables;
 }
 
 }  // namespace pushfactor::demos

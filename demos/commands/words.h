@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos {
@@ -80,5 +81,8 @@ class Words {
 
 // The options as a help text, by group.
 std::string help_of(const std::vector<Option>& options);
+
+// The groups in their order, each with its options as a table in Markdown.
+std::vector<std::pair<std::string, std::string>> markdown_of(const std::vector<Option>& options);
 
 }  // namespace pushfactor::demos

@@ -120,14 +120,16 @@ std::string get_compare(const FrameChoices& choices) {
 }
 
 const std::array frame_table{
-    FrameOption{"size", "WxH", "size of a frame in pixels [1280x720]", "WxH with each side from 16 to 4096 pixels",
-                set_size, [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); },
+    FrameOption{"size", "WxH", "size of a frame in pixels, up to 4096 per side [1280x720]",
+                "WxH with each side from 16 to 4096 pixels", set_size,
+                [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); },
                 of_pictures | of_models},
     FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
                 "a number above 0", set_fps,
                 [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); },
                 of_film | of_shutter | of_trajectory | of_models | of_run},
-    FrameOption{"play-speed", "X", "simulated seconds per second of the video: below 1 is slow motion [1]",
+    FrameOption{"play-speed", "X",
+                "simulated seconds per second of video; slow motion (1/4) needs steps that are small enough [1]",
                 "a number above 0", set_play_speed,
                 [](const FrameChoices& c) {
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
@@ -136,42 +138,48 @@ const std::array frame_table{
     FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
                 "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_at,
                 [](const FrameChoices& c) { return text_of(c.at); }},
-    FrameOption{"ghosts", "T,T,...", "the bodies as they were at these times in s too, paler the older they are",
+    FrameOption{"ghosts", "T,T,...",
+                "also draw the bodies as they were at these times in s, paler the older they are",
                 "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_ghosts,
                 [](const FrameChoices& c) { return text_of(c.ghosts); }},
     FrameOption{
         "samples", "N",
-        "renderings averaged per picture: smoother edges, soft shadows; from 16 on the light of the sky too [1]",
+        "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
         fmt::format("a whole number from 1 to {}", most_samples), set_samples,
         [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
     FrameOption{
         "shutter", "X",
-        "how much of the time of a frame its samples are spread over, 0 to 1: motion blur; with --samples [0]",
+        "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses between "
+        "steps are interpolated, so take a small --dt for exact blur [0]",
         "a number from 0 to 1", set_shutter,
         [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
-    FrameOption{"camera", "WHAT",
-                "scene (its own), a camera FILE (.json), fit (close, with all motion in the picture) or "
-                "orbit:DEGREES_PER_SECOND; several separated by commas [scene; fit for stills and comparisons]",
-                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or several separated by commas", set_camera,
-                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
-                of_pictures | of_models | of_run},
-    FrameOption{"caption", "on|off", "scene, options and time in the picture [on]", "on or off", set_caption,
+    FrameOption{
+        "camera", "WHAT",
+        "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, turned "
+        "where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list of these "
+        "[scene; fit for stills and comparisons]",
+        "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these", set_camera,
+        [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
+        of_pictures | of_models | of_run},
+    FrameOption{"caption", "on|off", "time, scene and options in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
     FrameOption{
         "overlay", "WHAT",
-        "contacts, forces, torques, push, velocities: drawn over the bodies, with a legend; forces:50 is 50 N per "
-        "metre; islands: a colour for each; rest: what is at rest, and what keeps the others awake; no-contacts: "
-        "lines between bodies that do not touch; thrust: where contact forces act as a whole; trails: the paths "
-        "of the last second, trails:0.5 of half a second; several with commas",
-        "some of contacts, forces, torques, push, velocities, islands, rest, no-contacts, thrust, trails with "
-        "commas, forces, torques, push and velocities also with a scale like forces:50, trails with seconds",
+        "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 is "
+        "50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
+        "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last second; "
+        "trails:0.5: half a second)",
+        "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, no-contacts, "
+        "thrust, trails; forces, torques, push and velocities may have a scale like forces:50, trails seconds",
         set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }, of_pictures | of_models | of_run},
-    FrameOption{"compare", "OPTION=V1,V2,...",
-                "panels side by side that differ in this option: push=none,persistent,single-frame",
-                fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare,
-                of_pictures | of_models},
-    FrameOption{"gl", "osmesa|egl", "OpenGL back end [osmesa, or egl where that is not installed]", "osmesa or egl",
-                set_gl, [](const FrameChoices& c) { return c.gl; }},
+    FrameOption{
+        "compare", "OPTION=V1,V2,...",
+        "panels side by side that differ in an option, preset or parameter: push=none,persistent,single-frame",
+        fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare,
+        of_pictures | of_models},
+    FrameOption{"gl", "osmesa|egl",
+                "OpenGL back end; both give identical images [osmesa, or egl where that is not installed]",
+                "osmesa or egl", set_gl, [](const FrameChoices& c) { return c.gl; }},
 };
 
 // Frame rates nearest to `fps` whose frames fall on steps at play speed `speed`; integers if possible.

@@ -57,7 +57,7 @@ Settings exact() {
 std::span<const Preset> presets() {
     static constexpr std::array table{
         Preset{"default",
-               "single-frame push, contact caching, slop and margin, solver auto with two tolerances, rest",
+               "single-frame push, contact caching, slop and margin, solver auto with two tolerances, sleeping",
                recommended},
         Preset{"exact", "every step solved to rounding, beta 1, no slop", exact},
         Preset{"paper", "the original method: persistent push, 25 iterations from zero, no caching", paper},

@@ -166,10 +166,11 @@ const std::array simulation_table{
     SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
                      [](const Settings& s) { return to_text(s.dt); }},
-    SimulationOption{"substeps", "N|auto",
-                     "engine steps per step; auto: as many as bars and joints under tension or turning fast need",
-                     "a whole number from 1 to 10000, or auto", set_substeps,
-                     [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
+    SimulationOption{
+        "substeps", "N|auto",
+        "engine steps per step; auto: as many as bars and joints need that are under tension or turn fast",
+        "a whole number from 1 to 10000, or auto", set_substeps,
+        [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
     SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
                      "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
     SimulationOption{
@@ -177,21 +178,21 @@ const std::array simulation_table{
         [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
         [](const Settings& s) { return std::to_string(s.iterations); }},
     SimulationOption{"tolerance", "HIGH[/LOW]",
-                     "residual in m/s: up to HIGH cached forces are kept, a solve goes down to LOW; 0: always "
-                     "all iterations",
+                     "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all "
+                     "iterations",
                      "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
                      [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
-    SimulationOption{"scheme", "NAME",
-                     "stepping scheme: whole (3.2); small-steps, many per step for islands of bodies without an "
-                     "exact solution; auto: those with solver auto; for scenes of bars without contacts rattle, "
-                     "rattle4, rattle6, of order 2, 4, 6, which correct the whole length error whatever "
-                     "--distance-push and --distance-beta",
-                     "one of auto, whole, small-steps, rattle, rattle4, rattle6",
-                     [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); },
-                     scheme_name},
-    SimulationOption{"small-steps", "NxK",
-                     "N small steps with at least K sweeps per solve; auto: as many as suit an island",
-                     "auto or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
+    SimulationOption{
+        "scheme", "NAME",
+        "how a step is integrated: whole (3.2); small-steps (many per step for islands without an exact "
+        "solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, 6, for scenes "
+        "of bars without contacts; --distance-push and --distance-beta have no effect)",
+        "one of auto, whole, small-steps, rattle, rattle4, rattle6",
+        [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); }, scheme_name},
+    SimulationOption{
+        "small-steps", "NxK",
+        "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
+        "auto or NxK with whole numbers from 1 to 1000", set_small_steps, small_steps_text},
     SimulationOption{"push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
                      "one of none, persistent, single-frame",
                      [](Settings& s, std::string_view t) { return take_name(s.contacts.kind, push_names, t); },
@@ -220,12 +221,13 @@ const std::array simulation_table{
                      "a fraction of the body's size from 0 to 0.5",
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
-    SimulationOption{"margin", "F",
-                     "gap up to which a point already counts as contact, fraction of the body's size; bodies that "
-                     "move by more in a step are swept; 0: neither",
-                     "a fraction of the body's size from 0 to 1",
-                     [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
-                     [](const Settings& s) { return to_text(s.margin); }},
+    SimulationOption{
+        "margin", "F",
+        "gap up to which a point counts as contact, fraction of the body's size; bodies that move by more "
+        "in a step get continuous collision detection; 0: neither",
+        "a fraction of the body's size from 0 to 1",
+        [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
+        [](const Settings& s) { return to_text(s.margin); }},
     SimulationOption{"row-order", "NAME", "order of the rows: bottom-up, reverse, creation, normals-first",
                      "one of bottom-up, reverse, creation, normals-first",
                      [](Settings& s, std::string_view t) { return take_name(s.row_order, order_names, t); },
@@ -249,7 +251,7 @@ const std::array simulation_table{
                      "a number from 0 to 1", set_restitution,
                      [](const Settings& s) { return s.restitution ? to_text(*s.restitution) : std::string(); }},
     SimulationOption{
-        "restitution-model", "NAME", "sum (8.2: added to the push) or larger (each impact at its time)",
+        "restitution-model", "NAME", "sum (8.2: rebound added to the push) or larger (each impact at its time)",
         "one of sum, larger",
         [](Settings& s, std::string_view t) { return take_name(s.restitution_model, restitution_names, t); },
         [](const Settings& s) { return name_of(s.restitution_model, restitution_names); }},
@@ -268,8 +270,8 @@ const std::array simulation_table{
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
     SimulationOption{
         "rest", "on|off",
-        "sleeping: skip what stands in equilibrium for half a second until something wakes it; not in RATTLE "
-        "steps",
+        "sleeping: skip bodies that stand in equilibrium for half a second until something wakes them; no effect "
+        "in RATTLE steps",
         "on or off", [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
         [](const Settings& s) { return name_of(s.rest, switch_names); }},
 };

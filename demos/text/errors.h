@@ -1,4 +1,4 @@
-// Errors of the program: one exception type per exit status (see README).
+// Errors of the program: one exception type per exit status (see FORMATS.md).
 #pragma once
 
 #include <stdexcept>

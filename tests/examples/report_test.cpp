@@ -1,4 +1,4 @@
-// A report, as demos/README.md shows it.
+// A report, as demos/EXTENDING.md shows it.
 #include "demos/options/named_run.h"
 #include "demos/reports/study.h"
 #include "demos/runs/measurements.h"

@@ -1,4 +1,4 @@
-// A scene and its line in the catalogue, as demos/README.md shows them.
+// A scene and its line in the catalogue, as demos/EXTENDING.md shows them.
 #include "demos/runs/simulation.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/named/view.h"

@@ -3,7 +3,10 @@
 
 #include "tests/catch.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 using namespace pushfactor::tests;
@@ -166,8 +169,38 @@ TEST_CASE("a summary holds the fields that design and README promise") {
     CHECK_THAT(run_program("run stack --seconds 1 --timing").out, Catch::Contains("cpu_us_per_step_median"));
 }
 
-TEST_CASE("README's table of scenes is what the program lists") {
-    const std::string readme = read_file(PUSHFACTOR_SOURCE_DIR "/demos/README.md");
+TEST_CASE("REFERENCE.md is what the program prints about its commands and options") {
+    INFO("to update it: build/release/pushfactor --reference > demos/REFERENCE.md");
+    const Ended ended = run_program("--reference");
+    CHECK(ended.status == 0);
+    CHECK((ended.out == read_file(PUSHFACTOR_SOURCE_DIR "/demos/REFERENCE.md")));
+}
+
+TEST_CASE("FORMATS.md names every column of the CSV files and every key of a summary") {
+    const std::string page = read_file(PUSHFACTOR_SOURCE_DIR "/demos/FORMATS.md");
+    const auto check_named = [&page](const std::string& name) {
+        CHECK_THAT(page, Catch::Contains("`" + name + "`"));
+    };
+    for (const char* const option : {"--csv", "--trajectory", "--rows"}) {
+        const Ended ended =
+            run_program("run stack --seconds 0 --timing --summary /dev/null " + std::string(option) + " -");
+        std::istringstream header(ended.out.substr(0, ended.out.find('\n')));
+        int columns = 0;
+        for (std::string column; std::getline(header, column, ','); ++columns) check_named(column);
+        CHECK(columns > 10);
+    }
+    for (const char* const run : {"stack --timing", "funnel --restitution 0.5"}) {
+        const auto summary = nlohmann::json::parse(run_program("run --seconds 0.1 " + std::string(run)).out);
+        for (const auto& [key, value] : summary.items()) check_named(key);
+        for (const char* const key : {"islands", "impacts", "at_rest", "substeps"}) {
+            if (!summary.contains(key)) continue;
+            for (const auto& [part, value] : summary[key].items()) check_named(part);
+        }
+    }
+}
+
+TEST_CASE("the table in SCENES.md is what the program lists") {
+    const std::string page = read_file(PUSHFACTOR_SOURCE_DIR "/demos/SCENES.md");
     std::istringstream lines(run_program("list").out);
     int scenes = 0;
     for (std::string name; std::getline(lines, name);) {
@@ -178,7 +211,7 @@ TEST_CASE("README's table of scenes is what the program lists") {
         ++scenes;
         std::ostringstream row;
         row << "`" << name << "` | " << sentence.substr(4) << " | " << made_of.substr(13) << " |";
-        CHECK_THAT(readme, Catch::Contains(row.str()));
+        CHECK_THAT(page, Catch::Contains(row.str()));
         CHECK(std::filesystem::exists(std::filesystem::path(PUSHFACTOR_SOURCE_DIR "/assets/pictures") /
                                       (name + ".png")));
     }

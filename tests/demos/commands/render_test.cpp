@@ -104,7 +104,7 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     refused("stack --frames off", "--frames off: must be with --video");
     refused("stack funnel --video x.mp4", "--video x.mp4: must be for one scene at a time");
     refused("pendulum-wave --overlay contacts --at 0", "has no contacts, so there is nothing to show");
-    refused("stack --overlay contact", "--overlay contact: must be some of contacts");
+    refused("stack --overlay contact", "--overlay contact: must be a comma-separated list of contacts");
     refused("stack --samples 1000", "--samples 1000: must be a whole number from 1 to 256");
     refused("stack --camera sideways", "--camera sideways: must be scene, a camera file");
     folder.write("camera.json", R"({"eye_m": [1, 2, 3], "targt_m": [0, 0, 0]})");

@@ -217,7 +217,7 @@ std::vector<MapEntry> map_entries(const std::string& map) {
     bool in_map = false;
     int table_lines = 0;
     for (const std::string& line : lines_of(map)) {
-        if (line.starts_with("## ")) in_map = line == "## The paper map";
+        if (line.starts_with("# ")) in_map = line == "# The paper map";
         if (!in_map || !line.starts_with("|")) {
             table_lines = 0;
             continue;

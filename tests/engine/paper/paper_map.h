@@ -1,4 +1,4 @@
-// Checks of the paper map (engine/README.md) and the errata (engine/ERRATA.md): pure functions of the repository's
+// Checks of the paper map (engine/PAPER.md) and the errata (engine/ERRATA.md): pure functions of the repository's
 // texts.
 #pragma once
 
@@ -24,7 +24,7 @@ struct MapEntry {
     std::string status;  // "as written", "corrected, see erratum 3" or "not used, because ..."
 };
 
-// The lines of the table under "## The paper map". A line without five cells has an empty status.
+// The lines of the table under "# The paper map". A line without five cells has an empty status.
 std::vector<MapEntry> map_entries(const std::string& map);
 
 // The faults of the map and the errata, one line each; empty when there are none: - a line that names a missing

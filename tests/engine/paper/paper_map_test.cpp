@@ -34,9 +34,9 @@ const std::string good_line =
     "| (1.2.3) | says | `engine/a.h`: `Thing`, `solve` | `a claim` | corrected, see erratum 1 |";
 
 std::string map_of(const std::string& line) {
-    return "# A\n\n| not | this |\n\n## The paper map\n\ntext\n\n| paper | says | where | test | status |\n"
+    return "# A\n\n| not | this |\n\n# The paper map\n\ntext\n\n| paper | says | where | test | status |\n"
            "|---|---|---|---|---|\n" +
-           line + "\n\n## After it\n\n| nor | this |\n| a | b |\n| c | d |\n";
+           line + "\n\n# After it\n\n| nor | this |\n| a | b |\n| c | d |\n";
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -58,7 +58,7 @@ std::string faults_with(const std::string& what, const std::string& with) {
 
 TEST_CASE("every equation, figure and claim of the paper is in the map, with living code and a living test") {
     const fs::path engine = fs::path(PUSHFACTOR_SOURCE_DIR) / "engine";
-    const std::string map = read_file(engine / "README.md");
+    const std::string map = read_file(engine / "PAPER.md");
     const Sources sources = sources_of({"engine", "renderer", "demos", "tests", "assets"}, {".h", ".cpp", ".json"});
     CHECK(map_entries(map).size() > 100);
     for (const std::string& fault :
