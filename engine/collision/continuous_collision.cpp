@@ -2,7 +2,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "engine/collision/detector.h"
 
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,7 @@
 #include "engine/collision/seams.h"
 
-#include "engine/base/overloaded.h"
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/axis_choice.h"
-#include "engine/collision/pairs/polyhedron_pairs.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <optional>
@@ -87,33 +85,6 @@ bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch
     return dt * closing(touch, step.motions->after, where, along, step) - stopped <= gap + permitted;
 }
 
-// The contact along `normal`, from a to b, if there is a face.
-void collide_along(const Touch& touch, const Vector3& normal, const StepScene& step, Manifold& manifold) {
-    const Moving a = moving(touch.pair.a, step), b = moving(touch.pair.b, step);
-    const double margin = step.detection.margin * touch.size;
-    const auto hulls = [&](const auto& p, const auto& q) {
-        collide_hulls_along(normal, PlacedHull(p, a.start), PlacedHull(q, b.start), margin, manifold);
-    };
-    const auto on_hull = [&](const auto& hull, const Sphere& ball) {
-        collide_hull_sphere_along(normal, PlacedHull(hull, a.start), ball, b.start, margin, manifold);
-    };
-    const auto under_hull = [&](const Sphere& ball, const auto& hull) {
-        collide_hull_sphere_along(-normal, PlacedHull(hull, b.start), ball, a.start, margin, manifold);
-    };
-    manifold.count = 0;
-    std::visit(Overloaded{[&](const Box& p, const Box& q) { hulls(p, q); },
-                          [&](const Box& p, const Polyhedron& q) { hulls(p, q); },
-                          [&](const Polyhedron& p, const Box& q) { hulls(p, q); },
-                          [&](const Polyhedron& p, const Polyhedron& q) { hulls(p, q); },
-                          [&](const Box& p, const Sphere& q) { on_hull(p, q); },
-                          [&](const Polyhedron& p, const Sphere& q) { on_hull(p, q); },
-                          [&](const Sphere& p, const Box& q) { under_hull(p, q); },
-                          [&](const Sphere& p, const Polyhedron& q) { under_hull(p, q); },
-                          [](const auto&, const auto&) {}},
-               a.shape, b.shape);
-    manifold.normal = normal;
-}
-
 bool has_plane(const Touch& touch, const StepScene& step) {
     const auto is_plane = [&](int collider) {
         return !is_finite(step.colliders[static_cast<std::size_t>(collider)].shape);
@@ -173,7 +144,8 @@ void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std
         Touch& touch = touches[i];
         const std::optional<Vector3> normal = held_along(touch, holders, step);
         if (!normal) continue;
-        collide_along(touch, *normal, step, manifold_);
+        const Moving a = moving(touch.pair.a, step), b = moving(touch.pair.b, step);
+        collide_along(*normal, a.shape, a.start, b.shape, b.start, step.detection.margin * touch.size, manifold_);
         found_.push_back({i, manifold_.points().size()});
         points_.insert(points_.end(), manifold_.points().begin(), manifold_.points().end());
         touch.normal = *normal;

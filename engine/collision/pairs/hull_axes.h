@@ -95,22 +95,16 @@ class HullAxes {
 };
 
 // Calls `visit` with the separations of two polyhedra of which the gap exceeds `least` [m], perhaps with some
-// others, and at least with the largest. Those of edges are left out if `enough()` is true after those of faces.
-template <typename Visit, typename Enough>
-void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit,
-                       const Enough& enough) {
+// others, and at least with the largest.
+template <typename Visit>
+void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit) {
     const HullAxes axes(a, b);
     double largest = -infinity;
     axes.visit_faces(std::min(least, axes.large_face_gap()), [&](const Separation& separation) {
         largest = std::max(largest, separation.gap);
         visit(separation);
     });
-    if (!enough()) axes.visit_edges(std::min(least, largest), visit);
-}
-
-template <typename Visit>
-void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit) {
-    visit_separations(a, b, least, visit, [] { return false; });
+    axes.visit_edges(std::min(least, largest), visit);
 }
 
 }  // namespace pushfactor::engine::collision
