@@ -76,6 +76,7 @@ class ContactConstraints : public ConstraintSource {
     void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
+    std::span<const int> colliders_of(int body) const { return colliders_of_[static_cast<std::size_t>(body)]; }
     // Null if absent.
     const FrictionRule* friction() const { return friction_.get(); }
     RestitutionRule restitution() const { return restitution_; }

@@ -2,7 +2,7 @@
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
-#include "engine/impacts/contact_impacts.h"
+#include "engine/impacts/impacts.h"
 
 #include <algorithm>
 #include <map>
@@ -130,7 +130,7 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
         if (settings.restitution_model == RestitutionModel::sum) {
             contacts->set_restitution(engine::restitution_sum);
         } else {
-            scene.world.impacts = std::make_unique<engine::ContactImpacts>(*contacts);
+            scene.world.impacts = std::make_unique<engine::Impacts>(*contacts);
         }
     }
     if (settings.margin > 0.0)

@@ -41,7 +41,7 @@ World above_floor(const Body& body, const collision::Shape& shape, const Floor& 
                                          {.body = 1, .shape = shape, .friction = floor.friction}},
         ContactChoices{.correction = floor.correction, .slop = 0.002, .detection = {.margin = 0.0}});
     stage->set_restitution(floor.rule);
-    if (!floor.rule) world.impacts = std::make_unique<ContactImpacts>(*stage);
+    if (!floor.rule) world.impacts = std::make_unique<Impacts>(*stage);
     if (floor.friction > 0.0) stage->set_friction(std::make_unique<CoulombFriction>());
     stage->set_cache(std::make_unique<ContactCache>());
     world.constraints.push_back(std::move(stage));
