@@ -1,7 +1,6 @@
 // Contact caching, paper section 6.2.3: the forces of the previous step as warm start of this one.
 #pragma once
 
-#include "engine/base/threads.h"
 #include "engine/collision/detector.h"
 #include "engine/constraints/constraint_row.h"
 
@@ -39,17 +38,12 @@ class ContactCache {
         int count = 0;
     };
 
-    // Appends the cached force of every point of `touches`, in order; zero if nothing matches. Points match by
-    // feature, otherwise by distance: the closest one within 2 % of the size. No force is used twice. `threads`
-    // share the work; null: one thread.
-    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
-                Threads* threads = nullptr);
+    // Appends the cached force of every point of `touches`, in ascending order of the pair; zero if nothing
+    // matches. Points match by feature, otherwise by distance: the closest one within 2 % of the size. No force is
+    // used twice.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces);
 
-    // Replaces the cache. `forces` in the order of recall().
-    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
-               Threads* threads = nullptr);
-
-    // The same one touch at a time, in ascending order of the pair, after clear(). `forces`: one per point.
+    // Replace the cache, one touch after the other in ascending order of the pair. `forces`: one per point.
     void clear();
     void store(const collision::Touch& touch, std::span<const ContactForce> forces);
 
@@ -80,21 +74,13 @@ class ContactCache {
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
-    // Flags for the current touch: old forces that are used, new points that have one.
-    struct Matched {
-        std::vector<char> taken, given;
-    };
-
-    void recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces, Matched& matched) const;
     bool is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const;
     void hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                  std::span<ContactForce> forces, Matched& matched) const;
+                  std::span<ContactForce> forces);
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
-    // By part of the touches:
-    std::vector<std::size_t> first_force_;
-    std::vector<Matched> matched_;
+    std::vector<char> taken_, given_;  // of the current touch: old forces that are used, new points that have one
 };
 
 // The forces between bodies at rest, by pair. To add and to take those of a collider costs the logarithm of all.

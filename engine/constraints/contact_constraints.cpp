@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pushfactor::engine {
 
@@ -320,7 +321,7 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     moved_colliders_.clear();
     forces_.clear();
     own_rows_ = 0;
-    if (cache_) cache_->recall(touches_, forces_, step.threads);
+    if (cache_) cache_->recall(touches_, forces_);
     append_touches(touches_, order_, step, paths_, rows);
 }
 
@@ -399,34 +400,26 @@ void ContactConstraints::remember(std::span<const Lambda> answers) {
     store_forces();
 }
 
-// The cache needs ascending order of the pair.
+// The cache needs ascending order of the pair. Of a pair that was found again the points of the start of the step
+// stay.
 void ContactConstraints::store_forces() {
+    cache_->clear();
+    std::size_t force = 0;
+    const auto forces_of = [&](const collision::Touch& touch) {
+        force += touch.points.size();
+        return std::span<const ContactForce>(forces_).subspan(force - touch.points.size(), touch.points.size());
+    };
     if (unforeseen_.empty()) {
-        cache_->store(touches_, forces_, threads_);
+        for (const collision::Touch& touch : touches_) cache_->store(touch, forces_of(touch));
         return;
     }
-    struct Known {
-        const collision::Touch* touch;
-        std::size_t force;  // into forces_
-    };
-    std::vector<Known> known;
-    std::size_t force = 0;
+    std::map<collision::Pair, std::pair<const collision::Touch*, std::span<const ContactForce>>> known;
     const auto add = [&](const collision::Touch& touch) {
-        known.push_back({&touch, force});
-        force += touch.points.size();
+        known.try_emplace(touch.pair, &touch, forces_of(touch));
     };
-    for (const collision::Touch& touch : touches_) add(touch);
-    for (const collision::Touch& touch : unforeseen_) add(touch);
-    std::stable_sort(known.begin(), known.end(),
-                     [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
-    // Of a pair that was found again the points of the start of the step stay.
-    const auto again = std::unique(known.begin(), known.end(),
-                                   [](const Known& a, const Known& b) { return a.touch->pair == b.touch->pair; });
-    cache_->clear();
-    const std::span<const ContactForce> forces(forces_);
-    for (const Known& own : std::span(known.begin(), again)) {
-        cache_->store(*own.touch, forces.subspan(own.force, own.touch->points.size()));
-    }
+    std::for_each(touches_.begin(), touches_.end(), add);
+    std::for_each(unforeseen_.begin(), unforeseen_.end(), add);
+    for (const auto& [pair, own] : known) cache_->store(*own.first, own.second);
 }
 
 }  // namespace pushfactor::engine
