@@ -57,24 +57,11 @@ bool comes_first(const Touch& a, const Touch& b) {
     return a.pair < b.pair;
 }
 
-Moving moving(int collider, const StepScene& scene) {
-    const Collider& own = scene.colliders[static_cast<std::size_t>(collider)];
-    return {own.shape, scene.poses[static_cast<std::size_t>(own.body)], scene.motions->path_of(own.body)};
-}
-
 }  // namespace
 
 void ContinuousCollision::begin(std::span<const Touch> touches) {
     known_ = touches;
     found_.clear();
-    points_in_use_ = 0;
-}
-
-std::span<const ContactPoint> ContinuousCollision::keep(std::span<const ContactPoint> points) {
-    if (points_in_use_ == points_.size()) points_.emplace_back();
-    std::vector<ContactPoint>& kept = points_[points_in_use_++];
-    kept.assign(points.begin(), points.end());
-    return kept;
 }
 
 // Puts the boxes of the thrown ones along their new motion.
@@ -109,7 +96,7 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
     if (first.restitution > 0.0) return false;
-    const Moving a = moving(first.pair.a, scene), b = moving(first.pair.b, scene);
+    const Moving a = scene.moving(first.pair.a), b = scene.moving(first.pair.b);
     const double dt = scene.motions->dt;
     touch = first;
     touch.time = dt;
@@ -139,12 +126,11 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
                   : find_touch(pair, scene, manifold_, touch) &&
                         depth_at_end(touch, scene) > constants::collision::deep_without_rows * touch.size;
         if (!matters) continue;
-        touch.points = keep(manifold_.points());
+        touch.points = scene.kept->keep(manifold_.points());
         unforeseen_.push_back(touch);
     }
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
-        touch.points = keep(touch.points);  // seams may have new ones
         found_.insert(std::upper_bound(found_.begin(), found_.end(), touch, comes_first), touch);
     }
     return unforeseen_;

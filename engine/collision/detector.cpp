@@ -37,8 +37,6 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) {
     name_touch(pair, scene, touch);
     const auto body_a = static_cast<std::size_t>(touch.body_a), body_b = static_cast<std::size_t>(touch.body_b);
-    const Shape& shape_a = scene.colliders[static_cast<std::size_t>(pair.a)].shape;
-    const Shape& shape_b = scene.colliders[static_cast<std::size_t>(pair.b)].shape;
     const double margin = scene.detection.margin * touch.size;
     if (scene.motions) {
         // Without a margin there are contacts of now alone, as in the paper.
@@ -52,12 +50,10 @@ bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, To
             .before_b = scene.motions->before[body_b],
             .after_a = scene.motions->after[body_a],
             .after_b = scene.motions->after[body_b]};
-        const bool meets =
-            meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
-                 {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold, touch.time);
-        if (!meets) return false;
+        if (!meet(scene.moving(pair.a), scene.moving(pair.b), encounter, manifold, touch.time)) return false;
     } else {
-        collide(shape_a, scene.poses[body_a], shape_b, scene.poses[body_b], margin, manifold);
+        collide(scene.colliders[static_cast<std::size_t>(pair.a)].shape, scene.poses[body_a],
+                scene.colliders[static_cast<std::size_t>(pair.b)].shape, scene.poses[body_b], margin, manifold);
         if (manifold.count == 0) return false;
     }
     touch.normal = manifold.normal;

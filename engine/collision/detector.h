@@ -3,6 +3,7 @@
 
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
+#include "engine/collision/time_of_impact.h"
 
 #include <optional>
 #include <span>
@@ -68,6 +69,21 @@ struct Detection {
     const MaterialPairs* materials = nullptr;  // null: none
 };
 
+// Keeps points of touches until it is cleared.
+class PointStore {
+  public:
+    std::span<const ContactPoint> keep(std::span<const ContactPoint> points) {
+        if (in_use_ == kept_.size()) kept_.emplace_back();
+        kept_[in_use_].assign(points.begin(), points.end());
+        return kept_[in_use_++];
+    }
+    void clear() { in_use_ = 0; }
+
+  private:
+    std::vector<std::vector<ContactPoint>> kept_;  // and others for reuse
+    std::size_t in_use_ = 0;
+};
+
 // What a step detects in.
 struct StepScene {
     std::span<const Collider> colliders;
@@ -75,6 +91,12 @@ struct StepScene {
     std::span<const Pose> poses;  // by body
     const Detection& detection;
     const StepMotions* motions = nullptr;  // null: contacts of now, all points of their manifolds
+    PointStore* kept = nullptr;            // of touches that the detector has not found; until the step ends
+
+    Moving moving(int collider) const {
+        const Collider& own = colliders[static_cast<std::size_t>(collider)];
+        return {own.shape, poses[static_cast<std::size_t>(own.body)], motions->path_of(own.body)};
+    }
 };
 
 // Colliders and bodies that take part in a step if some rest.

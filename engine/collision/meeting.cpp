@@ -14,12 +14,6 @@ namespace {
 // Directions of turning that are tried at most.
 constexpr int most_directions = 32;
 
-double smallest_gap(const Manifold& manifold) {
-    double gap = manifold.separation;
-    for (const ContactPoint& point : manifold.points()) gap = std::min(gap, point.gap);
-    return gap;
-}
-
 // A pair at the time of its meeting, and what is left of the step.
 struct Met {
     Moving a, b;
@@ -97,7 +91,7 @@ double closing_speed(const Motion& a, const Vector3& centre_a, const Motion& b, 
 bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time) {
     time = 0.0;
     collide(a.shape, a.start, b.shape, b.start, encounter.margin, manifold);
-    const double gap = smallest_gap(manifold), tolerance = constants::collision::meeting_gap * encounter.size;
+    const double gap = manifold.smallest_gap(), tolerance = constants::collision::meeting_gap * encounter.size;
     if (gap > tolerance && encounter.strayed) {
         Encounter ends = encounter;
         ends.margin = 0.5 * tolerance;  // whatever comes as near fast enough has been an impact

@@ -13,11 +13,6 @@ namespace {
 constexpr double same_normal = 1.0 - 1e-9;  // cosine above which two normals differ by rounding alone
 constexpr double noise = 1e-6;              // of the permitted overlap: motion per step of a body at rest
 
-Moving moving(int collider, const StepScene& step) {
-    const Collider& own = step.colliders[static_cast<std::size_t>(collider)];
-    return {own.shape, step.poses[static_cast<std::size_t>(own.body)], step.motions->path_of(own.body)};
-}
-
 // Speed at which the shapes of a touch approach each other along `normal` (from a to b) at `point`, m/s. What turns
 // in itself does not come closer by turning.
 double closing(const Touch& touch, std::span<const Motion> motions, const Vector3& point, const Vector3& normal,
@@ -34,7 +29,7 @@ double closing(const Touch& touch, std::span<const Motion> motions, const Vector
 }
 
 double gap_along(const Touch& touch, const Vector3& normal, const StepScene& step) {
-    return gap_along(moving(touch.pair.a, step), moving(touch.pair.b, step), normal);
+    return gap_along(step.moving(touch.pair.a), step.moving(touch.pair.b), normal);
 }
 
 // The direction `out` of `body` as one from a to b of a touch of that body.
@@ -125,7 +120,6 @@ std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Tou
 
 void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches) {
     found_.clear();
-    points_.clear();
     in_doubt_.clear();
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
@@ -144,19 +138,14 @@ void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std
         Touch& touch = touches[i];
         const std::optional<Vector3> normal = held_along(touch, holders, step);
         if (!normal) continue;
-        const Moving a = moving(touch.pair.a, step), b = moving(touch.pair.b, step);
+        const Moving a = step.moving(touch.pair.a), b = step.moving(touch.pair.b);
         collide_along(*normal, a.shape, a.start, b.shape, b.start, step.detection.margin * touch.size, manifold_);
-        found_.push_back({i, manifold_.points().size()});
-        points_.insert(points_.end(), manifold_.points().begin(), manifold_.points().end());
+        found_.emplace_back(i, step.kept->keep(manifold_.points()));
         touch.normal = *normal;
         touch.time = 0.0;
         touch.points = {};
     }
-    std::span<const ContactPoint> left = points_;
-    for (const Found& found : found_) {
-        touches[found.touch].points = left.first(found.points);
-        left = left.subspan(found.points);
-    }
+    for (const auto& [touch, points] : found_) touches[touch].points = points;
     if (!found_.empty()) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });
 }
 

@@ -285,8 +285,8 @@ void ContactConstraints::append_impact_rows(const collision::Touch& touch, const
     }
 }
 
-collision::StepScene ContactConstraints::scene_of(const StepStart& step, const StepMotions& motions) const {
-    return {colliders_, step.bodies, detector_.poses(), choices_.detection, &motions};
+collision::StepScene ContactConstraints::scene_of(const StepStart& step, const StepMotions& motions) {
+    return {colliders_, step.bodies, detector_.poses(), choices_.detection, &motions, &kept_};
 }
 
 void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
@@ -295,6 +295,7 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     // First drop references to the touches of the last step, whose points and meetings the search invalidates.
     contacts_.clear();
     unforeseen_.clear();
+    kept_.clear();
     touches_ = {};
     if (awake_bodies_.of() != bodies.size()) wake_all(bodies.size());
     const auto moved = [](const Awake& awake, const std::vector<int>& known) {

@@ -142,7 +142,7 @@ class ContactConstraints : public ConstraintSource {
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                         std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
-    collision::StepScene scene_of(const StepStart& step, const StepMotions& motions) const;
+    collision::StepScene scene_of(const StepStart& step, const StepMotions& motions);
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const Motion& motion_a,
                               const Motion& motion_b, const StepStart& step) const;
     // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
@@ -172,6 +172,7 @@ class ContactConstraints : public ConstraintSource {
     std::span<const collision::Touch> touches_;
     Threads* threads_ = nullptr;
     std::deque<collision::Touch> unforeseen_;
+    collision::PointStore kept_;  // of the touches of the step
     // By body, see StepMotions: without constraints, and as the last solution has them.
     std::vector<Motion> before_, after_, paths_, after_solved_, paths_solved_;
     std::vector<char> strayed_;          // by body; empty if none has

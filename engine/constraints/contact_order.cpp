@@ -55,7 +55,7 @@ std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const 
             key.on_movable = by_height && !rests_on_static(touch, bodies);
         }
     });
-    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) sort_distinct(threads, std::span(keys_), before);
+    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) std::sort(keys_.begin(), keys_.end(), before);
 
     contacts_.clear();
     for (const Key& key : keys_) {
