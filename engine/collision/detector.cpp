@@ -70,21 +70,9 @@ void MaterialPairs::put(int a, int b, Touch& touch) const {
     if (surface.restitution) touch.restitution = *surface.restitution;
 }
 
-bool MaterialPairs::any_friction() const {
+bool MaterialPairs::any(std::optional<double> Surface::*what) const {
     return std::any_of(surfaces_.begin(), surfaces_.end(),
-                       [](const Surface& surface) { return surface.friction.value_or(0.0) > 0.0; });
-}
-
-bool MaterialPairs::bounces(int material) const {
-    if (material < 0) return false;
-    const auto row = std::span(surfaces_).subspan(index(material, 0), materials_);
-    return std::any_of(row.begin(), row.end(),
-                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
-}
-
-bool MaterialPairs::any_bounces() const {
-    return std::any_of(surfaces_.begin(), surfaces_.end(),
-                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
+                       [what](const Surface& surface) { return (surface.*what).value_or(0.0) > 0.0; });
 }
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,

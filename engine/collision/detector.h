@@ -48,9 +48,8 @@ class MaterialPairs {
     // Sets what is known of the pair; a negative number is no material.
     [[gnu::noinline]] void put(int a, int b, Touch& touch) const;
 
-    bool any_friction() const;
-    bool bounces(int material) const;  // with some other
-    bool any_bounces() const;
+    // Whether any pair has a value above zero.
+    bool any(std::optional<double> Surface::*what) const;
 
   private:
     std::size_t index(int a, int b) const {

@@ -14,6 +14,8 @@
 
 #include "engine/constraints/push_factor.h"
 
+#include <algorithm>
+
 namespace pushfactor::engine {
 
 // One contact point before the step, along its normal; positive is separating.
@@ -31,6 +33,12 @@ using RestitutionRule = PushFactor (*)(const PushFactor& push, const Impact& imp
 // As in 8.2: v_r is added to both columns of a touching point. A separated point that would meet within the step
 // has nothing to correct and aims at v_r alone; one that approaches and bounces later may close its gap: it must
 // not be stopped because the gap counts as touching.
-PushFactor restitution_sum(const PushFactor& push, const Impact& impact);
+inline PushFactor restitution_sum(const PushFactor& push, const Impact& impact) {
+    const double rebound = std::max(0.0, -impact.restitution * impact.speed);
+    if (impact.gap <= 0.0) return {.correcting = push.correcting, .lasting = push.lasting + rebound};
+    if (rebound == 0.0) return push;
+    const bool meets = impact.gap + (impact.speed + impact.acceleration * impact.dt) * impact.dt <= 0.0;
+    return {.correcting = 0.0, .lasting = meets ? rebound : -impact.gap / impact.dt};
+}
 
 }  // namespace pushfactor::engine

@@ -123,10 +123,12 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
     };
     auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
     auto materials = make_materials(description, settings);
-    if (any(&collision::Collider::friction) || (materials && materials->any_friction())) {
+    if (any(&collision::Collider::friction) ||
+        (materials && materials->any(&collision::MaterialPairs::Surface::friction))) {
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
-    if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
+    if (any(&collision::Collider::restitution) ||
+        (materials && materials->any(&collision::MaterialPairs::Surface::restitution))) {
         if (settings.restitution_model == RestitutionModel::sum) {
             contacts->set_restitution(engine::restitution_sum);
         } else {
