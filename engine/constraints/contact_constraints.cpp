@@ -90,14 +90,14 @@ ContactConstraints::TouchFriction ContactConstraints::friction_of(const collisio
                                                                   const StepStart& step) const {
     const Vector3 belt = belt_of(touch, pair, step.time);
     const Vector3& normal = touch.normal;
-    const FrictionBound bound = friction_->bound(
-        {.bodies = pair,
-         .normal = normal,
-         .friction = touch.friction,
-         .points = static_cast<int>(touch.points.size()),
-         .size = touch.size,
-         .acceleration = std::max(accelerations_[at(touch.body_a)], accelerations_[at(touch.body_b)]),
-         .dt = step.dt});
+    const FrictionBound bound =
+        friction_({.bodies = pair,
+                   .normal = normal,
+                   .friction = touch.friction,
+                   .points = static_cast<int>(touch.points.size()),
+                   .size = touch.size,
+                   .acceleration = std::max(accelerations_[at(touch.body_a)], accelerations_[at(touch.body_b)]),
+                   .dt = step.dt});
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,

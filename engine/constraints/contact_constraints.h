@@ -51,7 +51,7 @@ class ContactConstraints : public ConstraintSource {
     ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices);
 
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
-    void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
+    void set_friction(FrictionRule rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
     // Without it bodies that are thrown in a step are noticed only in the next one.
     void set_continuous_collision(std::unique_ptr<collision::ContinuousCollision> part) {
@@ -78,7 +78,7 @@ class ContactConstraints : public ConstraintSource {
     std::span<const collision::Collider> colliders() const { return colliders_; }
     std::span<const int> colliders_of(int body) const { return colliders_of_[static_cast<std::size_t>(body)]; }
     // Null if absent.
-    const FrictionRule* friction() const { return friction_.get(); }
+    const FrictionRule* friction() const { return friction_ ? &friction_ : nullptr; }
     RestitutionRule restitution() const { return restitution_; }
     const collision::ContinuousCollision* continuous_collision() const { return continuous_collision_.get(); }
     const collision::PairFilter* filter() const { return filter_.get(); }
@@ -155,7 +155,7 @@ class ContactConstraints : public ConstraintSource {
     std::vector<int> mechanisms_;  // by body, or empty
     std::unique_ptr<const collision::PairFilter> filter_;
     std::unique_ptr<const collision::MaterialPairs> materials_;
-    std::unique_ptr<const FrictionRule> friction_;
+    FrictionRule friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::ContinuousCollision> continuous_collision_;

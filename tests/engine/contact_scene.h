@@ -109,7 +109,7 @@ struct ContactScene {
             return false;
         };
         using engine::collision::Collider;
-        if (any(&Collider::friction)) stage->set_friction(std::make_unique<engine::ConeFriction>());
+        if (any(&Collider::friction)) stage->set_friction(engine::cone_friction);
         if (any(&Collider::restitution)) world.impacts = std::make_unique<engine::Impacts>(*stage);
         stage->set_continuous_collision(std::make_unique<engine::collision::ContinuousCollision>());
         stage->set_cache(std::make_unique<engine::ContactCache>());

@@ -26,16 +26,16 @@ collision::Shape make_shape(const BodyDescription& described) {
         described.shape);
 }
 
-std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const Vector3& gravity) {
+engine::FrictionRule make_friction(FrictionModel model, const Vector3& gravity) {
     switch (model) {
         case FrictionModel::cone:
-            return std::make_unique<engine::ConeFriction>();
+            return engine::cone_friction;
         case FrictionModel::coulomb:
-            return std::make_unique<engine::CoulombFriction>();
+            return engine::coulomb_friction;
         case FrictionModel::paper:
             break;
     }
-    return std::make_unique<engine::WeightFriction>(gravity);
+    return engine::weight_friction(gravity);
 }
 
 // The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.

@@ -105,10 +105,10 @@ TEST_CASE("the paper's friction bound is mu m |g n| over the points, whichever w
     const Body ground = static_body(Vector3::Zero());
     const Body one = box_body(2.0, Vector3::Ones(), Vector3::Zero());
     const Body other = box_body(3.0, Vector3::Ones(), Vector3::Zero());
-    const WeightFriction rule(Vector3(0, -10, 0));
+    const FrictionRule rule = weight_friction(Vector3(0, -10, 0));
     const auto bound = [&](const Body& a, const Body& b, const Vector3& n) {
         const BodyPair pair{0, 1, a, b};
-        return rule.bound({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0, Disc::first);
+        return rule({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0, Disc::first);
     };
     CHECK(bound(ground, one, Vector3::UnitY()).c_max == Approx(2.5));
     CHECK(bound(ground, one, -Vector3::UnitY()).c_max == Approx(2.5));
@@ -125,13 +125,13 @@ TEST_CASE("Coulomb's bound names the contact row of the point, alone or together
     const Vector3 up = Vector3::UnitY();
     const FrictionSite site{.bodies = pair, .normal = up, .friction = 0.3, .points = 4};
     for (const Disc which : {Disc::first, Disc::second}) {
-        for (const FrictionBound& bound : {CoulombFriction().bound(site), ConeFriction().bound(site)}) {
+        for (const FrictionBound& bound : {coulomb_friction(site), cone_friction(site)}) {
             CHECK(bound.at(17, which).c_min == -0.3);
             CHECK(bound.at(17, which).c_max == 0.3);
             CHECK(bound.at(17, which).of_row == 17);
         }
-        CHECK(CoulombFriction().bound(site).at(17, which).disc == Disc::none);
-        CHECK(ConeFriction().bound(site).at(17, which).disc == which);
+        CHECK(coulomb_friction(site).at(17, which).disc == Disc::none);
+        CHECK(cone_friction(site).at(17, which).disc == which);
     }
 }
 

@@ -42,7 +42,7 @@ World above_floor(const Body& body, const collision::Shape& shape, const Floor& 
         ContactChoices{.correction = floor.correction, .slop = 0.002, .detection = {.margin = 0.0}});
     stage->set_restitution(floor.rule);
     if (!floor.rule) world.impacts = std::make_unique<Impacts>(*stage);
-    if (floor.friction > 0.0) stage->set_friction(std::make_unique<CoulombFriction>());
+    if (floor.friction > 0.0) stage->set_friction(coulomb_friction);
     stage->set_cache(std::make_unique<ContactCache>());
     world.constraints.push_back(std::move(stage));
     world.solver = solvers::make_solver("pgs");

@@ -251,7 +251,7 @@ ContactConstraints stage_of(const ShapePair& shapes, double margin) {
                               .slop = 0.0,
                               .detection = {.margin = margin, .reduce_to_four_points = false},
                               .order = RowOrder::bottom_up});
-    stage.set_friction(std::make_unique<CoulombFriction>());
+    stage.set_friction(coulomb_friction);
     return stage;
 }
 
