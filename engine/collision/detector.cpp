@@ -58,7 +58,7 @@ bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, To
     }
     touch.normal = manifold.normal;
     touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
-    // Only the count is valid; the detector sets the span, once its points no longer grow.
+    // Those of the manifold, until it is used again.
     touch.points = manifold.points();
     return true;
 }
@@ -99,11 +99,14 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
         share_parts(threads, pairs.size(), pairs_of_a_part, [&](std::size_t k, std::size_t begin, std::size_t end) {
             find(scene, pairs.subspan(begin, end - begin), found_[k]);
         });
-    put_together(threads, parts);
+    touches_.clear();
+    for (const Found& found : std::span(found_).first(parts)) {
+        touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
+    }
     return touches_;
 }
 
-void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const {
+void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) {
     found.touches.clear();
     found.points.clear();
     for (const Pair& pair : pairs) {
@@ -114,41 +117,11 @@ void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& 
             found.touches.pop_back();
         }
     }
-}
-
-// Merges the first `parts` results in order.
-void Detector::put_together(Threads* threads, std::size_t parts) {
-    std::size_t touches = 0, points = 0;
-    for (Found& found : std::span(found_).first(parts)) {
-        found.first_touch = touches;
-        found.first_point = points;
-        touches += found.touches.size();
-        points += found.points.size();
+    std::span<const ContactPoint> left = found.points;
+    for (Touch& touch : found.touches) {
+        touch.points = left.first(touch.points.size());
+        left = left.subspan(touch.points.size());
     }
-    if (parts == 1) {
-        touches_.swap(found_.front().touches);
-        points_.swap(found_.front().points);
-    } else {
-        touches_.resize(touches);
-        points_.resize(points);
-    }
-    share(parts > 1 ? threads : nullptr, parts, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const Found& found = found_[k];
-            if (parts > 1) {
-                std::copy(found.touches.begin(), found.touches.end(),
-                          touches_.begin() + static_cast<std::ptrdiff_t>(found.first_touch));
-                std::copy(found.points.begin(), found.points.end(),
-                          points_.begin() + static_cast<std::ptrdiff_t>(found.first_point));
-            }
-            const std::size_t count = parts > 1 ? found.touches.size() : touches;
-            std::span<const ContactPoint> left = std::span(points_).subspan(found.first_point);
-            for (Touch& touch : std::span(touches_).subspan(found.first_touch, count)) {
-                touch.points = left.first(touch.points.size());
-                left = left.subspan(touch.points.size());
-            }
-        }
-    });
 }
 
 }  // namespace pushfactor::engine::collision

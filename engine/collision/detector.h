@@ -132,19 +132,16 @@ class Detector {
   private:
     // Results of one part of the pairs.
     struct Found {
-        std::vector<Touch> touches;  // with the right number of points, but not yet these points
-        std::vector<ContactPoint> points;
-        Manifold manifold;                             // scratch
-        std::size_t first_touch = 0, first_point = 0;  // offsets in the merged lists
+        std::vector<Touch> touches;
+        std::vector<ContactPoint> points;  // of these
+        Manifold manifold;                 // scratch
     };
-    void find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const;
-    void put_together(Threads* threads, std::size_t parts);
+    static void find(const StepScene& scene, std::span<const Pair> pairs, Found& found);
 
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
-    std::vector<ContactPoint> points_;  // of all touches, in order
-    std::vector<Found> found_;          // by part of the pairs
+    std::vector<Found> found_;  // by part of the pairs
 };
 
 }  // namespace pushfactor::engine::collision

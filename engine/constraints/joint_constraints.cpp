@@ -108,41 +108,33 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     const Hinge& hinge = *joint.hinge;
     const double lever = lever_of(pair);
     const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
-    const auto label = [index](RowKind kind, double gap) {
-        return RowLabel{.kind = kind, .point = static_cast<int>(index), .gap = gap};
+    // A row about `axis` that has the error `error` [m]; `is_open`: it has not reached its limit yet.
+    const auto append = [&](const Vector3& axis, RowKind kind, double error, bool is_open) -> ConstraintRow& {
+        ConstraintRow& row = append_turn(pair, axis, rows);
+        row.push =
+            is_open ? PushFactor{.correcting = 0.0, .lasting = -error / dt} : correct(correction_, -error, dt);
+        row.error = error;
+        row.correction = &correction_;
+        row.label = {.kind = kind, .point = static_cast<int>(index), .gap = error};
+        return row;
     };
 
     const Vector3 theta = rotation_between(hinge.axis, turn * hinge.axis);
     const Vector3 across = hinge.axis.unitOrthogonal();
     for (const Vector3& t : {across, Vector3(hinge.axis.cross(across))}) {
-        const double error = lever * theta.dot(t);
-        ConstraintRow& row = append_turn(pair, lever * (frame * t), rows);
-        row.push = correct(correction_, -error, dt);
-        row.error = error;
-        row.correction = &correction_;
-        row.label = label(RowKind::joint, error);
+        append(lever * (frame * t), RowKind::joint, lever * theta.dot(t), false);
     }
     const Vector3 axis = lever * (frame * hinge.axis);
     const double phi = needs_angle(joint) ? angle_near(index, pair) : 0.0;
     if (hinge.motor) append_motor(index, pair, dt, phi, rows);
     if (!hinge.limits) return;
     if (!(hinge.limits->low < hinge.limits->high)) {
-        const double error = lever * (phi - hinge.limits->low);
-        ConstraintRow& row = append_turn(pair, axis, rows);
-        row.push = correct(correction_, -error, dt);
-        row.error = error;
-        row.correction = &correction_;
-        row.label = label(RowKind::limit, error);
+        append(axis, RowKind::limit, lever * (phi - hinge.limits->low), false);
         return;
     }
     for (const double side : {1.0, -1.0}) {
         const double gap = lever * gap_to(*hinge.limits, side, phi);
-        ConstraintRow& row = append_turn(pair, side * axis, rows);
-        row.push = gap > 0.0 ? PushFactor{.correcting = 0.0, .lasting = -gap / dt} : correct(correction_, -gap, dt);
-        row.bounds.c_min = 0.0;
-        row.error = gap;
-        row.correction = &correction_;
-        row.label = label(RowKind::limit, gap);
+        append(side * axis, RowKind::limit, gap, gap > 0.0).bounds.c_min = 0.0;
     }
 }
 
