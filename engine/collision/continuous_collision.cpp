@@ -31,12 +31,6 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     return path_of(collider.shape, motion.velocity.norm(), turning, dt) > limit;
 }
 
-double smallest_gap(std::span<const ContactPoint> points) {
-    double gap = infinity;
-    for (const ContactPoint& point : points) gap = std::min(gap, point.gap);
-    return gap;
-}
-
 // How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m].
 double depth_at_end(const Touch& touch, const StepScene& scene) {
     const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
@@ -48,13 +42,6 @@ double depth_at_end(const Touch& touch, const StepScene& scene) {
         depth = std::max(depth, speed * scene.motions->dt - point.gap);
     }
     return depth;
-}
-
-bool comes_before(const Touch& touch, const Pair& pair) {
-    return touch.pair < pair;
-}
-bool comes_first(const Touch& a, const Touch& b) {
-    return a.pair < b.pair;
 }
 
 }  // namespace
@@ -86,7 +73,7 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
 
 const Touch* ContinuousCollision::known(const Pair& pair) const {
     for (const std::span<const Touch> touches : {known_, std::span<const Touch>(found_)}) {
-        const auto touch = std::lower_bound(touches.begin(), touches.end(), pair, comes_before);
+        const auto touch = std::ranges::lower_bound(touches, pair, {}, &Touch::pair);
         if (touch != touches.end() && touch->pair == pair) return &*touch;
     }
     return nullptr;
@@ -109,8 +96,9 @@ bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, 
                               .after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)]};
     const bool meets = contact_at(a, b, encounter, dt, manifold_);
     touch.normal = manifold_.normal;
-    return meets && manifold_.separation <
-                        std::min(0.0, smallest_gap(first.points)) - constants::collision::deep * touch.size;
+    return meets &&
+           manifold_.separation < std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
+                                      constants::collision::deep * touch.size;
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,
@@ -131,7 +119,7 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
     }
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
-        found_.insert(std::upper_bound(found_.begin(), found_.end(), touch, comes_first), touch);
+        found_.insert(std::ranges::upper_bound(found_, touch.pair, {}, &Touch::pair), touch);
     }
     return unforeseen_;
 }

@@ -10,12 +10,6 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, const Body& body_b) {
-    const double size_a = body_a.is_static() ? infinity : size_of(a.shape);
-    const double size_b = body_b.is_static() ? infinity : size_of(b.shape);
-    return std::min(size_a, size_b);
-}
-
 // Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
 
@@ -27,8 +21,10 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
     touch.pair = pair;
     touch.body_a = a.body;
     touch.body_b = b.body;
-    touch.size = size_of_pair(a, scene.bodies[static_cast<std::size_t>(a.body)], b,
-                              scene.bodies[static_cast<std::size_t>(b.body)]);
+    const auto size = [&](const Collider& own) {
+        return scene.bodies[static_cast<std::size_t>(own.body)].is_static() ? infinity : size_of(own.shape);
+    };
+    touch.size = std::min(size(a), size(b));
     touch.friction = std::sqrt(a.friction * b.friction);
     touch.restitution = std::max(a.restitution, b.restitution);
     if (scene.detection.materials) scene.detection.materials->put(a.material, b.material, touch);

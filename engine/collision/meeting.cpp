@@ -24,27 +24,16 @@ struct Met {
     }
 };
 
-// Keeps the points of which `stays(point, closed)` holds, where `closed` [m] is what the rest of the step closes.
-// Returns how many there are.
-template <typename Stays>
-int keep_points(const Met& met, Manifold& manifold, const Stays& stays) {
-    int count = 0;
-    for (const ContactPoint& point : manifold.points()) {
-        if (!stays(point, met.rest * met.closing(point.position, manifold.normal))) continue;
-        manifold.storage[static_cast<std::size_t>(count++)] = point;
-    }
-    return count;
-}
-
 // The points below the margin, and those that the rest of the step closes.
 void find_points(const Met& met, const Encounter& encounter, Manifold& manifold) {
     const double reach = approach(met.a, met.b, manifold.normal, met.rest);
-    if (reach > encounter.margin) {
-        collide(met.a.shape, met.a.start, met.b.shape, met.b.start, encounter.margin + reach, manifold);
-        manifold.count = keep_points(met, manifold, [&](const ContactPoint& point, double closed) {
-            return point.gap < encounter.margin + std::max(0.0, closed);
-        });
-    }
+    if (reach <= encounter.margin) return;
+    collide(met.a.shape, met.a.start, met.b.shape, met.b.start, encounter.margin + reach, manifold);
+    const auto stays_open = [&](const ContactPoint& point) {
+        const double closed = met.rest * met.closing(point.position, manifold.normal);
+        return !(point.gap < encounter.margin + std::max(0.0, closed));
+    };
+    manifold.count -= static_cast<int>(std::ranges::remove_if(manifold.points(), stays_open).size());
 }
 
 // Of many points those that may carry the bodies in this step.

@@ -47,12 +47,6 @@ bool closes(const Touch& touch, const StepScene& step) {
     });
 }
 
-const ContactPoint& nearest_to(const Vector3& where, std::span<const ContactPoint> points) {
-    return *std::min_element(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
-        return (p.position - where).squaredNorm() < (q.position - where).squaredNorm();
-    });
-}
-
 // Whether `holder` keeps `body` from coming closer along `out`, its normal away from the body, to the other body of
 // `touch` than is permitted.
 bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch, const StepScene& step) {
@@ -67,7 +61,8 @@ bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch
         return false;
     }
     const Vector3& where = touch.points.front().position;
-    const ContactPoint& point = nearest_to(where, holder.points);
+    const auto distance = [&](const ContactPoint& own) { return (own.position - where).squaredNorm(); };
+    const ContactPoint& point = *std::ranges::min_element(holder.points, {}, distance);
     const double free = std::max(point.gap, 0.0);
     const int other = holder.body_a == body ? holder.body_b : holder.body_a;
     const bool gives_way = !step.bodies[static_cast<std::size_t>(other)].is_static();

@@ -3,7 +3,6 @@
 #include "engine/bodies/awake.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -213,13 +212,17 @@ Jacobian unit_axis(const SystemEquation& system, const ConstraintRow& row, doubl
 
 namespace {
 
-// Writes diagonals, digests and right-hand sides of the rows from `first` on, in as many columns as b has. Returns
-// whether any has a single-frame correction.
-bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
-    const bool two_columns = system.column_count() == 2;
-    std::atomic<bool> any_corrects = false;
+// Diagonals, digests and right-hand sides of the rows from `first` on; those before have theirs.
+void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
+                      Threads* threads) {
+    system.rows = rows;
+    size_rows(system);
+    const bool had_one = first > 0 && system.column_count() == 1;
+    const bool two_columns =
+        (first > 0 && !had_one) || !system.detours.empty() || std::ranges::any_of(rows.subspan(first), corrects);
+    system.b.conservativeResize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
+    if (had_one && two_columns) system.b.col(1) = system.b.col(0);
     share(threads, rows.size() - first, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-        bool some_correct = false;
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
@@ -230,35 +233,8 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
             if (two_columns && !system.detours.empty())
                 system.b(index, 0) -= acceleration_along(system, j, system.detours);
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - free;
-            some_correct = some_correct || corrects(row);
         }
-        if (some_correct) any_corrects.store(true, std::memory_order_relaxed);
     });
-    return any_corrects;
-}
-
-// Starts with the column count of the last step and corrects it if the rows need another: a single pass in nearly
-// all steps.
-void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
-                      Threads* threads) {
-    system.rows = rows;
-    size_rows(system);
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    const Eigen::Index before = std::max<Eigen::Index>(1, system.column_count());
-    if (first == 0) {
-        system.b.resize(count, before);
-    } else {
-        system.b.conservativeResize(count, before);
-    }
-    const bool two_columns =
-        write_rows(rows, first, system, threads) || !system.detours.empty() || (first > 0 && before == 2);
-    if (two_columns && before == 1) {
-        system.b.conservativeResize(count, 2);
-        system.b.col(1) = system.b.col(0);
-        write_rows(rows, first, system, threads);
-    } else if (!two_columns && before == 2) {
-        system.b.conservativeResize(count, 1);
-    }
 }
 
 }  // namespace

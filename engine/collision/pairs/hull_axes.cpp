@@ -5,9 +5,7 @@ namespace pushfactor::engine::collision {
 namespace {
 
 const Vector3& support_vertex(const Hull& hull, const Vector3& direction) {
-    return *std::max_element(hull.vertices.begin(), hull.vertices.end(), [&](const Vector3& p, const Vector3& q) {
-        return direction.dot(p) < direction.dot(q);
-    });
+    return *std::ranges::max_element(hull.vertices, {}, [&](const Vector3& p) { return direction.dot(p); });
 }
 
 // The largest of n . w over the unit vectors n of the arc between the normals of an edge's faces. Inside the arc n
