@@ -12,24 +12,12 @@ namespace {
 
 // `result` holds the values of the last step, or zero; bodies with equal moments keep them.
 void find_inverse_mass(const Body& body, InverseMass& result) {
-    if (body.is_static()) {
-        if (result.linear > 0.0) result = {};
-        return;
-    }
     const Vector3& moments = body.inverse_inertia;
     const bool turns_alike = moments.x() == moments.y() && moments.y() == moments.z();
-    const bool as_before = turns_alike && result.turns_alike && result.linear == body.inverse_mass &&
-                           result.angular(0, 0) == moments.x();
-    if (as_before) return;
-    result.turns_alike = turns_alike;
+    if (turns_alike && result.linear == body.inverse_mass && result.angular.diagonal() == moments) return;
     result.linear = body.inverse_mass;
     result.linear_root = std::sqrt(body.inverse_mass);
-    if (turns_alike) {
-        result.angular = moments.asDiagonal();
-        result.angular_root = moments.cwiseSqrt().asDiagonal();
-        return;
-    }
-    const Matrix3 rotation = body.orientation.toRotationMatrix();
+    const Matrix3 rotation = turns_alike ? Matrix3(Matrix3::Identity()) : body.orientation.toRotationMatrix();
     result.angular = rotation * moments.asDiagonal() * rotation.transpose();
     result.angular_root = rotation * moments.cwiseSqrt().asDiagonal();
 }
@@ -117,36 +105,15 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-// Of kinds that few scenes have, apart so that the others do not pay for them.
-[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
-    const int soft = row.softness > 0.0 ? RowDigest::soft : 0;
-    switch (row.label.kind) {
-        case RowKind::joint:
-            return RowDigest::joins | soft;
-        case RowKind::motor:
-            return (row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0) | soft;
-        case RowKind::spring:
-        case RowKind::limit:
-        case RowKind::contact:
-        case RowKind::friction:
-        case RowKind::distance:
-            break;
-    }
-    return soft;
-}
-
 [[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction) {
-        if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
-    } else if (row.label.kind > RowKind::distance) {
-        traits |= traits_of_kind(row, system.carried_by(j));
-    } else if (row.softness > 0.0) {
-        traits |= RowDigest::soft;
-    }
+    if (row.softness > 0.0) traits |= RowDigest::soft;
+    if (row.label.kind == RowKind::joint) traits |= RowDigest::joins;
+    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
+    if (may_drive && (row.push.lasting != 0.0 || system.carried_by(j) != 0.0)) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.

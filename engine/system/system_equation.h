@@ -37,7 +37,6 @@ struct InverseMass {
     double linear_root = 0.0;                // square root of `linear`
     Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
-    bool turns_alike = false;                // equal moments: independent of the orientation
 };
 
 // Properties of a row that every step reads, in a compact array of their own: a cache line holds four of them,
