@@ -152,10 +152,11 @@ void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, c
     }
 }
 
-// Appends the contacts of the touches in the given order.
+// Appends the contacts of the touches in the given order, whose rows begin with `row`: per contact one normal row,
+// then two friction rows; or all friction rows after all normal rows.
 std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::span<const collision::Touch> touches,
                                                                         std::span<const ContactIndex> order,
-                                                                        Threads* threads) {
+                                                                        int row) {
     std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
     for (const collision::Touch& touch : touches) {
@@ -164,35 +165,22 @@ std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::spa
     }
     forces_.resize(force);  // zero if not cached
 
-    const std::size_t before = contacts_.size();
-    contacts_.resize(before + order.size());
-    const std::span<Contact> added = std::span(contacts_).subspan(before);
-    share(threads, order.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto touch = static_cast<std::size_t>(order[i].touch);
-            added[i].touch = &touches[touch];
-            added[i].point = order[i].point;
-            added[i].force = first_force_[touch] + static_cast<std::size_t>(order[i].point);
-        }
-    });
-    return added;
-}
-
-// Per contact one normal row, then two friction rows; or all friction rows after all normal rows.
-void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t first_row) {
-    const int foreign_rows = static_cast<int>(first_row) - own_rows_;
     const bool interleaved = choices_.order != RowOrder::normals_first;
-    const int normals = friction_ && interleaved ? 3 : 1;
-    int normal = static_cast<int>(first_row);
-    int friction = interleaved ? normal + 1 : normal + static_cast<int>(contacts.size());
-    for (Contact& contact : contacts) {
+    const int count = static_cast<int>(order.size()), foreign_rows = row - own_rows_;
+    int friction = interleaved ? row + 1 : row + count;
+    for (const ContactIndex& index : order) {
+        Contact& contact = contacts_.emplace_back();
+        contact.touch = &touches[at(index.touch)];
+        contact.point = index.point;
+        contact.force = first_force_[at(index.touch)] + at(index.point);
         contact.foreign_rows = foreign_rows;
-        contact.normal_row = normal;
+        contact.normal_row = row;
         contact.friction_row = friction_ ? friction : -1;
-        normal += normals;
+        row += friction_ && interleaved ? 3 : 1;
         friction += interleaved ? 3 : 2;
     }
-    own_rows_ += static_cast<int>(contacts.size()) * (friction_ ? 3 : 1);
+    own_rows_ += count * (friction_ ? 3 : 1);
+    return std::span(contacts_).last(order.size());
 }
 
 void ContactConstraints::find_motions(const StepStart& step) {
@@ -222,10 +210,8 @@ void ContactConstraints::find_motions(const StepStart& step) {
 
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
                                         const StepStart& step, std::span<const Motion> paths, RowList& rows) {
-    const std::span<const ContactIndex> in_order =
-        order.put(choices_.order, touches, step.bodies, step.up, step.threads);
-    const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
-    number_rows(contacts, rows.size());
+    const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.up);
+    const std::span<Contact> contacts = add_contacts(touches, in_order, static_cast<int>(rows.size()));
     const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
     share(step.threads, contacts.size(), contacts_of_a_part,
           [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, paths, all); });

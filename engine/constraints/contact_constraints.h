@@ -131,8 +131,7 @@ class ContactConstraints : public ConstraintSource {
     void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
                         std::span<const Motion> paths, RowList& rows);
     std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
-                                    Threads* threads);
-    void number_rows(std::span<Contact> contacts, std::size_t first_row);
+                                    int row);
     void find_motions(const StepStart& step);
     void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
                     std::span<const Motion> paths, std::span<ConstraintRow> rows) const;
