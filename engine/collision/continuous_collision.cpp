@@ -83,18 +83,10 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
     if (first.restitution > 0.0) return false;
-    const Moving a = scene.moving(first.pair.a), b = scene.moving(first.pair.b);
-    const double dt = scene.motions->dt;
     touch = first;
-    touch.time = dt;
+    touch.time = scene.motions->dt;
     touch.ends_deep = true;
-    const Encounter encounter{.dt = dt,
-                              .size = touch.size,
-                              .margin = scene.detection.margin * touch.size,
-                              .pushes = true,
-                              .after_a = scene.motions->after[static_cast<std::size_t>(touch.body_a)],
-                              .after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)]};
-    const bool meets = contact_at(a, b, encounter, dt, manifold_);
+    const bool meets = contact_at_end(scene, touch, manifold_);
     touch.normal = manifold_.normal;
     return meets &&
            manifold_.separation < std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -

@@ -32,24 +32,13 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
 
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) {
     name_touch(pair, scene, touch);
-    const auto body_a = static_cast<std::size_t>(touch.body_a), body_b = static_cast<std::size_t>(touch.body_b);
-    const double margin = scene.detection.margin * touch.size;
     if (scene.motions) {
-        // Without a margin there are contacts of now alone, as in the paper.
-        const Encounter encounter{
-            .dt = margin > 0.0 ? scene.motions->dt : 0.0,
-            .size = touch.size,
-            .margin = margin,
-            .strayed = scene.motions->has_strayed(touch.body_a) || scene.motions->has_strayed(touch.body_b),
-            .least_directions = scene.detection.reduce_to_four_points ? 4 : 8,
-            .before_a = scene.motions->before[body_a],
-            .before_b = scene.motions->before[body_b],
-            .after_a = scene.motions->after[body_a],
-            .after_b = scene.motions->after[body_b]};
-        if (!meet(scene.moving(pair.a), scene.moving(pair.b), encounter, manifold, touch.time)) return false;
+        if (!meet(scene, touch, manifold)) return false;
     } else {
-        collide(scene.colliders[static_cast<std::size_t>(pair.a)].shape, scene.poses[body_a],
-                scene.colliders[static_cast<std::size_t>(pair.b)].shape, scene.poses[body_b], margin, manifold);
+        const auto &a = scene.colliders[static_cast<std::size_t>(pair.a)],
+                   &b = scene.colliders[static_cast<std::size_t>(pair.b)];
+        collide(a.shape, scene.poses[static_cast<std::size_t>(a.body)], b.shape,
+                scene.poses[static_cast<std::size_t>(b.body)], scene.detection.margin * touch.size, manifold);
         if (manifold.count == 0) return false;
     }
     touch.normal = manifold.normal;
