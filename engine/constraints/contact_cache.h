@@ -51,19 +51,14 @@ class ContactCache {
     std::span<const Entry> entries() const { return entries_; }
     std::span<const Point> points() const { return points_; }
 
-    // Moves the entries of `from` whose pairs satisfy `belongs` into this cache.
-    template <typename Belongs>
-    void take_from(ContactCache& from, const Belongs& belongs) {
-        ContactCache left, mine;
-        auto own = entries_.begin();
-        for (const Entry& entry : from.entries_) {
-            const bool moves = belongs(entry.pair);
-            for (; moves && own != entries_.end() && own->pair < entry.pair; ++own) mine.add(own->pair, of(*own));
-            (moves ? mine : left).add(entry.pair, from.of(entry));
+    // Calls `visit(pair, points)` for the entries of two caches that have no pair in common, in ascending order.
+    template <typename Visit>
+    static void each_of_both(const ContactCache& a, const ContactCache& b, const Visit& visit) {
+        for (auto p = a.entries_.begin(), q = b.entries_.begin(); p != a.entries_.end() || q != b.entries_.end();) {
+            const bool of_a = q == b.entries_.end() || (p != a.entries_.end() && p->pair < q->pair);
+            const Entry& entry = of_a ? *p++ : *q++;
+            visit(entry.pair, (of_a ? a : b).of(entry));
         }
-        for (; own != entries_.end(); ++own) mine.add(own->pair, of(*own));
-        *this = std::move(mine);
-        from = std::move(left);
     }
 
     std::span<const Point> of(const Entry& entry) const {
