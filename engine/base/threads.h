@@ -1,5 +1,6 @@
 // Threads that share the work of a step. Every result has its own place and every sum a fixed order, so results
-// are bit-identical for any number of threads. The only file in the engine that uses oneTBB.
+// are bit-identical for any number of threads. Where functions take `Threads*` these share their work; null is one
+// thread. The only file in the engine that uses oneTBB.
 #pragma once
 
 #include <algorithm>

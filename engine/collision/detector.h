@@ -120,8 +120,7 @@ class Detector {
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const StepMotions* motions = nullptr);
 
-    // The same without touches between colliders that are static or not `awake`. `threads` share the work;
-    // null: one thread.
+    // The same without touches between colliders that are static or not `awake`.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const StepMotions* motions, const AwakeColliders& awake,
                                Threads* threads = nullptr);

@@ -86,8 +86,7 @@ struct SystemEquation {
 };
 
 // Writes 6.2.9 for the bodies, with their forces, and the rows into `system`, whose memory is reused. `rows` must
-// outlive its use. Only bodies in `awake` (ascending) take part, or all; the others count as static. `threads`
-// share the work; null: one thread.
+// outlive its use. Only bodies in `awake` (ascending) take part, or all; the others count as static.
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
                   double dt, SystemEquation& system, Threads* threads = nullptr);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,
