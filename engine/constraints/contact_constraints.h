@@ -10,7 +10,6 @@
 #include "engine/constraints/contact_order.h"
 #include "engine/constraints/contact_row.h"
 #include "engine/constraints/friction_row.h"
-#include "engine/constraints/restitution.h"
 
 #include <array>
 #include <deque>

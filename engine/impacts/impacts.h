@@ -15,7 +15,7 @@
 // contacts, as everything is that rests.
 //
 // Deviations: 8.2 adds the rebound to the push of the row, so that all impacts of a step are one (`paper` does
-// that, restitution.h).
+// that, contact_row.h).
 #pragma once
 
 #include "engine/base/index.h"

@@ -1,7 +1,6 @@
 // Elastic collisions, paper section 8.2, and the lasting push: a conveyor (8.1, "constant speed motors").
-#include "engine/constraints/restitution.h"
-
 #include "engine/constraints/contact_constraints.h"
+#include "engine/constraints/contact_row.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
 #include "engine/world.h"
