@@ -1,6 +1,7 @@
 #include "engine/energy_account.h"
 
 #include "engine/bodies/diagnostics.h"
+#include "engine/impacts/impacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -36,7 +36,6 @@ class EnergyAccount {
     double gain() const { return gain_; }
     // J, of all steps: forces other than gravity, belts, motors, moved bodies.
     double external_work() const { return external_; }
-    double push_work() const { return push_; }  // J, of all steps, for removing overlaps of the start
 
   private:
     // Remaining overlap of a pair that overlapped at the start.
@@ -57,7 +56,8 @@ class EnergyAccount {
     std::map<Bodies, Overlap> overlaps_;
     bool noted_ = false;   // overlaps of the start are recorded
     double latest_ = 0.0;  // J, energy() after the last step
-    double start_ = 0.0, external_ = 0.0, push_ = 0.0, gain_ = 0.0;
+    double start_ = 0.0, external_ = 0.0, gain_ = 0.0;
+    double push_ = 0.0;  // J, work of all steps for removing overlaps of the start
 };
 
 }  // namespace pushfactor::engine

@@ -6,6 +6,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/constraints/carried.h"
+#include "engine/impacts/impacts.h"
 
 #include <cassert>
 
@@ -40,6 +41,11 @@ void keep_for_step(double from, double dt, RowList& rows) {
 }
 
 }  // namespace
+
+World::World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
 
 StepCount World::step(double dt, PhaseObserver* observer) {
     assert(dt > 0.0);

@@ -6,7 +6,6 @@
 #include "engine/bodies/path.h"
 #include "engine/constraints/constraint_source.h"
 #include "engine/forces/force_source.h"
-#include "engine/impacts/impacts.h"
 #include "engine/solvers/solver.h"
 #include "engine/step/rest.h"
 #include "engine/step/step_count.h"
@@ -21,6 +20,8 @@
 
 namespace pushfactor::engine {
 
+class Impacts;  // declared only: most scenes know nothing of collisions
+
 enum class Phase { forces, rows, system, solve, remember, integrate };
 
 // Observer of the phases of a step, for counting or timing.
@@ -32,6 +33,11 @@ class PhaseObserver {
 
 class World {
   public:
+    World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
     // Parts of the world, all optional; a world without constraints needs no solver.
     std::vector<Body> bodies;
     std::vector<std::unique_ptr<ForceSource>> forces;

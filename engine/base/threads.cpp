@@ -69,24 +69,10 @@ void Team::wait_for_all() {
     if (size_ > 1) meeting_->wait_for(size_, looks_of_a_team);
 }
 
-// Runs the parallel region in a TBB arena. oneTBB already orders writes before a task with reads inside it, and
-// its results with reads afterwards; `begun` and `ended` repeat that for the thread sanitizer, which cannot see
-// into the library.
+// oneTBB already orders writes before a task with reads inside it, and its results with reads afterwards; `begun`
+// and `ended` repeat that for the thread sanitizer, which cannot see into the library.
 struct Threads::Arena {
     explicit Arena(int count) : of_tbb(count) {}
-
-    template <typename Work>
-    void execute(const Work& work) {
-        begun.fetch_add(1, std::memory_order_release);
-        of_tbb.execute(work);
-        ended.load(std::memory_order_acquire);
-    }
-    template <typename Work>
-    void as_task(const Work& work) {
-        begun.load(std::memory_order_acquire);
-        work();
-        ended.fetch_add(1, std::memory_order_release);
-    }
 
     tbb::task_arena of_tbb;
     std::atomic<unsigned> begun = 0, ended = 0;
@@ -207,24 +193,29 @@ bool Threads::work_in_crew(const std::function<void()>& work) {
     const auto leader = std::this_thread::get_id();
     bool led = false;
     std::exception_ptr failure;
-    const auto come = [&](int) {
-        arena_->as_task([&] {
-            if (std::this_thread::get_id() != leader || led) {
-                crew.help();
-                return;
-            }
-            led = true;
-            try {
-                crew_ = &crew;
-                work();
-            } catch (...) {
-                failure = std::current_exception();
-            }
-            crew_ = nullptr;
-            crew.dismiss();
-        });
+    const auto lead = [&] {
+        led = true;
+        try {
+            crew_ = &crew;
+            work();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        crew_ = nullptr;
+        crew.dismiss();
     };
-    arena_->execute([&] { tbb::parallel_for(0, count_, come, tbb::simple_partitioner()); });
+    const auto come = [&](int) {
+        arena_->begun.load(std::memory_order_acquire);
+        if (std::this_thread::get_id() != leader || led) {
+            crew.help();
+        } else {
+            lead();
+        }
+        arena_->ended.fetch_add(1, std::memory_order_release);
+    };
+    arena_->begun.fetch_add(1, std::memory_order_release);
+    arena_->of_tbb.execute([&] { tbb::parallel_for(0, count_, come, tbb::simple_partitioner()); });
+    arena_->ended.load(std::memory_order_acquire);
     if (failure) std::rethrow_exception(failure);
     return crew.meeting.stalled.load(std::memory_order_relaxed);
 }

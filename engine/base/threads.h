@@ -1,5 +1,6 @@
 // Threads that share the work of a step. Every result has its own place and every sum a fixed order, so results
-// are bit-identical for any number of threads. The only file in the engine that uses oneTBB.
+// are bit-identical for any number of threads. Where functions take `Threads*` these share their work; null is one
+// thread. The only file in the engine that uses oneTBB.
 #pragma once
 
 #include <algorithm>
@@ -131,32 +132,5 @@ class Search {
   private:
     std::vector<std::vector<T>> found_;  // by part
 };
-
-// std::sort for elements of which no two are equal.
-template <typename T, typename Before>
-void sort_distinct(Threads* threads, std::span<T> all, const Before& before) {
-    constexpr std::size_t worth_it = 2000;
-    const auto part = [&all](std::size_t k, std::size_t parts) {
-        return all.begin() + static_cast<std::ptrdiff_t>(k * all.size() / parts);
-    };
-    if (!threads || threads->count() == 1 || all.size() < worth_it) {
-        std::sort(all.begin(), all.end(), before);
-        return;
-    }
-    std::size_t parts = 1;
-    while (parts < static_cast<std::size_t>(threads->count())) parts *= 2;
-    share(threads, parts, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) std::sort(part(k, parts), part(k + 1, parts), before);
-    });
-    for (std::size_t width = 1; width < parts; width *= 2) {
-        share(threads, parts / (2 * width), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::size_t first = 2 * width * k;
-                std::inplace_merge(part(first, parts), part(first + width, parts), part(first + 2 * width, parts),
-                                   before);
-            }
-        });
-    }
-}
 
 }  // namespace pushfactor::engine

@@ -25,10 +25,6 @@ void require_mass(double mass) {
     require_within("mass_kg", mass, least_mass, greatest_mass);
 }
 
-void require_length(const char* field, double length) {
-    require_within(field, length, least_length, greatest_length);
-}
-
 Body movable_body(double mass, const Vector3& inertia, const Vector3& position, const Quaternion& orientation) {
     Body body = static_body(position, orientation);
     body.inverse_mass = 1.0 / mass;
@@ -47,7 +43,7 @@ Body static_body(const Vector3& position, const Quaternion& orientation) {
 
 Body box_body(double mass, const Vector3& size, const Vector3& position, const Quaternion& orientation) {
     require_mass(mass);
-    for (int axis = 0; axis < 3; ++axis) require_length("size_m", size[axis]);
+    for (int axis = 0; axis < 3; ++axis) require_within("size_m", size[axis], least_length, greatest_length);
 
     const Vector3 squared = size.cwiseProduct(size);
     const Vector3 inertia = (mass / 12.0) * (Vector3::Constant(squared.sum()) - squared);
@@ -56,7 +52,7 @@ Body box_body(double mass, const Vector3& size, const Vector3& position, const Q
 
 Body ball_body(double mass, double radius, const Vector3& position, const Quaternion& orientation) {
     require_mass(mass);
-    require_length("radius_m", radius);
+    require_within("radius_m", radius, least_length, greatest_length);
     return movable_body(mass, Vector3::Constant(0.4 * mass * radius * radius), position, orientation);
 }
 

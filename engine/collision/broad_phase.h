@@ -56,7 +56,7 @@ class BroadPhase {
     // size) now or, with `step`, along their free motions. Never two colliders of one body, never two that are
     // static or not `awake`: their rows could move nothing. Non-finite boxes make no pairs. `poses` are those of
     // the bodies. Only the colliders `moved` (ascending) are updated; the others are where they were in the last
-    // call. `threads` share the work; null: one thread.
+    // call.
     std::span<const Pair> find_pairs(std::span<const Collider> colliders, std::span<const Body> bodies,
                                      std::span<const Pose> poses, double margin, const StepMotions* step,
                                      const Awake& awake, std::span<const int> moved, Threads* threads = nullptr);

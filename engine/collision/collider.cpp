@@ -4,16 +4,6 @@
 
 namespace pushfactor::engine::collision {
 
-namespace {
-
-Vector3 half_extents_of(const Hull& hull, const Matrix3& rotation) {
-    Vector3 reach = Vector3::Zero();
-    for (const Vector3& vertex : hull.vertices) reach = reach.cwiseMax((rotation * vertex).cwiseAbs());
-    return reach;
-}
-
-}  // namespace
-
 Pose pose_of(const Body& body) {
     return {body.position, body.orientation.toRotationMatrix()};
 }
@@ -35,8 +25,11 @@ Vector3 half_extents(const Shape& shape, const Matrix3& rotation) {
     return std::visit(Overloaded{[&](const Box& box) -> Vector3 { return rotation.cwiseAbs() * box.half_size; },
                                  [](const Sphere& sphere) -> Vector3 { return Vector3::Constant(sphere.radius); },
                                  [](const Plane&) -> Vector3 { return Vector3::Constant(infinity); },
-                                 [&](const Polyhedron& polyhedron) -> Vector3 {
-                                     return half_extents_of(polyhedron.mesh->hull(), rotation);
+                                 [&](const Polyhedron& polyhedron) {
+                                     Vector3 reach = Vector3::Zero();
+                                     for (const Vector3& vertex : polyhedron.mesh->hull().vertices)
+                                         reach = reach.cwiseMax((rotation * vertex).cwiseAbs());
+                                     return reach;
                                  }},
                       shape);
 }
@@ -56,18 +49,6 @@ double squared_turning_radius(const Shape& shape) {
     return std::visit(Overloaded{[](const Box& box) { return box.half_size.squaredNorm(); },
                                  [](const Sphere&) { return 0.0; }, [](const Plane&) { return 0.0; },
                                  [](const Polyhedron& polyhedron) { return polyhedron.mesh->squared_radius(); }},
-                      shape);
-}
-
-bool turns_in_itself(const Shape& shape) {
-    return std::visit(Overloaded{[](const Box&) { return false; }, [](const Sphere&) { return true; },
-                                 [](const Plane&) { return false; }, [](const Polyhedron&) { return false; }},
-                      shape);
-}
-
-bool is_finite(const Shape& shape) {
-    return std::visit(Overloaded{[](const Box&) { return true; }, [](const Sphere&) { return true; },
-                                 [](const Plane&) { return false; }, [](const Polyhedron&) { return true; }},
                       shape);
 }
 

@@ -23,7 +23,6 @@ struct Sphere {
 // for static bodies.
 struct Plane {};
 
-// The order of the alternatives is the order of the pair table.
 using Shape = std::variant<Box, Sphere, Plane, Polyhedron>;
 
 struct Collider {
@@ -58,13 +57,17 @@ Vector3 half_extents(const Shape& shape, const Matrix3& rotation);
 double reach_along(const Shape& shape, const Matrix3& rotation, const Vector3& direction);
 
 // Squared distance from the centre to the farthest point that turning moves [m^2]; zero for spheres, whose surface
-// turning does not change, and for planes, which turn only if moved (foresight.h: path_of_moved).
+// turning does not change, and for planes, which turn only if moved.
 double squared_turning_radius(const Shape& shape);
 
 // Whether the shape is invariant under rotation about its centre.
-bool turns_in_itself(const Shape& shape);
+inline bool turns_in_itself(const Shape& shape) {
+    return std::holds_alternative<Sphere>(shape);
+}
 
 // Whether the shape is bounded.
-bool is_finite(const Shape& shape);
+inline bool is_finite(const Shape& shape) {
+    return !std::holds_alternative<Plane>(shape);
+}
 
 }  // namespace pushfactor::engine::collision

@@ -2,7 +2,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +31,6 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     return path_of(collider.shape, motion.velocity.norm(), turning, dt) > limit;
 }
 
-double smallest_gap(std::span<const ContactPoint> points) {
-    double gap = infinity;
-    for (const ContactPoint& point : points) gap = std::min(gap, point.gap);
-    return gap;
-}
-
 // How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m].
 double depth_at_end(const Touch& touch, const StepScene& scene) {
     const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
@@ -50,31 +44,11 @@ double depth_at_end(const Touch& touch, const StepScene& scene) {
     return depth;
 }
 
-bool comes_before(const Touch& touch, const Pair& pair) {
-    return touch.pair < pair;
-}
-bool comes_first(const Touch& a, const Touch& b) {
-    return a.pair < b.pair;
-}
-
-Moving moving(int collider, const StepScene& scene) {
-    const Collider& own = scene.colliders[static_cast<std::size_t>(collider)];
-    return {own.shape, scene.poses[static_cast<std::size_t>(own.body)], scene.motions->path_of(own.body)};
-}
-
 }  // namespace
 
 void ContinuousCollision::begin(std::span<const Touch> touches) {
     known_ = touches;
     found_.clear();
-    points_in_use_ = 0;
-}
-
-std::span<const ContactPoint> ContinuousCollision::keep(std::span<const ContactPoint> points) {
-    if (points_in_use_ == points_.size()) points_.emplace_back();
-    std::vector<ContactPoint>& kept = points_[points_in_use_++];
-    kept.assign(points.begin(), points.end());
-    return kept;
 }
 
 // Puts the boxes of the thrown ones along their new motion.
@@ -99,7 +73,7 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
 
 const Touch* ContinuousCollision::known(const Pair& pair) const {
     for (const std::span<const Touch> touches : {known_, std::span<const Touch>(found_)}) {
-        const auto touch = std::lower_bound(touches.begin(), touches.end(), pair, comes_before);
+        const auto touch = std::ranges::lower_bound(touches, pair, {}, &Touch::pair);
         if (touch != touches.end() && touch->pair == pair) return &*touch;
     }
     return nullptr;
@@ -109,21 +83,14 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
     if (first.restitution > 0.0) return false;
-    const Moving a = moving(first.pair.a, scene), b = moving(first.pair.b, scene);
-    const double dt = scene.motions->dt;
     touch = first;
-    touch.time = dt;
+    touch.time = scene.motions->dt;
     touch.ends_deep = true;
-    const Encounter encounter{.dt = dt,
-                              .size = touch.size,
-                              .margin = scene.detection.margin * touch.size,
-                              .pushes = true,
-                              .after_a = scene.motions->after[static_cast<std::size_t>(touch.body_a)],
-                              .after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)]};
-    const bool meets = contact_at(a, b, encounter, dt, manifold_);
+    const bool meets = contact_at_end(scene, touch, manifold_);
     touch.normal = manifold_.normal;
-    return meets && manifold_.separation <
-                        std::min(0.0, smallest_gap(first.points)) - constants::collision::deep * touch.size;
+    return meets &&
+           manifold_.separation < std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
+                                      constants::collision::deep * touch.size;
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,
@@ -139,13 +106,12 @@ std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::sp
                   : find_touch(pair, scene, manifold_, touch) &&
                         depth_at_end(touch, scene) > constants::collision::deep_without_rows * touch.size;
         if (!matters) continue;
-        touch.points = keep(manifold_.points());
+        touch.points = scene.kept->keep(manifold_.points());
         unforeseen_.push_back(touch);
     }
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
-        touch.points = keep(touch.points);  // seams may have new ones
-        found_.insert(std::upper_bound(found_.begin(), found_.end(), touch, comes_first), touch);
+        found_.insert(std::ranges::upper_bound(found_, touch.pair, {}, &Touch::pair), touch);
     }
     return unforeseen_;
 }

@@ -34,14 +34,11 @@ class ContinuousCollision {
                     std::span<const int> awake, BroadPhase& broad_phase);
     const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
     bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);
-    std::span<const ContactPoint> keep(std::span<const ContactPoint> points);  // until the step ends
 
     std::vector<bool> thrown_;  // by collider
     std::span<const Touch> known_;
     std::vector<Touch> found_;       // the first ones of pairs that look() has found in the step, ascending
     std::vector<Touch> unforeseen_;  // of the last look()
-    std::vector<std::vector<ContactPoint>> points_;  // of touches found in this step, and others for reuse
-    std::size_t points_in_use_ = 0;
     Seams seams_;
     Manifold manifold_;  // scratch
 };

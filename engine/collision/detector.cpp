@@ -1,7 +1,7 @@
 #include "engine/collision/detector.h"
 
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,6 @@
 namespace pushfactor::engine::collision {
 
 namespace {
-
-double size_of_pair(const Collider& a, const Body& body_a, const Collider& b, const Body& body_b) {
-    const double size_a = body_a.is_static() ? infinity : size_of(a.shape);
-    const double size_b = body_b.is_static() ? infinity : size_of(b.shape);
-    return std::min(size_a, size_b);
-}
 
 // Work items per thread task.
 constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
@@ -27,8 +21,10 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
     touch.pair = pair;
     touch.body_a = a.body;
     touch.body_b = b.body;
-    touch.size = size_of_pair(a, scene.bodies[static_cast<std::size_t>(a.body)], b,
-                              scene.bodies[static_cast<std::size_t>(b.body)]);
+    const auto size = [&](const Collider& own) {
+        return scene.bodies[static_cast<std::size_t>(own.body)].is_static() ? infinity : size_of(own.shape);
+    };
+    touch.size = std::min(size(a), size(b));
     touch.friction = std::sqrt(a.friction * b.friction);
     touch.restitution = std::max(a.restitution, b.restitution);
     if (scene.detection.materials) scene.detection.materials->put(a.material, b.material, touch);
@@ -36,33 +32,18 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch) {
 
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) {
     name_touch(pair, scene, touch);
-    const auto body_a = static_cast<std::size_t>(touch.body_a), body_b = static_cast<std::size_t>(touch.body_b);
-    const Shape& shape_a = scene.colliders[static_cast<std::size_t>(pair.a)].shape;
-    const Shape& shape_b = scene.colliders[static_cast<std::size_t>(pair.b)].shape;
-    const double margin = scene.detection.margin * touch.size;
     if (scene.motions) {
-        // Without a margin there are contacts of now alone, as in the paper.
-        const Encounter encounter{
-            .dt = margin > 0.0 ? scene.motions->dt : 0.0,
-            .size = touch.size,
-            .margin = margin,
-            .strayed = scene.motions->has_strayed(touch.body_a) || scene.motions->has_strayed(touch.body_b),
-            .least_directions = scene.detection.reduce_to_four_points ? 4 : 8,
-            .before_a = scene.motions->before[body_a],
-            .before_b = scene.motions->before[body_b],
-            .after_a = scene.motions->after[body_a],
-            .after_b = scene.motions->after[body_b]};
-        const bool meets =
-            meet({shape_a, scene.poses[body_a], scene.motions->paths[body_a]},
-                 {shape_b, scene.poses[body_b], scene.motions->paths[body_b]}, encounter, manifold, touch.time);
-        if (!meets) return false;
+        if (!meet(scene, touch, manifold)) return false;
     } else {
-        collide(shape_a, scene.poses[body_a], shape_b, scene.poses[body_b], margin, manifold);
+        const auto &a = scene.colliders[static_cast<std::size_t>(pair.a)],
+                   &b = scene.colliders[static_cast<std::size_t>(pair.b)];
+        collide(a.shape, scene.poses[static_cast<std::size_t>(a.body)], b.shape,
+                scene.poses[static_cast<std::size_t>(b.body)], scene.detection.margin * touch.size, manifold);
         if (manifold.count == 0) return false;
     }
     touch.normal = manifold.normal;
     touch.doubtful = manifold.other_gap + scene.detection.permitted * touch.size >= 0.0;
-    // Only the count is valid; the detector sets the span, once its points no longer grow.
+    // Those of the manifold, until it is used again.
     touch.points = manifold.points();
     return true;
 }
@@ -74,21 +55,9 @@ void MaterialPairs::put(int a, int b, Touch& touch) const {
     if (surface.restitution) touch.restitution = *surface.restitution;
 }
 
-bool MaterialPairs::any_friction() const {
+bool MaterialPairs::any(std::optional<double> Surface::*what) const {
     return std::any_of(surfaces_.begin(), surfaces_.end(),
-                       [](const Surface& surface) { return surface.friction.value_or(0.0) > 0.0; });
-}
-
-bool MaterialPairs::bounces(int material) const {
-    if (material < 0) return false;
-    const auto row = std::span(surfaces_).subspan(index(material, 0), materials_);
-    return std::any_of(row.begin(), row.end(),
-                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
-}
-
-bool MaterialPairs::any_bounces() const {
-    return std::any_of(surfaces_.begin(), surfaces_.end(),
-                       [](const Surface& surface) { return surface.restitution.value_or(0.0) > 0.0; });
+                       [what](const Surface& surface) { return (surface.*what).value_or(0.0) > 0.0; });
 }
 
 std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::span<const Body> bodies,
@@ -115,11 +84,14 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
         share_parts(threads, pairs.size(), pairs_of_a_part, [&](std::size_t k, std::size_t begin, std::size_t end) {
             find(scene, pairs.subspan(begin, end - begin), found_[k]);
         });
-    put_together(threads, parts);
+    touches_.clear();
+    for (const Found& found : std::span(found_).first(parts)) {
+        touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
+    }
     return touches_;
 }
 
-void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const {
+void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) {
     found.touches.clear();
     found.points.clear();
     for (const Pair& pair : pairs) {
@@ -130,41 +102,11 @@ void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& 
             found.touches.pop_back();
         }
     }
-}
-
-// Merges the first `parts` results in order.
-void Detector::put_together(Threads* threads, std::size_t parts) {
-    std::size_t touches = 0, points = 0;
-    for (Found& found : std::span(found_).first(parts)) {
-        found.first_touch = touches;
-        found.first_point = points;
-        touches += found.touches.size();
-        points += found.points.size();
+    std::span<const ContactPoint> left = found.points;
+    for (Touch& touch : found.touches) {
+        touch.points = left.first(touch.points.size());
+        left = left.subspan(touch.points.size());
     }
-    if (parts == 1) {
-        touches_.swap(found_.front().touches);
-        points_.swap(found_.front().points);
-    } else {
-        touches_.resize(touches);
-        points_.resize(points);
-    }
-    share(parts > 1 ? threads : nullptr, parts, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const Found& found = found_[k];
-            if (parts > 1) {
-                std::copy(found.touches.begin(), found.touches.end(),
-                          touches_.begin() + static_cast<std::ptrdiff_t>(found.first_touch));
-                std::copy(found.points.begin(), found.points.end(),
-                          points_.begin() + static_cast<std::ptrdiff_t>(found.first_point));
-            }
-            const std::size_t count = parts > 1 ? found.touches.size() : touches;
-            std::span<const ContactPoint> left = std::span(points_).subspan(found.first_point);
-            for (Touch& touch : std::span(touches_).subspan(found.first_touch, count)) {
-                touch.points = left.first(touch.points.size());
-                left = left.subspan(touch.points.size());
-            }
-        }
-    });
 }
 
 }  // namespace pushfactor::engine::collision

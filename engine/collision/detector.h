@@ -3,6 +3,7 @@
 
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
+#include "engine/collision/time_of_impact.h"
 
 #include <optional>
 #include <span>
@@ -47,9 +48,8 @@ class MaterialPairs {
     // Sets what is known of the pair; a negative number is no material.
     [[gnu::noinline]] void put(int a, int b, Touch& touch) const;
 
-    bool any_friction() const;
-    bool bounces(int material) const;  // with some other
-    bool any_bounces() const;
+    // Whether any pair has a value above zero.
+    bool any(std::optional<double> Surface::*what) const;
 
   private:
     std::size_t index(int a, int b) const {
@@ -68,6 +68,21 @@ struct Detection {
     const MaterialPairs* materials = nullptr;  // null: none
 };
 
+// Keeps points of touches until it is cleared.
+class PointStore {
+  public:
+    std::span<const ContactPoint> keep(std::span<const ContactPoint> points) {
+        if (in_use_ == kept_.size()) kept_.emplace_back();
+        kept_[in_use_].assign(points.begin(), points.end());
+        return kept_[in_use_++];
+    }
+    void clear() { in_use_ = 0; }
+
+  private:
+    std::vector<std::vector<ContactPoint>> kept_;  // and others for reuse
+    std::size_t in_use_ = 0;
+};
+
 // What a step detects in.
 struct StepScene {
     std::span<const Collider> colliders;
@@ -75,6 +90,12 @@ struct StepScene {
     std::span<const Pose> poses;  // by body
     const Detection& detection;
     const StepMotions* motions = nullptr;  // null: contacts of now, all points of their manifolds
+    PointStore* kept = nullptr;            // of touches that the detector has not found; until the step ends
+
+    Moving moving(int collider) const {
+        const Collider& own = colliders[static_cast<std::size_t>(collider)];
+        return {own.shape, poses[static_cast<std::size_t>(own.body)], motions->path_of(own.body)};
+    }
 };
 
 // Colliders and bodies that take part in a step if some rest.
@@ -99,8 +120,7 @@ class Detector {
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const StepMotions* motions = nullptr);
 
-    // The same without touches between colliders that are static or not `awake`. `threads` share the work;
-    // null: one thread.
+    // The same without touches between colliders that are static or not `awake`.
     std::vector<Touch>& detect(std::span<const Collider> colliders, std::span<const Body> bodies,
                                const Detection& detection, const StepMotions* motions, const AwakeColliders& awake,
                                Threads* threads = nullptr);
@@ -111,19 +131,16 @@ class Detector {
   private:
     // Results of one part of the pairs.
     struct Found {
-        std::vector<Touch> touches;  // with the right number of points, but not yet these points
-        std::vector<ContactPoint> points;
-        Manifold manifold;                             // scratch
-        std::size_t first_touch = 0, first_point = 0;  // offsets in the merged lists
+        std::vector<Touch> touches;
+        std::vector<ContactPoint> points;  // of these
+        Manifold manifold;                 // scratch
     };
-    void find(const StepScene& scene, std::span<const Pair> pairs, Found& found) const;
-    void put_together(Threads* threads, std::size_t parts);
+    static void find(const StepScene& scene, std::span<const Pair> pairs, Found& found);
 
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
     std::vector<Touch> touches_;
-    std::vector<ContactPoint> points_;  // of all touches, in order
-    std::vector<Found> found_;          // by part of the pairs
+    std::vector<Found> found_;  // by part of the pairs
 };
 
 }  // namespace pushfactor::engine::collision

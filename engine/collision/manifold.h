@@ -3,6 +3,7 @@
 
 #include "engine/base/math.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -31,6 +32,13 @@ struct Manifold {
     // Whether the points are corners of a rounded surface, of which those farther out lie higher; otherwise they
     // are in one plane.
     bool rounded = false;
+
+    // m, of its points and of `separation`.
+    double smallest_gap() const {
+        double gap = separation;
+        for (const ContactPoint& point : points()) gap = std::min(gap, point.gap);
+        return gap;
+    }
 
     Manifold() {}  // NOLINT(modernize-use-equals-default): the points stay uninitialised
     void add(const ContactPoint& point) { storage[static_cast<std::size_t>(count++)] = point; }

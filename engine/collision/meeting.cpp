@@ -1,7 +1,7 @@
 #include "engine/collision/meeting.h"
 
 #include "engine/base/constants.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <array>
@@ -14,75 +14,89 @@ namespace {
 // Directions of turning that are tried at most.
 constexpr int most_directions = 32;
 
-double smallest_gap(const Manifold& manifold) {
-    double gap = manifold.separation;
-    for (const ContactPoint& point : manifold.points()) gap = std::min(gap, point.gap);
-    return gap;
-}
-
-// A pair at the time of its meeting, and what is left of the step.
+// A pair at a time of the step, and what is left of it.
 struct Met {
+    const StepScene& scene;
+    const Touch& touch;
+    double margin;  // m
+    double rest;    // s
     Moving a, b;
-    double rest = 0.0;  // s
 
+    // By motions of all bodies, or on their paths [m/s].
+    double closing(std::span<const Motion> motions, const Vector3& point, const Vector3& normal) const {
+        return closing_speed(motions[static_cast<std::size_t>(touch.body_a)], a.start.position,
+                             motions[static_cast<std::size_t>(touch.body_b)], b.start.position, point, normal);
+    }
     double closing(const Vector3& point, const Vector3& normal) const {
         return closing_speed(a.motion, a.start.position, b.motion, b.start.position, point, normal);
     }
 };
 
-// Keeps the points of which `stays(point, closed)` holds, where `closed` [m] is what the rest of the step closes.
-// Returns how many there are.
-template <typename Stays>
-int keep_points(const Met& met, Manifold& manifold, const Stays& stays) {
-    int count = 0;
-    for (const ContactPoint& point : manifold.points()) {
-        if (!stays(point, met.rest * met.closing(point.position, manifold.normal))) continue;
-        manifold.storage[static_cast<std::size_t>(count++)] = point;
-    }
-    return count;
+// The time in which contacts are found [s]. Without a margin there are those of now alone, as in the paper.
+double time_ahead(const StepScene& scene) {
+    return scene.detection.margin > 0.0 ? scene.motions->dt : 0.0;
+}
+
+Met met_at(const StepScene& scene, const Touch& touch, double time, double margin) {
+    Met met{scene,
+            touch,
+            margin,
+            std::max(0.0, time_ahead(scene) - time),
+            scene.moving(touch.pair.a),
+            scene.moving(touch.pair.b)};
+    met.a.start = pose_at(met.a, time);
+    met.b.start = pose_at(met.b, time);
+    return met;
 }
 
 // The points below the margin, and those that the rest of the step closes.
-void find_points(const Met& met, const Encounter& encounter, Manifold& manifold) {
+void find_points(const Met& met, Manifold& manifold) {
     const double reach = approach(met.a, met.b, manifold.normal, met.rest);
-    if (reach > encounter.margin) {
-        collide(met.a.shape, met.a.start, met.b.shape, met.b.start, encounter.margin + reach, manifold);
-        manifold.count = keep_points(met, manifold, [&](const ContactPoint& point, double closed) {
-            return point.gap < encounter.margin + std::max(0.0, closed);
-        });
-    }
+    if (reach <= met.margin) return;
+    collide(met.a.shape, met.a.start, met.b.shape, met.b.start, met.margin + reach, manifold);
+    const auto stays_open = [&](const ContactPoint& point) {
+        const double closed = met.rest * met.closing(point.position, manifold.normal);
+        return !(point.gap < met.margin + std::max(0.0, closed));
+    };
+    manifold.count -= static_cast<int>(std::ranges::remove_if(manifold.points(), stays_open).size());
 }
 
 // Of many points those that may carry the bodies in this step.
-void choose_points(const Met& met, const Encounter& encounter, Manifold& manifold) {
+void choose_points(const Met& met, Manifold& manifold) {
     if (manifold.count <= 4) return;
+    const bool deep = met.touch.ends_deep;
     std::array<double, Manifold::most_points> ends;
     double path = 0.0;
     for (std::size_t i = 0; i < manifold.points().size(); ++i) {
         const ContactPoint& point = manifold.points()[i];
         ends[i] = point.gap - met.rest * met.closing(point.position, manifold.normal);
-        const double before = closing_speed(encounter.before_a, met.a.start.position, encounter.before_b,
-                                            met.b.start.position, point.position, manifold.normal);
-        path = std::max(path, encounter.dt * std::abs(before));
+        // The momenta before the step can turn the bodies on each other.
+        const double before = met.closing(met.scene.motions->before, point.position, manifold.normal);
+        if (!deep) path = std::max(path, time_ahead(met.scene) * std::abs(before));
     }
+    const double unseen = constants::collision::unseen * met.touch.size;
     keep_carrying({.ends = {ends.data(), manifold.points().size()},
                    .path = path,
-                   .room = std::max(encounter.margin, constants::collision::unseen * encounter.size),
-                   .allowed = constants::collision::unseen * encounter.size},
-                  met.a.start.rotation, encounter.least_directions, most_directions, manifold);
+                   .room = std::max(met.margin, unseen),
+                   .allowed = unseen},
+                  met.a.start.rotation, deep || met.scene.detection.reduce_to_four_points ? 4 : 8, most_directions,
+                  manifold);
 }
 
-// Turns gaps at the time of the meeting into those that its rows need: if the bodies move freely they have, by the
-// end of the step, closed what the path has closed. A row takes the velocity at the time of the meeting for that of
-// the whole step, so the way until then is the one that it sees. A point that was opening meanwhile keeps its gap;
-// that is too much room, but never pushes.
-void wind_back(const Met& met, const Encounter& encounter, double time, Manifold& manifold) {
+// Writes the contact at `time` [s] of the step. Turns gaps at that time into those that rows need: if the bodies
+// move freely they have, by the end of the step, closed what the path has closed. A row takes the velocity at the
+// time of the meeting for that of the whole step, so the way until then is the one that it sees. A point that was
+// opening meanwhile keeps its gap; that is too much room, but never pushes.
+bool contact_at(const StepScene& scene, const Touch& touch, double time, double margin, Manifold& manifold) {
+    const Met met = met_at(scene, touch, time, margin);
+    collide(met.a.shape, met.a.start, met.b.shape, met.b.start, margin, manifold);
+    find_points(met, manifold);
+    choose_points(met, manifold);
     for (ContactPoint& point : manifold.points()) {
-        const double speed = closing_speed(encounter.after_a, met.a.start.position, encounter.after_b,
-                                           met.b.start.position, point.position, manifold.normal);
-        point.gap += time * speed;
-        if (!encounter.pushes) point.gap = std::max(0.0, point.gap);
+        point.gap += time * met.closing(scene.motions->after, point.position, manifold.normal);
+        if (!touch.ends_deep) point.gap = std::max(0.0, point.gap);
     }
+    return manifold.count > 0;
 }
 
 }  // namespace
@@ -94,44 +108,38 @@ double closing_speed(const Motion& a, const Vector3& centre_a, const Motion& b, 
     return normal.dot(of_a - of_b);
 }
 
-bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time) {
-    time = 0.0;
-    collide(a.shape, a.start, b.shape, b.start, encounter.margin, manifold);
-    const double gap = smallest_gap(manifold), tolerance = constants::collision::meeting_gap * encounter.size;
-    if (gap > tolerance && encounter.strayed) {
-        Encounter ends = encounter;
-        ends.margin = 0.5 * tolerance;  // whatever comes as near fast enough has been an impact
-        time = encounter.dt;
-        return contact_at(a, b, ends, time, manifold);
+bool meet(const StepScene& scene, Touch& touch, Manifold& manifold) {
+    const double dt = time_ahead(scene), margin = scene.detection.margin * touch.size;
+    const Met now{scene, touch, margin, dt, scene.moving(touch.pair.a), scene.moving(touch.pair.b)};
+    touch.time = 0.0;
+    collide(now.a.shape, now.a.start, now.b.shape, now.b.start, margin, manifold);
+    const double gap = manifold.smallest_gap(), tolerance = constants::collision::meeting_gap * touch.size;
+    if (gap > tolerance && (scene.motions->has_strayed(touch.body_a) || scene.motions->has_strayed(touch.body_b))) {
+        touch.time = dt;
+        // Whatever comes as near fast enough has been an impact.
+        return contact_at(scene, touch, dt, 0.5 * tolerance, manifold);
     }
     if (gap > tolerance) {
-        const double reach = approach(a, b, manifold.normal, encounter.dt);
+        const double reach = approach(now.a, now.b, manifold.normal, dt);
         Course course;
         if (reach > gap) {
-            course = course_of(a, b, encounter.dt, tolerance);
+            course = course_of(now.a, now.b, dt, tolerance);
             if (!course.decided) return manifold.count > 0;
         } else if (manifold.count > 0) {
-            choose_points({a, b, encounter.dt}, encounter, manifold);
+            choose_points(now, manifold);
             return true;
         }
-        if (course.time == never && reach <= gap - encounter.margin) return false;
-        time = std::min(course.time, encounter.dt);  // it meets, or may end near
+        if (course.time == never && reach <= gap - margin) return false;
+        touch.time = std::min(course.time, dt);  // it meets, or may end near
     }
-    if (time > 0.0) return contact_at(a, b, encounter, time, manifold);
-    const Met now{a, b, encounter.dt};
-    find_points(now, encounter, manifold);
-    choose_points(now, encounter, manifold);
+    if (touch.time > 0.0) return contact_at(scene, touch, touch.time, margin, manifold);
+    find_points(now, manifold);
+    choose_points(now, manifold);
     return manifold.count > 0;
 }
 
-bool contact_at(const Moving& a, const Moving& b, const Encounter& encounter, double time, Manifold& manifold) {
-    const Met met{
-        {a.shape, pose_at(a, time), a.motion}, {b.shape, pose_at(b, time), b.motion}, encounter.dt - time};
-    collide(a.shape, met.a.start, b.shape, met.b.start, encounter.margin, manifold);
-    find_points(met, encounter, manifold);
-    choose_points(met, encounter, manifold);
-    wind_back(met, encounter, time, manifold);
-    return manifold.count > 0;
+bool contact_at_end(const StepScene& scene, const Touch& touch, Manifold& manifold) {
+    return contact_at(scene, touch, scene.motions->dt, scene.detection.margin * touch.size, manifold);
 }
 
 }  // namespace pushfactor::engine::collision

@@ -20,29 +20,18 @@
 // Not from the paper, which has no continuous collision detection.
 #pragma once
 
-#include "engine/collision/manifold.h"
-#include "engine/collision/time_of_impact.h"
+#include "engine/collision/detector.h"
 
 namespace pushfactor::engine::collision {
 
-struct Encounter {
-    double dt = 0.0;                // s
-    double size = 0.0;              // m, of the smaller movable body
-    double margin = 0.0;            // m
-    bool pushes = false;            // whether gaps may be negative
-    bool strayed = false;           // whether one of them has been followed (impacts.h)
-    int least_directions = 4;       // of keep_carrying()
-    Motion before_a{}, before_b{};  // with the momenta before the step, which can turn the bodies on each other
-    Motion after_a{}, after_b{};    // as the rows know the velocities of their paths
-};
+// Writes the contact of the colliders of `touch` into `manifold`, and the time until they meet [s, 0 if they touch
+// or are near] into the touch. Returns false if there is none.
+bool meet(const StepScene& scene, Touch& touch, Manifold& manifold);
 
-// Writes the contact of the pair into `manifold` and the time until it meets [s, 0 if it touches or is near] into
-// `time`. Returns false if there is none.
-bool meet(const Moving& a, const Moving& b, const Encounter& encounter, Manifold& manifold, double& time);
-
-// Writes the contact that the pair has at `time` [s] of the step into `manifold`, with the gaps that its points
-// have for rows of the whole step: wound back to its start. Returns false if there is none.
-bool contact_at(const Moving& a, const Moving& b, const Encounter& encounter, double time, Manifold& manifold);
+// Writes the contact that they have at the end of the step into `manifold`, with the gaps that its points have for
+// rows of the whole step, wound back to its start: below zero where they end deep (Touch::ends_deep). Returns false
+// if there is none.
+bool contact_at_end(const StepScene& scene, const Touch& touch, Manifold& manifold);
 
 // Speed at which a approaches b at `point` [m] along `normal` (unit length, from a to b), with their centres
 // there [m]; m/s.

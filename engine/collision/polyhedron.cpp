@@ -81,11 +81,7 @@ void begin_with_farthest(Loop& loop, std::span<const Vector3> vertices, double r
         }
         return false;
     };
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < loop.size(); ++i) {
-        if (farther(loop[i], loop[first])) first = i;
-    }
-    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), farther), loop.end());
 }
 
 void require_loops(const std::vector<Loop>& loops, std::size_t vertices) {

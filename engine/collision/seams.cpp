@@ -1,9 +1,7 @@
 #include "engine/collision/seams.h"
 
-#include "engine/base/overloaded.h"
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/axis_choice.h"
-#include "engine/collision/pairs/polyhedron_pairs.h"
+#include "engine/collision/pairs/collide.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,11 +12,6 @@ namespace {
 
 constexpr double same_normal = 1.0 - 1e-9;  // cosine above which two normals differ by rounding alone
 constexpr double noise = 1e-6;              // of the permitted overlap: motion per step of a body at rest
-
-Moving moving(int collider, const StepScene& step) {
-    const Collider& own = step.colliders[static_cast<std::size_t>(collider)];
-    return {own.shape, step.poses[static_cast<std::size_t>(own.body)], step.motions->path_of(own.body)};
-}
 
 // Speed at which the shapes of a touch approach each other along `normal` (from a to b) at `point`, m/s. What turns
 // in itself does not come closer by turning.
@@ -36,7 +29,7 @@ double closing(const Touch& touch, std::span<const Motion> motions, const Vector
 }
 
 double gap_along(const Touch& touch, const Vector3& normal, const StepScene& step) {
-    return gap_along(moving(touch.pair.a, step), moving(touch.pair.b, step), normal);
+    return gap_along(step.moving(touch.pair.a), step.moving(touch.pair.b), normal);
 }
 
 // The direction `out` of `body` as one from a to b of a touch of that body.
@@ -54,12 +47,6 @@ bool closes(const Touch& touch, const StepScene& step) {
     });
 }
 
-const ContactPoint& nearest_to(const Vector3& where, std::span<const ContactPoint> points) {
-    return *std::min_element(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
-        return (p.position - where).squaredNorm() < (q.position - where).squaredNorm();
-    });
-}
-
 // Whether `holder` keeps `body` from coming closer along `out`, its normal away from the body, to the other body of
 // `touch` than is permitted.
 bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch, const StepScene& step) {
@@ -74,7 +61,8 @@ bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch
         return false;
     }
     const Vector3& where = touch.points.front().position;
-    const ContactPoint& point = nearest_to(where, holder.points);
+    const auto distance = [&](const ContactPoint& own) { return (own.position - where).squaredNorm(); };
+    const ContactPoint& point = *std::ranges::min_element(holder.points, {}, distance);
     const double free = std::max(point.gap, 0.0);
     const int other = holder.body_a == body ? holder.body_b : holder.body_a;
     const bool gives_way = !step.bodies[static_cast<std::size_t>(other)].is_static();
@@ -85,33 +73,6 @@ bool holds(const Touch& holder, int body, const Vector3& out, const Touch& touch
     const double stopped =
         std::max(0.0, dt * closing(holder, step.motions->after, point.position, holder.normal, step) - free);
     return dt * closing(touch, step.motions->after, where, along, step) - stopped <= gap + permitted;
-}
-
-// The contact along `normal`, from a to b, if there is a face.
-void collide_along(const Touch& touch, const Vector3& normal, const StepScene& step, Manifold& manifold) {
-    const Moving a = moving(touch.pair.a, step), b = moving(touch.pair.b, step);
-    const double margin = step.detection.margin * touch.size;
-    const auto hulls = [&](const auto& p, const auto& q) {
-        collide_hulls_along(normal, PlacedHull(p, a.start), PlacedHull(q, b.start), margin, manifold);
-    };
-    const auto on_hull = [&](const auto& hull, const Sphere& ball) {
-        collide_hull_sphere_along(normal, PlacedHull(hull, a.start), ball, b.start, margin, manifold);
-    };
-    const auto under_hull = [&](const Sphere& ball, const auto& hull) {
-        collide_hull_sphere_along(-normal, PlacedHull(hull, b.start), ball, a.start, margin, manifold);
-    };
-    manifold.count = 0;
-    std::visit(Overloaded{[&](const Box& p, const Box& q) { hulls(p, q); },
-                          [&](const Box& p, const Polyhedron& q) { hulls(p, q); },
-                          [&](const Polyhedron& p, const Box& q) { hulls(p, q); },
-                          [&](const Polyhedron& p, const Polyhedron& q) { hulls(p, q); },
-                          [&](const Box& p, const Sphere& q) { on_hull(p, q); },
-                          [&](const Polyhedron& p, const Sphere& q) { on_hull(p, q); },
-                          [&](const Sphere& p, const Box& q) { under_hull(p, q); },
-                          [&](const Sphere& p, const Polyhedron& q) { under_hull(p, q); },
-                          [](const auto&, const auto&) {}},
-               a.shape, b.shape);
-    manifold.normal = normal;
 }
 
 bool has_plane(const Touch& touch, const StepScene& step) {
@@ -154,7 +115,6 @@ std::optional<Vector3> Seams::held_along(const Touch& touch, std::span<const Tou
 
 void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches) {
     found_.clear();
-    points_.clear();
     in_doubt_.clear();
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
@@ -173,18 +133,14 @@ void Seams::put_right(const StepScene& step, std::span<const Touch> holders, std
         Touch& touch = touches[i];
         const std::optional<Vector3> normal = held_along(touch, holders, step);
         if (!normal) continue;
-        collide_along(touch, *normal, step, manifold_);
-        found_.push_back({i, manifold_.points().size()});
-        points_.insert(points_.end(), manifold_.points().begin(), manifold_.points().end());
+        const Moving a = step.moving(touch.pair.a), b = step.moving(touch.pair.b);
+        collide_along(*normal, a.shape, a.start, b.shape, b.start, step.detection.margin * touch.size, manifold_);
+        found_.emplace_back(i, step.kept->keep(manifold_.points()));
         touch.normal = *normal;
         touch.time = 0.0;
         touch.points = {};
     }
-    std::span<const ContactPoint> left = points_;
-    for (const Found& found : found_) {
-        touches[found.touch].points = left.first(found.points);
-        left = left.subspan(found.points);
-    }
+    for (const auto& [touch, points] : found_) touches[touch].points = points;
     if (!found_.empty()) std::erase_if(touches, [](const Touch& touch) { return touch.points.empty(); });
 }
 

@@ -24,17 +24,11 @@ namespace pushfactor::engine::collision {
 class Seams {
   public:
     // Gives those of `touches` that cannot meet as found the points along the normal of what holds them, and
-    // removes those without points there. The new points are valid until the next call. `holders`: the touches that
-    // may hold.
+    // removes those without points there. `holders`: the touches that may hold.
     void put_right(const StepScene& step, std::span<const Touch> holders, std::vector<Touch>& touches);
     void put_right(const StepScene& step, std::vector<Touch>& touches) { put_right(step, touches, touches); }
 
   private:
-    // A new manifold of a touch.
-    struct Found {
-        std::size_t touch = 0, points = 0;  // index, number of points
-    };
-
     void list(std::span<const Touch> touches, std::size_t bodies);
     std::optional<Vector3> held_along(const Touch& touch, std::span<const Touch> holders,
                                       const StepScene& step) const;
@@ -42,9 +36,8 @@ class Seams {
     // Touches of each body as linked lists: by body, and two per touch, indices into `next_` or -1.
     std::vector<int> first_, next_;
     std::vector<std::size_t> in_doubt_;
-    std::vector<Found> found_;
-    std::vector<ContactPoint> points_;  // of all touches with new ones
-    Manifold manifold_;                 // scratch
+    std::vector<std::pair<std::size_t, std::span<const ContactPoint>>> found_;  // new points, by touch
+    Manifold manifold_;                                                         // scratch
 };
 
 }  // namespace pushfactor::engine::collision

@@ -1,8 +1,8 @@
 #include "engine/collision/time_of_impact.h"
 
 #include "engine/base/overloaded.h"
+#include "engine/collision/pairs/collide.h"
 #include "engine/collision/pairs/hull_axes.h"
-#include "engine/collision/pairs/pair_table.h"
 #include "engine/collision/pairs/separations.h"
 
 #include <algorithm>
@@ -162,27 +162,20 @@ Wait longest_wait(const Placed& pair, double rest, double& largest_gap) {
         });
     };
     // With a ball or a plane there is one direction; it turns with the other one.
-    const auto consider_closest = [&](const Vector3& turning) {
+    const auto consider_closest = [&] {
+        const bool with_a =
+            std::holds_alternative<Plane>(pair.a.shape) || std::holds_alternative<Sphere>(pair.b.shape);
         Manifold nearest;
         collide(pair.a.shape, pair.pose_a, pair.b.shape, pair.pose_b, 0.0, nearest);
-        consider(nearest.normal, turning, nearest.separation);
+        consider(nearest.normal, with_a ? turn_a : turn_b, nearest.separation);
     };
     std::visit(Overloaded{[&](const Box& a, const Box& b) {
                               const Separations separations(a, pair.pose_a, b, pair.pose_b);
                               const auto unit = [](int axis) { return Vector3(Vector3::Unit(axis)); };
                               for (const Separation& axis : separations.all()) consider_axis(axis, unit, unit);
                           },
-                          [&](const Polyhedron& a, const Polyhedron& b) { consider_hulls(a, b); },
-                          [&](const Polyhedron& a, const Box& b) { consider_hulls(a, b); },
-                          [&](const Box& a, const Polyhedron& b) { consider_hulls(a, b); },
-                          [&](const Plane&, const auto&) { consider_closest(turn_a); },
-                          [&](const auto&, const Plane&) { consider_closest(turn_b); },
-                          [&](const Sphere&, const auto&) { consider_closest(turn_b); },
-                          [&](const auto&, const Sphere&) { consider_closest(turn_a); },
-                          [&](const Sphere&, const Sphere&) {},
-                          [&](const Plane&, const Sphere&) { consider_closest(turn_a); },
-                          [&](const Sphere&, const Plane&) { consider_closest(turn_b); },
-                          [&](const Plane&, const Plane&) {}},
+                          [&](const Flat auto& a, const Flat auto& b) { consider_hulls(a, b); },
+                          [&](const auto&, const auto&) { consider_closest(); }},
                pair.a.shape, pair.b.shape);
     return longest < 0.0 ? Wait{} : wait_along(pair, best, rest);
 }
@@ -214,14 +207,11 @@ Vector3 between_corners(const PlacedHull& a, const PlacedHull& b) {
 }
 
 Wait wait_between_corners(const Placed& pair, double rest) {
-    const auto wait = [&](const auto& a, const auto& b) {
-        const Vector3 normal = between_corners(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b));
-        return wait_along(pair, {normal}, rest);
-    };
-    return std::visit(Overloaded{[&](const Box& a, const Box& b) { return wait(a, b); },
-                                 [&](const Box& a, const Polyhedron& b) { return wait(a, b); },
-                                 [&](const Polyhedron& a, const Box& b) { return wait(a, b); },
-                                 [&](const Polyhedron& a, const Polyhedron& b) { return wait(a, b); },
+    return std::visit(Overloaded{[&](const Flat auto& a, const Flat auto& b) {
+                                     const Vector3 normal =
+                                         between_corners(PlacedHull(a, pair.pose_a), PlacedHull(b, pair.pose_b));
+                                     return wait_along(pair, {normal}, rest);
+                                 },
                                  [](const auto&, const auto&) { return Wait{}; }},
                       pair.a.shape, pair.b.shape);
 }

@@ -24,7 +24,6 @@
 //   alpha = max(0, 1 - max(|v'| / |w x r|, |w_m - w| / |w|))
 #pragma once
 
-#include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
 #include "engine/constraints/constraint_row.h"
 
@@ -39,17 +38,5 @@ double carried_speed(const ConstraintRow& row, const Body& body_a, const Body& b
 // Appends it for the rows that `speeds` does not have yet.
 void carried_speeds(std::span<const Body> bodies, double dt, std::span<const ConstraintRow> rows,
                     std::vector<double>& speeds);
-
-// Bodies that a moved one holds by any of `pairs`, which have body_a and body_b (ConstraintSource::met_by_moved()).
-template <typename Pairs>
-SomeBodies held_by_moved(const Pairs& pairs, std::span<const Body> bodies) {
-    SomeBodies held;
-    for (const auto& pair : pairs) {
-        const auto is_moved = [&](int body) { return bodies[static_cast<std::size_t>(body)].is_moved(); };
-        if (is_moved(pair.body_a)) held.some.push_back(pair.body_b);
-        if (is_moved(pair.body_b)) held.some.push_back(pair.body_a);
-    }
-    return held;
-}
 
 }  // namespace pushfactor::engine

@@ -7,42 +7,33 @@
 
 namespace pushfactor::engine {
 
-namespace {
-
-constexpr std::size_t touches_of_a_part = 256;  // per thread task
-
-}  // namespace
-
 bool ContactCache::is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const {
-    return points.size() == static_cast<std::size_t>(entry.count) &&
-           std::equal(points.begin(), points.end(), points_.begin() + static_cast<std::ptrdiff_t>(entry.first),
-                      [](const auto& now, const auto& before) { return now.feature == before.feature; });
+    return std::ranges::equal(points, of(entry), {}, &collision::ContactPoint::feature, &Point::feature);
 }
 
 // Assigns each force once: first to points with the same feature, then to the closest remaining points, in
 // ascending order of distance.
 void ContactCache::hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                            std::span<ContactForce> forces, Matched& matched) const {
-    const std::span known(points_.data() + entry.first, static_cast<std::size_t>(entry.count));
-    std::vector<char>&taken = matched.taken, &given = matched.given;
-    taken.assign(known.size(), 0);
-    given.assign(points.size(), 0);
+                            std::span<ContactForce> forces) {
+    const std::span<const Point> known = of(entry);
+    taken_.assign(known.size(), 0);
+    given_.assign(points.size(), 0);
     const auto give = [&](std::size_t point, std::size_t from) {
         forces[point] = known[from].force;
-        given[point] = taken[from] = 1;
+        given_[point] = taken_[from] = 1;
     };
     for (std::size_t p = 0; p < points.size(); ++p) {
-        for (std::size_t k = 0; k < known.size() && !given[p]; ++k) {
-            if (!taken[k] && known[k].feature == points[p].feature) give(p, k);
+        for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
+            if (!taken_[k] && known[k].feature == points[p].feature) give(p, k);
         }
     }
     for (;;) {
         double nearest = reach;
         std::size_t point = points.size(), from = 0;
         for (std::size_t p = 0; p < points.size(); ++p) {
-            for (std::size_t k = 0; k < known.size() && !given[p]; ++k) {
+            for (std::size_t k = 0; k < known.size() && !given_[p]; ++k) {
                 const double distance = (known[k].position - points[p].position).norm();
-                if (taken[k] || !(distance < nearest)) continue;
+                if (taken_[k] || !(distance < nearest)) continue;
                 nearest = distance;
                 point = p;
                 from = k;
@@ -53,41 +44,17 @@ void ContactCache::hand_out(const Entry& entry, std::span<const collision::Conta
     }
 }
 
-void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
-                          Threads* threads) {
-    const std::size_t before = forces.size();
-    first_force_.resize(parts_of(threads, touches.size(), touches_of_a_part));
-    std::size_t count = before;
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-        if (k % touches_of_a_part == 0 && k / touches_of_a_part < first_force_.size()) {
-            first_force_[k / touches_of_a_part] = count;
-        }
-        count += touches[k].points.size();
-    }
-    forces.resize(count);
-    matched_.resize(std::max(matched_.size(), first_force_.size()));
-    share_parts(threads, touches.size(), touches_of_a_part,
-                [&](std::size_t part, std::size_t begin, std::size_t end) {
-                    if (begin == end) return;
-                    recall(touches.subspan(begin, end - begin), std::span(forces).subspan(first_force_[part]),
-                           matched_[part]);
-                });
-}
-
-// Writes the forces of a range of touches.
-void ContactCache::recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces,
-                          Matched& matched) const {
-    auto entry = std::lower_bound(entries_.begin(), entries_.end(), touches.front().pair,
-                                  [](const Entry& a, const collision::Pair& pair) { return a.pair < pair; });
+void ContactCache::recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces) {
+    auto entry = entries_.begin();
     for (const collision::Touch& touch : touches) {
         while (entry != entries_.end() && entry->pair < touch.pair) ++entry;
-        const std::span<ContactForce> own = forces.first(touch.points.size());
-        forces = forces.subspan(own.size());
+        forces.resize(forces.size() + touch.points.size());
         if (entry == entries_.end() || entry->pair != touch.pair) continue;
+        const std::span<ContactForce> own = std::span(forces).last(touch.points.size());
         if (is_as_before(*entry, touch.points)) {
             for (std::size_t i = 0; i < own.size(); ++i) own[i] = points_[entry->first + i].force;
         } else {
-            hand_out(*entry, touch.points, constants::rows::same_point * touch.size, own, matched);
+            hand_out(*entry, touch.points, constants::rows::same_point * touch.size, own);
         }
     }
 }
@@ -108,27 +75,6 @@ void ContactCache::store(const collision::Touch& touch, std::span<const ContactF
     for (std::size_t i = 0; i < forces.size(); ++i) {
         points_.push_back({touch.points[i].feature, touch.points[i].position, forces[i]});
     }
-}
-
-void ContactCache::store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
-                         Threads* threads) {
-    entries_.resize(touches.size());
-    points_.resize(forces.size());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-        const auto points = static_cast<int>(touches[k].points.size());
-        entries_[k] = {touches[k].pair, count, points};
-        count += touches[k].points.size();
-    }
-    share(threads, touches.size(), touches_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::size_t first = entries_[k].first;
-            for (std::size_t i = 0; i < touches[k].points.size(); ++i) {
-                const collision::ContactPoint& point = touches[k].points[i];
-                points_[first + i] = {point.feature, point.position, forces[first + i]};
-            }
-        }
-    });
 }
 
 }  // namespace pushfactor::engine

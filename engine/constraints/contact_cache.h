@@ -1,7 +1,6 @@
 // Contact caching, paper section 6.2.3: the forces of the previous step as warm start of this one.
 #pragma once
 
-#include "engine/base/threads.h"
 #include "engine/collision/detector.h"
 #include "engine/constraints/constraint_row.h"
 
@@ -39,17 +38,12 @@ class ContactCache {
         int count = 0;
     };
 
-    // Appends the cached force of every point of `touches`, in order; zero if nothing matches. Points match by
-    // feature, otherwise by distance: the closest one within 2 % of the size. No force is used twice. `threads`
-    // share the work; null: one thread.
-    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces,
-                Threads* threads = nullptr);
+    // Appends the cached force of every point of `touches`, in ascending order of the pair; zero if nothing
+    // matches. Points match by feature, otherwise by distance: the closest one within 2 % of the size. No force is
+    // used twice.
+    void recall(std::span<const collision::Touch> touches, std::vector<ContactForce>& forces);
 
-    // Replaces the cache. `forces` in the order of recall().
-    void store(std::span<const collision::Touch> touches, std::span<const ContactForce> forces,
-               Threads* threads = nullptr);
-
-    // The same one touch at a time, in ascending order of the pair, after clear(). `forces`: one per point.
+    // Replace the cache, one touch after the other in ascending order of the pair. `forces`: one per point.
     void clear();
     void store(const collision::Touch& touch, std::span<const ContactForce> forces);
 
@@ -57,19 +51,14 @@ class ContactCache {
     std::span<const Entry> entries() const { return entries_; }
     std::span<const Point> points() const { return points_; }
 
-    // Moves the entries of `from` whose pairs satisfy `belongs` into this cache.
-    template <typename Belongs>
-    void take_from(ContactCache& from, const Belongs& belongs) {
-        ContactCache left, mine;
-        auto own = entries_.begin();
-        for (const Entry& entry : from.entries_) {
-            const bool moves = belongs(entry.pair);
-            for (; moves && own != entries_.end() && own->pair < entry.pair; ++own) mine.add(own->pair, of(*own));
-            (moves ? mine : left).add(entry.pair, from.of(entry));
+    // Calls `visit(pair, points)` for the entries of two caches that have no pair in common, in ascending order.
+    template <typename Visit>
+    static void each_of_both(const ContactCache& a, const ContactCache& b, const Visit& visit) {
+        for (auto p = a.entries_.begin(), q = b.entries_.begin(); p != a.entries_.end() || q != b.entries_.end();) {
+            const bool of_a = q == b.entries_.end() || (p != a.entries_.end() && p->pair < q->pair);
+            const Entry& entry = of_a ? *p++ : *q++;
+            visit(entry.pair, (of_a ? a : b).of(entry));
         }
-        for (; own != entries_.end(); ++own) mine.add(own->pair, of(*own));
-        *this = std::move(mine);
-        from = std::move(left);
     }
 
     std::span<const Point> of(const Entry& entry) const {
@@ -80,21 +69,13 @@ class ContactCache {
     void add(const collision::Pair& pair, std::span<const Point> points);
 
   private:
-    // Flags for the current touch: old forces that are used, new points that have one.
-    struct Matched {
-        std::vector<char> taken, given;
-    };
-
-    void recall(std::span<const collision::Touch> touches, std::span<ContactForce> forces, Matched& matched) const;
     bool is_as_before(const Entry& entry, std::span<const collision::ContactPoint> points) const;
     void hand_out(const Entry& entry, std::span<const collision::ContactPoint> points, double reach,
-                  std::span<ContactForce> forces, Matched& matched) const;
+                  std::span<ContactForce> forces);
 
     std::vector<Entry> entries_;  // ascending pairs
     std::vector<Point> points_;
-    // By part of the touches:
-    std::vector<std::size_t> first_force_;
-    std::vector<Matched> matched_;
+    std::vector<char> taken_, given_;  // of the current touch: old forces that are used, new points that have one
 };
 
 // The forces between bodies at rest, by pair. To add and to take those of a collider costs the logarithm of all.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pushfactor::engine {
 
@@ -89,14 +90,14 @@ ContactConstraints::TouchFriction ContactConstraints::friction_of(const collisio
                                                                   const StepStart& step) const {
     const Vector3 belt = belt_of(touch, pair, step.time);
     const Vector3& normal = touch.normal;
-    const FrictionBound bound = friction_->bound(
-        {.bodies = pair,
-         .normal = normal,
-         .friction = touch.friction,
-         .points = static_cast<int>(touch.points.size()),
-         .size = touch.size,
-         .acceleration = std::max(accelerations_[at(touch.body_a)], accelerations_[at(touch.body_b)]),
-         .dt = step.dt});
+    const FrictionBound bound =
+        friction_({.bodies = pair,
+                   .normal = normal,
+                   .friction = touch.friction,
+                   .points = static_cast<int>(touch.points.size()),
+                   .size = touch.size,
+                   .acceleration = std::max(accelerations_[at(touch.body_a)], accelerations_[at(touch.body_b)]),
+                   .dt = step.dt});
     return {.bound = bound,
             .apart = bound.of_normal_force ? bound : FrictionBound{},
             .belt = belt,
@@ -151,10 +152,11 @@ void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, c
     }
 }
 
-// Appends the contacts of the touches in the given order.
+// Appends the contacts of the touches in the given order, whose rows begin with `row`: per contact one normal row,
+// then two friction rows; or all friction rows after all normal rows.
 std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::span<const collision::Touch> touches,
                                                                         std::span<const ContactIndex> order,
-                                                                        Threads* threads) {
+                                                                        int row) {
     std::size_t force = contacts_.empty() ? 0 : forces_.size();
     first_force_.clear();
     for (const collision::Touch& touch : touches) {
@@ -163,35 +165,22 @@ std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::spa
     }
     forces_.resize(force);  // zero if not cached
 
-    const std::size_t before = contacts_.size();
-    contacts_.resize(before + order.size());
-    const std::span<Contact> added = std::span(contacts_).subspan(before);
-    share(threads, order.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto touch = static_cast<std::size_t>(order[i].touch);
-            added[i].touch = &touches[touch];
-            added[i].point = order[i].point;
-            added[i].force = first_force_[touch] + static_cast<std::size_t>(order[i].point);
-        }
-    });
-    return added;
-}
-
-// Per contact one normal row, then two friction rows; or all friction rows after all normal rows.
-void ContactConstraints::number_rows(std::span<Contact> contacts, std::size_t first_row) {
-    const int foreign_rows = static_cast<int>(first_row) - own_rows_;
     const bool interleaved = choices_.order != RowOrder::normals_first;
-    const int normals = friction_ && interleaved ? 3 : 1;
-    int normal = static_cast<int>(first_row);
-    int friction = interleaved ? normal + 1 : normal + static_cast<int>(contacts.size());
-    for (Contact& contact : contacts) {
+    const int count = static_cast<int>(order.size()), foreign_rows = row - own_rows_;
+    int friction = interleaved ? row + 1 : row + count;
+    for (const ContactIndex& index : order) {
+        Contact& contact = contacts_.emplace_back();
+        contact.touch = &touches[at(index.touch)];
+        contact.point = index.point;
+        contact.force = first_force_[at(index.touch)] + at(index.point);
         contact.foreign_rows = foreign_rows;
-        contact.normal_row = normal;
+        contact.normal_row = row;
         contact.friction_row = friction_ ? friction : -1;
-        normal += normals;
+        row += friction_ && interleaved ? 3 : 1;
         friction += interleaved ? 3 : 2;
     }
-    own_rows_ += static_cast<int>(contacts.size()) * (friction_ ? 3 : 1);
+    own_rows_ += count * (friction_ ? 3 : 1);
+    return std::span(contacts_).last(order.size());
 }
 
 void ContactConstraints::find_motions(const StepStart& step) {
@@ -221,10 +210,8 @@ void ContactConstraints::find_motions(const StepStart& step) {
 
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
                                         const StepStart& step, std::span<const Motion> paths, RowList& rows) {
-    const std::span<const ContactIndex> in_order =
-        order.put(choices_.order, touches, step.bodies, step.up, step.threads);
-    const std::span<Contact> contacts = add_contacts(touches, in_order, step.threads);
-    number_rows(contacts, rows.size());
+    const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.up);
+    const std::span<Contact> contacts = add_contacts(touches, in_order, static_cast<int>(rows.size()));
     const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
     share(step.threads, contacts.size(), contacts_of_a_part,
           [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, paths, all); });
@@ -284,8 +271,8 @@ void ContactConstraints::append_impact_rows(const collision::Touch& touch, const
     }
 }
 
-collision::StepScene ContactConstraints::scene_of(const StepStart& step, const StepMotions& motions) const {
-    return {colliders_, step.bodies, detector_.poses(), choices_.detection, &motions};
+collision::StepScene ContactConstraints::scene_of(const StepStart& step, const StepMotions& motions) {
+    return {colliders_, step.bodies, detector_.poses(), choices_.detection, &motions, &kept_};
 }
 
 void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
@@ -294,6 +281,7 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     // First drop references to the touches of the last step, whose points and meetings the search invalidates.
     contacts_.clear();
     unforeseen_.clear();
+    kept_.clear();
     touches_ = {};
     if (awake_bodies_.of() != bodies.size()) wake_all(bodies.size());
     const auto moved = [](const Awake& awake, const std::vector<int>& known) {
@@ -320,7 +308,7 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
     moved_colliders_.clear();
     forces_.clear();
     own_rows_ = 0;
-    if (cache_) cache_->recall(touches_, forces_, step.threads);
+    if (cache_) cache_->recall(touches_, forces_);
     append_touches(touches_, order_, step, paths_, rows);
 }
 
@@ -399,34 +387,26 @@ void ContactConstraints::remember(std::span<const Lambda> answers) {
     store_forces();
 }
 
-// The cache needs ascending order of the pair.
+// The cache needs ascending order of the pair. Of a pair that was found again the points of the start of the step
+// stay.
 void ContactConstraints::store_forces() {
+    cache_->clear();
+    std::size_t force = 0;
+    const auto forces_of = [&](const collision::Touch& touch) {
+        force += touch.points.size();
+        return std::span<const ContactForce>(forces_).subspan(force - touch.points.size(), touch.points.size());
+    };
     if (unforeseen_.empty()) {
-        cache_->store(touches_, forces_, threads_);
+        for (const collision::Touch& touch : touches_) cache_->store(touch, forces_of(touch));
         return;
     }
-    struct Known {
-        const collision::Touch* touch;
-        std::size_t force;  // into forces_
-    };
-    std::vector<Known> known;
-    std::size_t force = 0;
+    std::map<collision::Pair, std::pair<const collision::Touch*, std::span<const ContactForce>>> known;
     const auto add = [&](const collision::Touch& touch) {
-        known.push_back({&touch, force});
-        force += touch.points.size();
+        known.try_emplace(touch.pair, &touch, forces_of(touch));
     };
-    for (const collision::Touch& touch : touches_) add(touch);
-    for (const collision::Touch& touch : unforeseen_) add(touch);
-    std::stable_sort(known.begin(), known.end(),
-                     [](const Known& a, const Known& b) { return a.touch->pair < b.touch->pair; });
-    // Of a pair that was found again the points of the start of the step stay.
-    const auto again = std::unique(known.begin(), known.end(),
-                                   [](const Known& a, const Known& b) { return a.touch->pair == b.touch->pair; });
-    cache_->clear();
-    const std::span<const ContactForce> forces(forces_);
-    for (const Known& own : std::span(known.begin(), again)) {
-        cache_->store(*own.touch, forces.subspan(own.force, own.touch->points.size()));
-    }
+    std::for_each(touches_.begin(), touches_.end(), add);
+    std::for_each(unforeseen_.begin(), unforeseen_.end(), add);
+    for (const auto& [pair, own] : known) cache_->store(*own.first, own.second);
 }
 
 }  // namespace pushfactor::engine

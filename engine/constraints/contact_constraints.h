@@ -10,7 +10,6 @@
 #include "engine/constraints/contact_order.h"
 #include "engine/constraints/contact_row.h"
 #include "engine/constraints/friction_row.h"
-#include "engine/constraints/restitution.h"
 
 #include <array>
 #include <deque>
@@ -51,7 +50,7 @@ class ContactConstraints : public ConstraintSource {
     ContactConstraints(std::vector<collision::Collider> colliders, const ContactChoices& choices);
 
     // Without a rule there is no friction or no restitution; without a cache every step starts from zero.
-    void set_friction(std::unique_ptr<const FrictionRule> rule) { friction_ = std::move(rule); }
+    void set_friction(FrictionRule rule) { friction_ = std::move(rule); }
     void set_restitution(RestitutionRule rule) { restitution_ = rule; }
     // Without it bodies that are thrown in a step are noticed only in the next one.
     void set_continuous_collision(std::unique_ptr<collision::ContinuousCollision> part) {
@@ -76,8 +75,9 @@ class ContactConstraints : public ConstraintSource {
     void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
 
     std::span<const collision::Collider> colliders() const { return colliders_; }
+    std::span<const int> colliders_of(int body) const { return colliders_of_[static_cast<std::size_t>(body)]; }
     // Null if absent.
-    const FrictionRule* friction() const { return friction_.get(); }
+    const FrictionRule* friction() const { return friction_ ? &friction_ : nullptr; }
     RestitutionRule restitution() const { return restitution_; }
     const collision::ContinuousCollision* continuous_collision() const { return continuous_collision_.get(); }
     const collision::PairFilter* filter() const { return filter_.get(); }
@@ -130,8 +130,7 @@ class ContactConstraints : public ConstraintSource {
     void append_touches(std::span<const collision::Touch> touches, ContactOrder& order, const StepStart& step,
                         std::span<const Motion> paths, RowList& rows);
     std::span<Contact> add_contacts(std::span<const collision::Touch> touches, std::span<const ContactIndex> order,
-                                    Threads* threads);
-    void number_rows(std::span<Contact> contacts, std::size_t first_row);
+                                    int row);
     void find_motions(const StepStart& step);
     void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
                     std::span<const Motion> paths, std::span<ConstraintRow> rows) const;
@@ -141,7 +140,7 @@ class ContactConstraints : public ConstraintSource {
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,
                         std::span<ConstraintRow> rows) const;
     void wake_all(std::size_t bodies);
-    collision::StepScene scene_of(const StepStart& step, const StepMotions& motions) const;
+    collision::StepScene scene_of(const StepStart& step, const StepMotions& motions);
     TouchFriction friction_of(const collision::Touch& touch, const BodyPair& pair, const Motion& motion_a,
                               const Motion& motion_b, const StepStart& step) const;
     // Relative surface velocity of running belts [m/s]; its normal component does not affect friction.
@@ -154,7 +153,7 @@ class ContactConstraints : public ConstraintSource {
     std::vector<int> mechanisms_;  // by body, or empty
     std::unique_ptr<const collision::PairFilter> filter_;
     std::unique_ptr<const collision::MaterialPairs> materials_;
-    std::unique_ptr<const FrictionRule> friction_;
+    FrictionRule friction_;
     RestitutionRule restitution_ = nullptr;
     std::unique_ptr<ContactCache> cache_;
     std::unique_ptr<collision::ContinuousCollision> continuous_collision_;
@@ -171,6 +170,7 @@ class ContactConstraints : public ConstraintSource {
     std::span<const collision::Touch> touches_;
     Threads* threads_ = nullptr;
     std::deque<collision::Touch> unforeseen_;
+    collision::PointStore kept_;  // of the touches of the step
     // By body, see StepMotions: without constraints, and as the last solution has them.
     std::vector<Motion> before_, after_, paths_, after_solved_, paths_solved_;
     std::vector<char> strayed_;          // by body; empty if none has

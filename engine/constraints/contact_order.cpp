@@ -9,9 +9,6 @@ namespace pushfactor::engine {
 
 namespace {
 
-// Keys per thread task.
-constexpr std::size_t keys_of_a_part = 500;
-
 double rounded(double height, double size) {
     const double quantum = size / constants::rows::quanta_a_size;
     if (!(quantum > 0.0) || !std::isfinite(size)) return height;
@@ -41,21 +38,19 @@ bool ContactOrder::before(const Key& a, const Key& b) {
 }
 
 std::span<const ContactIndex> ContactOrder::put(RowOrder order, std::span<const collision::Touch> touches,
-                                                std::span<const Body> bodies, const Vector3& up, Threads* threads) {
+                                                std::span<const Body> bodies, const Vector3& up) {
     const bool by_height = order == RowOrder::bottom_up || order == RowOrder::normals_first;
     // Start from the order of the last call, which changes little while bodies rest.
     if (keys_.size() != touches.size()) {
         keys_.resize(touches.size());
         for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].touch = static_cast<int>(i);
     }
-    share(threads, keys_.size(), keys_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (Key& key : std::span(keys_).subspan(begin, end - begin)) {
-            const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
-            key.height = by_height ? height_of(touch, bodies, up) : 0.0;
-            key.on_movable = by_height && !rests_on_static(touch, bodies);
-        }
-    });
-    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) sort_distinct(threads, std::span(keys_), before);
+    for (Key& key : keys_) {
+        const collision::Touch& touch = touches[static_cast<std::size_t>(key.touch)];
+        key.height = by_height ? height_of(touch, bodies, up) : 0.0;
+        key.on_movable = by_height && !rests_on_static(touch, bodies);
+    }
+    if (!std::is_sorted(keys_.begin(), keys_.end(), before)) std::sort(keys_.begin(), keys_.end(), before);
 
     contacts_.clear();
     for (const Key& key : keys_) {

@@ -2,7 +2,6 @@
 // stands under a truncated sweep.
 #pragma once
 
-#include "engine/base/threads.h"
 #include "engine/collision/detector.h"
 
 #include <span>
@@ -28,9 +27,9 @@ class ContactOrder {
   public:
     // All points of `touches` (in order of creation, as from the detector) in the given order; valid until the
     // next call. Height is along `up` (unit length, world frame), rounded to a fraction of the size of the pair; if
-    // `up` is zero, because there is no gravity, all heights are equal. `threads` share the work; null: one thread.
+    // `up` is zero, because there is no gravity, all heights are equal.
     std::span<const ContactIndex> put(RowOrder order, std::span<const collision::Touch> touches,
-                                      std::span<const Body> bodies, const Vector3& up, Threads* threads = nullptr);
+                                      std::span<const Body> bodies, const Vector3& up);
 
   private:
     struct Key {

@@ -45,10 +45,15 @@ void ContactConstraints::leave_out_others(std::span<const Body> bodies, const Aw
     const auto moves = [&](const collision::Pair& pair) {
         return is_any_moving(bodies, awake, body_of(pair.a), body_of(pair.b));
     };
-    ContactCache woken = at_rest_.take(colliders, moves), asleep;
-    cache_->take_from(woken, [](const collision::Pair&) { return true; });
-    asleep.take_from(*cache_, [&](const collision::Pair& pair) { return !moves(pair); });
-    for (const ContactCache::Entry& entry : asleep.entries()) at_rest_.add(entry.pair, asleep.of(entry));
+    ContactCache moving;
+    ContactCache::each_of_both(*cache_, at_rest_.take(colliders, moves), [&](const auto& pair, const auto& points) {
+        if (moves(pair)) {
+            moving.add(pair, points);
+        } else {
+            at_rest_.add(pair, points);
+        }
+    });
+    *cache_ = std::move(moving);
 }
 
 bool ContactConstraints::turns_unseen(int body) const {
@@ -128,10 +133,12 @@ std::vector<RestingContact> ContactConstraints::sites_at_rest(std::span<const Bo
 }
 
 void ContactConstraints::all_forces(ContactCache& into) const {
-    into = cache_ ? *cache_ : ContactCache{};
+    into.clear();
+    if (!cache_) return;
     ContactCache at_rest;
     at_rest_.each([&](const collision::Pair& pair, const auto& points) { at_rest.add(pair, points); });
-    into.take_from(at_rest, [](const collision::Pair&) { return true; });
+    ContactCache::each_of_both(*cache_, at_rest,
+                               [&](const collision::Pair& pair, const auto& points) { into.add(pair, points); });
 }
 
 }  // namespace pushfactor::engine

@@ -1,12 +1,10 @@
 #include "engine/constraints/distance_constraints.h"
 
-#include "engine/constraints/carried.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 namespace pushfactor::engine {
 
@@ -31,42 +29,19 @@ Bounds distance_bounds(const Distance& distance) {
     return {.c_min = pulls ? -distance.max_force : 0.0, .c_max = pushes ? distance.max_force : 0.0};
 }
 
-BodyPair pair_of(const Distance& distance, std::span<const Body> bodies) {
-    return {distance.body_a, distance.body_b, bodies[static_cast<std::size_t>(distance.body_a)],
-            bodies[static_cast<std::size_t>(distance.body_b)]};
-}
-
-Span span_of(const Distance& distance, const Body& a, const Body& b) {
-    return {a.position + a.orientation * distance.point_a, b.position + b.orientation * distance.point_b};
-}
-
 }  // namespace
 
-Span span_of(const Distance& distance, std::span<const Body> bodies) {
-    return span_of(distance, bodies[static_cast<std::size_t>(distance.body_a)],
-                   bodies[static_cast<std::size_t>(distance.body_b)]);
-}
-
 DistanceConstraints::DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached)
-    : distances_(std::move(distances)),
-      correction_(correction),
-      cached_(cached),
-      forces_(distances_.size()),
-      acting_(distances_.size()) {
-    std::iota(acting_.begin(), acting_.end(), 0);
-    for ([[maybe_unused]] const Distance& distance : distances_) {
+    : HeldPairs(std::move(distances), correction, cached) {
+    for ([[maybe_unused]] const Distance& distance : items_) {
         assert(!is_ball_joint(distance) ||
                (distance.acts == Distance::Acts::both && std::isinf(distance.max_force) && !distance.spring));
     }
 }
 
-void DistanceConstraints::append_rows(const StepStart& step, RowList& rows) {
-    for (const std::size_t i : acting_) append_rows_of(i, pair_of(distances_[i], step.bodies), step.dt, rows);
-}
-
 void DistanceConstraints::append_rows_of(std::size_t index, const BodyPair& bodies, double dt,
                                          RowList& rows) const {
-    if (is_ball_joint(distances_[index])) {
+    if (is_ball_joint(items_[index])) {
         append_joint(index, bodies, dt, rows);
     } else {
         append_bar(index, bodies, dt, rows);
@@ -74,8 +49,8 @@ void DistanceConstraints::append_rows_of(std::size_t index, const BodyPair& bodi
 }
 
 void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
-    const Distance& distance = distances_[index];
-    const auto [p_a, p_b] = span_of(distance, bodies.body_a, bodies.body_b);
+    const Distance& distance = items_[index];
+    const auto [p_a, p_b] = span_of(distance, bodies);
     const Vector3 p_ab = p_b - p_a;
     const double length = p_ab.norm();
     // Points at one place may part in any direction: one that turns with the scene.
@@ -102,7 +77,7 @@ void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, 
 }
 
 void DistanceConstraints::append_joint(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
-    const auto [p_a, p_b] = span_of(distances_[index], bodies.body_a, bodies.body_b);
+    const auto [p_a, p_b] = span_of(items_[index], bodies);
     const std::size_t first = rows.size();
     append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -114,7 +89,7 @@ void DistanceConstraints::append_joint(std::size_t index, const BodyPair& bodies
 
 double DistanceConstraints::stored_energy(std::span<const Body> bodies) const {
     double sum = 0.0;
-    for (const Distance& distance : distances_) {
+    for (const Distance& distance : items_) {
         if (!distance.spring) continue;
         const auto [from, to] = span_of(distance, bodies);
         const double error = (to - from).norm() - distance.length;
@@ -124,35 +99,10 @@ double DistanceConstraints::stored_energy(std::span<const Body> bodies) const {
 }
 
 bool DistanceConstraints::turns_unseen(int body) const {
-    return std::none_of(distances_.begin(), distances_.end(), [body](const Distance& distance) {
+    return std::none_of(items_.begin(), items_.end(), [body](const Distance& distance) {
         return (distance.body_a == body && !distance.point_a.isZero(0.0)) ||
                (distance.body_b == body && !distance.point_b.isZero(0.0));
     });
-}
-
-void DistanceConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake,
-                                           std::span<const int> /*changed*/) {
-    acting_.clear();
-    for (std::size_t i = 0; i < distances_.size(); ++i) {
-        if (is_any_moving(bodies, awake, distances_[i].body_a, distances_[i].body_b)) acting_.push_back(i);
-    }
-}
-
-SomeBodies DistanceConstraints::met_by_moved(const StepStart& step) const {
-    return held_by_moved(distances_, step.bodies);
-}
-
-void DistanceConstraints::set_forces(std::vector<DistanceForce> forces) {
-    assert(forces.size() == distances_.size());
-    forces_ = std::move(forces);
-}
-
-void DistanceConstraints::remember(std::span<const Lambda> answers) {
-    for (const std::size_t i : acting_) {
-        const std::size_t rows = is_ball_joint(distances_[i]) ? 3 : 1;
-        std::copy_n(answers.begin(), rows, forces_[i].begin());
-        answers = answers.subspan(rows);
-    }
 }
 
 }  // namespace pushfactor::engine

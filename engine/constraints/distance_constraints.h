@@ -28,9 +28,8 @@
 // rows that "only act in one direction" and rows with a force limit: ropes, struts and bars that yield.
 #pragma once
 
-#include "engine/constraints/constraint_source.h"
+#include "engine/constraints/held_pairs.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -62,47 +61,26 @@ inline bool is_ball_joint(const Distance& distance) {
     return distance.length == 0.0;
 }
 
-// Solution for a distance [N]: along the bar and two zeros, or along the world's x, y and z for a ball joint.
-using DistanceForce = std::array<Lambda, 3>;
+inline std::size_t row_count(const Distance& distance) {
+    return is_ball_joint(distance) ? 3 : 1;
+}
 
-// The two points in the world frame [m].
-struct Span {
-    Vector3 from, to;
-};
-Span span_of(const Distance& distance, std::span<const Body> bodies);
-
-class DistanceConstraints : public ConstraintSource {
+// Forces are along the bar, or along the world's x, y and z for a ball joint.
+class DistanceConstraints : public HeldPairs<Distance, 3> {
   public:
-    // `cached`: warm start from the forces of the previous step (6.2.3).
     DistanceConstraints(std::vector<Distance> distances, const Correction& correction, bool cached);
 
-    void append_rows(const StepStart& step, RowList& rows) override;
-    bool can_follow() const override { return true; }
     void append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const override;
-    void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
     double stored_energy(std::span<const Body> bodies) const override;
-    bool can_leave_out() const override { return true; }
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
-    SomeBodies met_by_moved(const StepStart& step) const override;
 
-    std::span<const Distance> distances() const { return distances_; }
-    // Indices of the distances that have rows, in row order; those of resting bodies have none.
-    std::span<const std::size_t> acting() const { return acting_; }
-
-    // Solution of the last step, one per distance [N]; zero before the first. Set when a run is restored.
-    const std::vector<DistanceForce>& forces() const { return forces_; }
-    void set_forces(std::vector<DistanceForce> forces);
+    std::span<const Distance> distances() const { return items_; }
 
   private:
     void append_bar(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
     void append_joint(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
-
-    std::vector<Distance> distances_;
-    Correction correction_;
-    bool cached_;
-    std::vector<DistanceForce> forces_;
-    std::vector<std::size_t> acting_;
 };
+
+using DistanceForce = DistanceConstraints::Force;
 
 }  // namespace pushfactor::engine

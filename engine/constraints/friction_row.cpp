@@ -7,29 +7,27 @@
 
 namespace pushfactor::engine {
 
-namespace {
-
-double least_sliding(const FrictionSite& site) {
-    return constants::rows::sliding * std::sqrt(site.size * site.acceleration);
+FrictionRule weight_friction(const Vector3& gravity) {
+    return [gravity](const FrictionSite& site) -> FrictionBound {
+        double mass = 0.0;
+        for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
+            if (!body->is_static()) mass += body->mass();
+        }
+        return {.limit = site.friction * mass * std::abs(gravity.dot(site.normal)) / site.points,
+                .least_sliding = constants::rows::sliding * site.size / site.dt};
+    };
 }
 
-}  // namespace
-
-FrictionBound WeightFriction::bound(const FrictionSite& site) const {
-    double mass = 0.0;
-    for (const Body* body : {&site.bodies.body_a, &site.bodies.body_b}) {
-        if (!body->is_static()) mass += body->mass();
-    }
-    return {.limit = site.friction * mass * std::abs(gravity_.dot(site.normal)) / site.points,
-            .least_sliding = constants::rows::sliding * site.size / site.dt};
+FrictionBound coulomb_friction(const FrictionSite& site) {
+    return {.limit = site.friction,
+            .of_normal_force = true,
+            .least_sliding = constants::rows::sliding * std::sqrt(site.size * site.acceleration)};
 }
 
-FrictionBound CoulombFriction::bound(const FrictionSite& site) const {
-    return {.limit = site.friction, .of_normal_force = true, .least_sliding = least_sliding(site)};
-}
-
-FrictionBound ConeFriction::bound(const FrictionSite& site) const {
-    return {.limit = site.friction, .of_normal_force = true, .round = true, .least_sliding = least_sliding(site)};
+FrictionBound cone_friction(const FrictionSite& site) {
+    FrictionBound bound = coulomb_friction(site);
+    bound.round = true;
+    return bound;
 }
 
 RelativeMotion::RelativeMotion(const BodyPair& bodies, const Motion& a, const Motion& b, const Vector3& belt)

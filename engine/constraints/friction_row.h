@@ -18,6 +18,7 @@
 #include "engine/constraints/point_jacobian.h"
 
 #include <array>
+#include <functional>
 
 namespace pushfactor::engine {
 
@@ -51,36 +52,19 @@ struct FrictionBound {
 };
 
 // How friction is bounded.
-class FrictionRule {
-  public:
-    virtual ~FrictionRule() = default;
-    virtual FrictionBound bound(const FrictionSite& site) const = 0;
-};
+using FrictionRule = std::function<FrictionBound(const FrictionSite&)>;
 
-// The paper's bound: constant, so the problem stays convex. The sliding threshold depends on the time step as
-// well: 1e-4 of the size per step.
-class WeightFriction : public FrictionRule {
-  public:
-    explicit WeightFriction(const Vector3& gravity) : gravity_(gravity) {}  // m/s^2
-    FrictionBound bound(const FrictionSite& site) const override;
-
-  private:
-    Vector3 gravity_;
-};
+// The paper's bound, for gravity in m/s^2: constant, so the problem stays convex. The sliding threshold depends on
+// the time step as well: 1e-4 of the size per step.
+FrictionRule weight_friction(const Vector3& gravity);
 
 // Coulomb's bound for each tangent: mu lambda of the point's contact row, in the same column. Along the
 // diagonal of the tangents friction is up to sqrt(2) times too large. Sliding threshold: 1e-4 of sqrt(size *
 // acceleration by external forces), the scale of the speed reached over the body's own size.
-class CoulombFriction : public FrictionRule {
-  public:
-    FrictionBound bound(const FrictionSite& site) const override;
-};
+FrictionBound coulomb_friction(const FrictionSite& site);
 
 // Coulomb's law: the same bound for the norm of both forces, a disc.
-class ConeFriction : public FrictionRule {
-  public:
-    FrictionBound bound(const FrictionSite& site) const override;
-};
+FrictionBound cone_friction(const FrictionSite& site);
 
 // Relative motion of the surfaces of b and a, for all their contact points. World frame.
 class RelativeMotion {

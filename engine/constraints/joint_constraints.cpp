@@ -1,7 +1,5 @@
 #include "engine/constraints/joint_constraints.h"
 
-#include "engine/base/index.h"
-#include "engine/constraints/carried.h"
 #include "engine/constraints/point_jacobian.h"
 
 #include <algorithm>
@@ -9,15 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace pushfactor::engine {
 
 namespace {
-
-BodyPair pair_of(const Joint& joint, std::span<const Body> bodies) {
-    return {joint.body_a, joint.body_b, bodies[at(joint.body_a)], bodies[at(joint.body_b)]};
-}
 
 // L.
 double lever_of(const BodyPair& pair) {
@@ -71,16 +64,7 @@ bool needs_angle(const Joint& joint) {
     return joint.hinge && (joint.hinge->limits || (joint.hinge->motor && joint.hinge->motor->servo));
 }
 
-Span span_of(const Joint& joint, const BodyPair& bodies) {
-    const Body &a = bodies.body_a, &b = bodies.body_b;
-    return {a.position + a.orientation * joint.point_a, b.position + b.orientation * joint.point_b};
-}
-
 }  // namespace
-
-Span span_of(const Joint& joint, std::span<const Body> bodies) {
-    return span_of(joint, pair_of(joint, bodies));
-}
 
 double angle_of(const Joint& joint, std::span<const Body> bodies) {
     return twist(turn_of(joint, pair_of(joint, bodies)), joint.hinge->axis);
@@ -93,25 +77,18 @@ std::size_t row_count(const Joint& joint) {
 }
 
 JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached)
-    : joints_(std::move(joints)),
-      correction_(correction),
-      cached_(cached),
-      forces_(joints_.size()),
-      angles_(joints_.size(), std::numeric_limits<double>::quiet_NaN()),
-      acting_(joints_.size()) {
-    std::iota(acting_.begin(), acting_.end(), 0);
-}
+    : HeldPairs(std::move(joints), correction, cached),
+      angles_(items_.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void JointConstraints::append_rows(const StepStart& step, RowList& rows) {
     for (const std::size_t i : acting_) {
-        const BodyPair bodies = pair_of(joints_[i], step.bodies);
-        if (needs_angle(joints_[i])) angles_[i] = angle_near(i, bodies);
-        append_rows_of(i, bodies, step.dt, rows);
+        if (needs_angle(items_[i])) angles_[i] = angle_near(i, pair_of(items_[i], step.bodies));
     }
+    HeldPairs::append_rows(step, rows);
 }
 
 void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
-    const Joint& joint = joints_[index];
+    const Joint& joint = items_[index];
     const std::size_t first = rows.size();
     const auto [p_a, p_b] = span_of(joint, bodies);
     append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
@@ -127,51 +104,43 @@ void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies,
 }
 
 void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, double dt, RowList& rows) const {
-    const Joint& joint = joints_[index];
+    const Joint& joint = items_[index];
     const Hinge& hinge = *joint.hinge;
     const double lever = lever_of(pair);
     const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
-    const auto label = [index](RowKind kind, double gap) {
-        return RowLabel{.kind = kind, .point = static_cast<int>(index), .gap = gap};
+    // A row about `axis` that has the error `error` [m]; `is_open`: it has not reached its limit yet.
+    const auto append = [&](const Vector3& axis, RowKind kind, double error, bool is_open) -> ConstraintRow& {
+        ConstraintRow& row = append_turn(pair, axis, rows);
+        row.push =
+            is_open ? PushFactor{.correcting = 0.0, .lasting = -error / dt} : correct(correction_, -error, dt);
+        row.error = error;
+        row.correction = &correction_;
+        row.label = {.kind = kind, .point = static_cast<int>(index), .gap = error};
+        return row;
     };
 
     const Vector3 theta = rotation_between(hinge.axis, turn * hinge.axis);
     const Vector3 across = hinge.axis.unitOrthogonal();
     for (const Vector3& t : {across, Vector3(hinge.axis.cross(across))}) {
-        const double error = lever * theta.dot(t);
-        ConstraintRow& row = append_turn(pair, lever * (frame * t), rows);
-        row.push = correct(correction_, -error, dt);
-        row.error = error;
-        row.correction = &correction_;
-        row.label = label(RowKind::joint, error);
+        append(lever * (frame * t), RowKind::joint, lever * theta.dot(t), false);
     }
     const Vector3 axis = lever * (frame * hinge.axis);
     const double phi = needs_angle(joint) ? angle_near(index, pair) : 0.0;
     if (hinge.motor) append_motor(index, pair, dt, phi, rows);
     if (!hinge.limits) return;
     if (!(hinge.limits->low < hinge.limits->high)) {
-        const double error = lever * (phi - hinge.limits->low);
-        ConstraintRow& row = append_turn(pair, axis, rows);
-        row.push = correct(correction_, -error, dt);
-        row.error = error;
-        row.correction = &correction_;
-        row.label = label(RowKind::limit, error);
+        append(axis, RowKind::limit, lever * (phi - hinge.limits->low), false);
         return;
     }
     for (const double side : {1.0, -1.0}) {
         const double gap = lever * gap_to(*hinge.limits, side, phi);
-        ConstraintRow& row = append_turn(pair, side * axis, rows);
-        row.push = gap > 0.0 ? PushFactor{.correcting = 0.0, .lasting = -gap / dt} : correct(correction_, -gap, dt);
-        row.bounds.c_min = 0.0;
-        row.error = gap;
-        row.correction = &correction_;
-        row.label = label(RowKind::limit, gap);
+        append(side * axis, RowKind::limit, gap, gap > 0.0).bounds.c_min = 0.0;
     }
 }
 
 void JointConstraints::append_motor(std::size_t index, const BodyPair& pair, double dt, double angle,
                                     RowList& rows) const {
-    const Hinge& hinge = *joints_[index].hinge;
+    const Hinge& hinge = *items_[index].hinge;
     const Motor& motor = *hinge.motor;
     const double lever = lever_of(pair);
     ConstraintRow& row = append_turn(pair, lever * (pair.body_a.orientation * hinge.axis), rows);
@@ -198,18 +167,18 @@ void JointConstraints::append_motor(std::size_t index, const BodyPair& pair, dou
 
 // phi: that of the possible angles which is nearest to the last one known; at first, to the middle of the limits.
 double JointConstraints::angle_near(std::size_t index, const BodyPair& pair) const {
-    const Hinge& hinge = *joints_[index].hinge;
+    const Hinge& hinge = *items_[index].hinge;
     double near = angles_[index];
     if (std::isnan(near)) near = hinge.limits ? 0.5 * (hinge.limits->low + hinge.limits->high) : 0.0;
-    return near + std::remainder(twist(turn_of(joints_[index], pair), hinge.axis) - near, 2.0 * std::numbers::pi);
+    return near + std::remainder(twist(turn_of(items_[index], pair), hinge.axis) - near, 2.0 * std::numbers::pi);
 }
 
 double JointConstraints::stored_energy(std::span<const Body> bodies) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (!joints_[i].hinge || !joints_[i].hinge->motor || !joints_[i].hinge->motor->servo) continue;
-        const Servo& servo = *joints_[i].hinge->motor->servo;
-        const double error = angle_near(i, pair_of(joints_[i], bodies)) - servo.angle;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        if (!items_[i].hinge || !items_[i].hinge->motor || !items_[i].hinge->motor->servo) continue;
+        const Servo& servo = *items_[i].hinge->motor->servo;
+        const double error = angle_near(i, pair_of(items_[i], bodies)) - servo.angle;
         sum += 0.5 * servo.stiffness * error * error;
     }
     return sum;
@@ -217,7 +186,7 @@ double JointConstraints::stored_energy(std::span<const Body> bodies) const {
 
 // A ball joint at the centre of a body does not see it turn.
 bool JointConstraints::turns_unseen(int body) const {
-    return std::none_of(joints_.begin(), joints_.end(), [body](const Joint& joint) {
+    return std::none_of(items_.begin(), items_.end(), [body](const Joint& joint) {
         const auto sees = [&](int own, const Vector3& point) {
             return own == body && (joint.hinge || !point.isZero(0.0));
         };
@@ -225,34 +194,9 @@ bool JointConstraints::turns_unseen(int body) const {
     });
 }
 
-void JointConstraints::leave_out_others(std::span<const Body> bodies, const Awake& awake,
-                                        std::span<const int> /*changed*/) {
-    acting_.clear();
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (is_any_moving(bodies, awake, joints_[i].body_a, joints_[i].body_b)) acting_.push_back(i);
-    }
-}
-
-SomeBodies JointConstraints::met_by_moved(const StepStart& step) const {
-    return held_by_moved(joints_, step.bodies);
-}
-
-void JointConstraints::set_forces(std::vector<JointForce> forces) {
-    assert(forces.size() == joints_.size());
-    forces_ = std::move(forces);
-}
-
 void JointConstraints::set_angles(std::vector<double> angles) {
-    assert(angles.size() == joints_.size());
+    assert(angles.size() == items_.size());
     angles_ = std::move(angles);
-}
-
-void JointConstraints::remember(std::span<const Lambda> answers) {
-    for (const std::size_t i : acting_) {
-        const std::size_t rows = row_count(joints_[i]);
-        std::copy_n(answers.begin(), rows, forces_[i].begin());
-        answers = answers.subspan(rows);
-    }
 }
 
 }  // namespace pushfactor::engine

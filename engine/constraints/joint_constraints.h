@@ -24,10 +24,8 @@
 // The rows without bounds of joints that close a loop are soft (constraint_row.h).
 #pragma once
 
-#include "engine/constraints/constraint_source.h"
-#include "engine/constraints/distance_constraints.h"
+#include "engine/constraints/held_pairs.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -66,9 +64,6 @@ struct Joint {
     bool closes_loop = false;      // part of a loop of joints and distances (loops.h); static bodies are one
 };
 
-// The two points in the world frame [m].
-Span span_of(const Joint& joint, std::span<const Body> bodies);
-
 // Angle of a hinge in (-pi, pi] [rad].
 double angle_of(const Joint& joint, std::span<const Body> bodies);
 
@@ -76,31 +71,16 @@ double angle_of(const Joint& joint, std::span<const Body> bodies);
 inline constexpr std::size_t most_joint_rows = 8, motor_row = 5;
 std::size_t row_count(const Joint& joint);
 
-// Solution of each row of a joint [N], zero for those that it does not have.
-using JointForce = std::array<Lambda, most_joint_rows>;
-
-class JointConstraints : public ConstraintSource {
+class JointConstraints : public HeldPairs<Joint, most_joint_rows> {
   public:
-    // `cached`: warm start from the forces of the previous step (6.2.3).
     JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached);
 
     void append_rows(const StepStart& step, RowList& rows) override;
-    bool can_follow() const override { return true; }
     void append_rows_of(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const override;
-    void remember(std::span<const Lambda> answers) override;
     bool turns_unseen(int body) const override;
-    bool can_leave_out() const override { return true; }
-    void leave_out_others(std::span<const Body> bodies, const Awake& awake, std::span<const int> changed) override;
-    SomeBodies met_by_moved(const StepStart& step) const override;
-
-    std::span<const Joint> joints() const { return joints_; }
-    // Indices of the joints that have rows, in row order; those of resting bodies have none.
-    std::span<const std::size_t> acting() const { return acting_; }
-
-    // Solution of the last step, one per joint; zero before the first. Set when a run is restored.
-    const std::vector<JointForce>& forces() const { return forces_; }
-    void set_forces(std::vector<JointForce> forces);
     double stored_energy(std::span<const Body> bodies) const override;
+
+    std::span<const Joint> joints() const { return items_; }
 
     // phi of each joint at the start of the last step [rad]; NaN where it is not needed, or not known yet. Part of
     // the state of a run.
@@ -112,12 +92,9 @@ class JointConstraints : public ConstraintSource {
     void append_motor(std::size_t index, const BodyPair& bodies, double dt, double angle, RowList& rows) const;
     double angle_near(std::size_t index, const BodyPair& bodies) const;
 
-    std::vector<Joint> joints_;
-    Correction correction_;
-    bool cached_;
-    std::vector<JointForce> forces_;
     std::vector<double> angles_;
-    std::vector<std::size_t> acting_;
 };
+
+using JointForce = JointConstraints::Force;
 
 }  // namespace pushfactor::engine

@@ -40,15 +40,8 @@ class PairPoint {
           a_moves_(!bodies.body_a.is_static()),
           b_moves_(!bodies.body_b.is_static()) {}
 
-    // j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the block of a static body is zero
-    // (the simplification at the end of 5.3).
-    Jacobian along(const Vector3& direction) const {
-        ConstraintRow row;
-        place(row, direction);
-        return row.jacobian;
-    }
-
-    // Sets bodies and Jacobian of a new row.
+    // Sets bodies and Jacobian of a new row, j_c of 5.3 for any unit `direction` d: [-d, -r_a x d, d, r_b x d]; the
+    // block of a static body is zero (the simplification at the end of 5.3).
     void place(ConstraintRow& row, const Vector3& direction) const {
         row.body_a = a_;
         row.body_b = b_;

@@ -4,6 +4,7 @@
 #include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
 
+#include <ranges>
 #include <span>
 
 namespace pushfactor::engine {
@@ -11,24 +12,11 @@ namespace pushfactor::engine {
 // The bodies of a world as seen by a force source: iterates over those that are not at rest (rest.h).
 class ForcedBodies {
   public:
-    ForcedBodies(std::span<Body> bodies, const Awake& awake) : bodies_(bodies), awake_(awake) {}
+    ForcedBodies(std::span<Body> bodies, const Awake& awake)
+        : bodies_(bodies), awake_(awake), forced_(awake.members(), Numbered{bodies}) {}
 
-    class Iterator {
-      public:
-        Iterator(std::span<Body> bodies, std::span<const int>::iterator at) : bodies_(bodies), at_(at) {}
-        Body& operator*() const { return bodies_[static_cast<std::size_t>(*at_)]; }
-        Iterator& operator++() {
-            ++at_;
-            return *this;
-        }
-        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
-
-      private:
-        std::span<Body> bodies_;
-        std::span<const int>::iterator at_;
-    };
-    Iterator begin() const { return {bodies_, awake_.members().begin()}; }
-    Iterator end() const { return {bodies_, awake_.members().end()}; }
+    auto begin() const { return forced_.begin(); }
+    auto end() const { return forced_.end(); }
 
     // By index. For a resting body returns a copy, valid until the next call, because forces on it do not count.
     Body& operator[](std::size_t body) const {
@@ -38,8 +26,14 @@ class ForcedBodies {
     std::size_t size() const { return bodies_.size(); }
 
   private:
+    struct Numbered {
+        std::span<Body> bodies;
+        Body& operator()(int body) const { return bodies[static_cast<std::size_t>(body)]; }
+    };
+
     std::span<Body> bodies_;
     const Awake& awake_;
+    std::ranges::transform_view<std::span<const int>, Numbered> forced_;
     mutable Body at_rest_;
 };
 

@@ -8,7 +8,11 @@ namespace pushfactor::engine {
 class Gravity : public ForceSource {
   public:
     explicit Gravity(const Vector3& acceleration) : acceleration_(acceleration) {}  // m/s^2, world frame
-    void add_forces(const ForcedBodies& bodies, double from, double until) override;
+    void add_forces(const ForcedBodies& bodies, double, double) override {
+        for (Body& body : bodies) {
+            if (!body.is_static()) body.force += body.mass() * acceleration_;
+        }
+    }
     SomeBodies pushed_anew(double, double) const override { return {}; }
     bool turns_unseen(int) const override { return true; }
     Vector3 gravity() const override { return acceleration_; }

@@ -2,7 +2,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/collision/meeting.h"
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 #include "engine/collision/time_of_impact.h"
 
 #include <algorithm>
@@ -31,8 +31,7 @@ struct Look {
     Look(const Flier& of_a, const Flier& of_b, double time, double margin, collision::Manifold& manifold)
         : a(placed(of_a, time)), b(placed(of_b, time)) {
         collision::collide(of_a.shape, collision::pose_of(a), of_b.shape, collision::pose_of(b), margin, manifold);
-        gap = manifold.separation;
-        for (const collision::ContactPoint& point : manifold.points()) gap = std::min(gap, point.gap);
+        gap = manifold.smallest_gap();
     }
 
     Body a, b;

@@ -17,8 +17,7 @@ struct Penetration {
 };
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders);
 
-// The same with a detector that is reused from state to state, which is faster if little has moved. `threads` share
-// the work; null: one thread.
+// The same with a detector that is reused from state to state, which is faster if little has moved.
 Penetration penetration(std::span<const Body> bodies, std::span<const collision::Collider> colliders,
                         collision::Detector& detector, Threads* threads = nullptr);
 

@@ -32,7 +32,7 @@ SolveWork StepSolver::solve(const StepProblem& problem) {
 
 SolveWork StepSolver::solve_again(const StepProblem& problem, std::size_t first_new) {
     const SystemEquation& system = problem.system;
-    islands_.find_again(system, first_new);
+    islands_.find(system);
     const bool second_column = system.column_count() > lambda_.cols();
     lambda_.conservativeResize(system.row_count(), system.column_count());
     if (second_column) lambda_.col(1) = lambda_.col(0);

@@ -81,14 +81,18 @@ void Dissection::cut(std::span<const Body> bodies, const Island& island) {
     } else {
         put_bodies(island, halvings);
     }
-    list_parts();
+    rounds_.clear();
+    std::span<const Part> left = parts_;
+    for (int height = 0; height <= halvings; ++height) {
+        rounds_.push_back(left.first(std::size_t{1} << (halvings - height)));
+        left = left.subspan(rounds_.back().size());
+    }
 }
 
 void Dissection::leave_whole(const Island& island) {
     island_ = island;
     leaves_.assign(1, {0, island.movable()});
     parts_.assign(1, {0, static_cast<int>(island.runs.size()), 0, island.rows});
-    rounds_.assign(1, {});
 }
 
 void Dissection::find_spots(std::span<const Body> bodies, const Island& island) {
@@ -216,16 +220,6 @@ void Dissection::put_bodies(const Island& island, int halvings) {
     island_ = island;
     island_.bodies = bodies_;
     island_.runs = runs_;
-    rounds_.assign(at(halvings) + 1, {});
-}
-
-void Dissection::list_parts() {
-    std::span<const Part> left = parts_;
-    for (std::size_t height = 0; height < rounds_.size(); ++height) {
-        const std::size_t count = std::size_t{1} << (rounds_.size() - 1 - height);
-        rounds_[height].parts = left.first(count);
-        left = left.subspan(count);
-    }
 }
 
 }  // namespace pushfactor::engine

@@ -35,9 +35,7 @@ class Dissection {
         int begin = 0, end = 0;  // body numbers in island()
     };
     // Parts without common bodies.
-    struct Round {
-        std::span<const Part> parts{};
-    };
+    using Round = std::span<const Part>;
 
     // Number of rows from which on an island is cut.
     static constexpr int least_rows = 2000;
@@ -82,8 +80,8 @@ class Dissection {
   private:
     template <typename Visit>
     void in_any_order(Team& team, const Round& round, const Visit& visit) const {
-        for (std::size_t k = 0; k < round.parts.size(); ++k) {
-            if (team.owns(k, round.parts.size())) visit(round.parts[k]);
+        for (std::size_t k = 0; k < round.size(); ++k) {
+            if (team.owns(k, round.size())) visit(round[k]);
         }
     }
 
@@ -100,7 +98,6 @@ class Dissection {
     bool halve(int begin, int end, int halvings, int leaf);
     void put_bodies(const Island& island, int halvings);
     bool put_runs(const Island& island, int halvings);
-    void list_parts();
 
     Island island_;
     std::vector<int> bodies_;  // of island_

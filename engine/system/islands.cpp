@@ -144,8 +144,8 @@ double island_residual(const SystemEquation& system, const Island& island, const
     return largest;
 }
 
-void Islands::find(const SystemEquation& system, int first_new, Threads* threads) {
-    if (!find_runs(system, first_new, threads)) return;
+void Islands::find(const SystemEquation& system, Threads* threads) {
+    if (!find_runs(system, threads)) return;
     join_bodies(system);
     gather_bodies(system);
     gather_runs();
@@ -168,32 +168,26 @@ Islands::Found Islands::run_from(const SystemEquation& system, int begin) {
 }
 
 // Returns whether the runs differ from those of the last call.
-bool Islands::find_runs(const SystemEquation& system, int first_new, Threads* threads) {
+bool Islands::find_runs(const SystemEquation& system, Threads* threads) {
     const std::span<const RowDigest> rows = system.digests;
-    // The new rows may extend the last run.
-    const std::size_t as_before = first_new > 0 && !found_.empty() ? found_.size() - 1 : 0;
-    const std::size_t from = first_new > 0 && !found_.empty() ? at(found_.back().begin) : 0;
     const auto begins_run = [&](std::size_t j) {
-        return j == from || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
+        return j == 0 || rows[j].body_a != rows[j - 1].body_a || rows[j].body_b != rows[j - 1].body_b;
     };
     new_found_.clear();
-    run_search_.append_to(new_found_, threads, rows.size() - from, rows_of_a_part,
+    run_search_.append_to(new_found_, threads, rows.size(), rows_of_a_part,
                           [&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
-                              std::size_t j = from + begin;
-                              end += from;
+                              std::size_t j = begin;
                               while (j < end && !begins_run(j)) ++j;
                               for (; j < end; j = at(found.back().end)) {
                                   found.push_back(run_from(system, static_cast<int>(j)));
                               }
                           });
     // For runs that follow others the leaders may have changed, so treat them as different.
-    const bool unchanged = body_count_ == system.inverse_mass.size() &&
-                           std::ranges::equal(std::span(found_).subspan(as_before), new_found_) &&
+    const bool unchanged = body_count_ == system.inverse_mass.size() && found_ == new_found_ &&
                            std::ranges::none_of(new_found_, &Found::follows);
     if (unchanged) return false;
     body_count_ = system.inverse_mass.size();
-    found_.resize(as_before);
-    found_.insert(found_.end(), new_found_.begin(), new_found_.end());
+    found_.swap(new_found_);
     followers_.clear();
     for (const Found& run : found_) {
         for (int j = run.begin; run.follows && run.movable >= 0 && j < run.end; ++j) {

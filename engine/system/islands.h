@@ -70,8 +70,7 @@ void constraint_forces(const SystemEquation& system, const Island& island, const
 // Natural-map residual [m/s] of one island in its columns, see RowResiduals.
 double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda);
 
-// The same for one column, with `forces` from constraint_forces(). `accelerations` is scratch memory. `threads`
-// share the work; null: one thread.
+// The same for one column, with `forces` from constraint_forces(). `accelerations` is scratch memory.
 double island_residual(const SystemEquation& system, const Island& island, const Columns& lambda,
                        Eigen::Index column, std::span<const Vector6> forces, std::vector<Vector6>& accelerations,
                        Threads* threads = nullptr);
@@ -79,14 +78,8 @@ double island_residual(const SystemEquation& system, const Island& island, const
 class Islands {
   public:
     // Finds the islands of `system`, in time linear in its rows and bodies; reuses the result of the last call if
-    // the same rows act on the same bodies. A row without movable bodies belongs to no island. `threads` share the
-    // work; null: one thread.
-    void find(const SystemEquation& system, Threads* threads = nullptr) { find(system, 0, threads); }
-
-    // The same after rows have been appended to those of the last call, starting with row `first_new`.
-    void find_again(const SystemEquation& system, std::size_t first_new) {
-        find(system, static_cast<int>(first_new), nullptr);
-    }
+    // the same rows act on the same bodies. A row without movable bodies belongs to no island.
+    void find(const SystemEquation& system, Threads* threads = nullptr);
 
     // In ascending order of their first bodies; valid until the next find().
     std::span<const Island> all() const { return islands_; }
@@ -113,8 +106,7 @@ class Islands {
         int leader;  // row of other bodies
     };
 
-    void find(const SystemEquation& system, int first_new, Threads* threads);
-    bool find_runs(const SystemEquation& system, int first_new, Threads* threads);
+    bool find_runs(const SystemEquation& system, Threads* threads);
     static Found run_from(const SystemEquation& system, int begin);
     void join_bodies(const SystemEquation& system);
     void gather_bodies(const SystemEquation& system);

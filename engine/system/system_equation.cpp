@@ -3,7 +3,6 @@
 #include "engine/bodies/awake.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -13,24 +12,12 @@ namespace {
 
 // `result` holds the values of the last step, or zero; bodies with equal moments keep them.
 void find_inverse_mass(const Body& body, InverseMass& result) {
-    if (body.is_static()) {
-        if (result.linear > 0.0) result = {};
-        return;
-    }
     const Vector3& moments = body.inverse_inertia;
     const bool turns_alike = moments.x() == moments.y() && moments.y() == moments.z();
-    const bool as_before = turns_alike && result.turns_alike && result.linear == body.inverse_mass &&
-                           result.angular(0, 0) == moments.x();
-    if (as_before) return;
-    result.turns_alike = turns_alike;
+    if (turns_alike && result.linear == body.inverse_mass && result.angular.diagonal() == moments) return;
     result.linear = body.inverse_mass;
     result.linear_root = std::sqrt(body.inverse_mass);
-    if (turns_alike) {
-        result.angular = moments.asDiagonal();
-        result.angular_root = moments.cwiseSqrt().asDiagonal();
-        return;
-    }
-    const Matrix3 rotation = body.orientation.toRotationMatrix();
+    const Matrix3 rotation = turns_alike ? Matrix3(Matrix3::Identity()) : body.orientation.toRotationMatrix();
     result.angular = rotation * moments.asDiagonal() * rotation.transpose();
     result.angular_root = rotation * moments.cwiseSqrt().asDiagonal();
 }
@@ -118,36 +105,15 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
-// Of kinds that few scenes have, apart so that the others do not pay for them.
-[[gnu::noinline]] int traits_of_kind(const ConstraintRow& row, double carried) {
-    const int soft = row.softness > 0.0 ? RowDigest::soft : 0;
-    switch (row.label.kind) {
-        case RowKind::joint:
-            return RowDigest::joins | soft;
-        case RowKind::motor:
-            return (row.push.lasting != 0.0 || carried != 0.0 ? RowDigest::drives : 0) | soft;
-        case RowKind::spring:
-        case RowKind::limit:
-        case RowKind::contact:
-        case RowKind::friction:
-        case RowKind::distance:
-            break;
-    }
-    return soft;
-}
-
 [[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
-    if (row.label.kind == RowKind::friction) {
-        if (row.push.lasting != 0.0 || system.carried_by(j) != 0.0) traits |= RowDigest::drives;
-    } else if (row.label.kind > RowKind::distance) {
-        traits |= traits_of_kind(row, system.carried_by(j));
-    } else if (row.softness > 0.0) {
-        traits |= RowDigest::soft;
-    }
+    if (row.softness > 0.0) traits |= RowDigest::soft;
+    if (row.label.kind == RowKind::joint) traits |= RowDigest::joins;
+    const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
+    if (may_drive && (row.push.lasting != 0.0 || system.carried_by(j) != 0.0)) traits |= RowDigest::drives;
     if (bounds.of_row >= 0) {
         traits |= RowDigest::limited;
         // The rows of a contact point are adjacent.
@@ -213,13 +179,17 @@ Jacobian unit_axis(const SystemEquation& system, const ConstraintRow& row, doubl
 
 namespace {
 
-// Writes diagonals, digests and right-hand sides of the rows from `first` on, in as many columns as b has. Returns
-// whether any has a single-frame correction.
-bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system, Threads* threads) {
-    const bool two_columns = system.column_count() == 2;
-    std::atomic<bool> any_corrects = false;
+// Diagonals, digests and right-hand sides of the rows from `first` on; those before have theirs.
+void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
+                      Threads* threads) {
+    system.rows = rows;
+    size_rows(system);
+    const bool had_one = first > 0 && system.column_count() == 1;
+    const bool two_columns =
+        (first > 0 && !had_one) || !system.detours.empty() || std::ranges::any_of(rows.subspan(first), corrects);
+    system.b.conservativeResize(static_cast<Eigen::Index>(rows.size()), two_columns ? 2 : 1);
+    if (had_one && two_columns) system.b.col(1) = system.b.col(0);
     share(threads, rows.size() - first, rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-        bool some_correct = false;
         for (std::size_t j = first + begin; j < first + end; ++j) {
             const ConstraintRow& row = rows[j];
             weigh(j, system);
@@ -230,35 +200,8 @@ bool write_rows(std::span<const ConstraintRow> rows, std::size_t first, SystemEq
             if (two_columns && !system.detours.empty())
                 system.b(index, 0) -= acceleration_along(system, j, system.detours);
             if (two_columns) system.b(index, 1) = row.push.lasting / system.dt - free;
-            some_correct = some_correct || corrects(row);
         }
-        if (some_correct) any_corrects.store(true, std::memory_order_relaxed);
     });
-    return any_corrects;
-}
-
-// Starts with the column count of the last step and corrects it if the rows need another: a single pass in nearly
-// all steps.
-void append_to_system(std::span<const ConstraintRow> rows, std::size_t first, SystemEquation& system,
-                      Threads* threads) {
-    system.rows = rows;
-    size_rows(system);
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    const Eigen::Index before = std::max<Eigen::Index>(1, system.column_count());
-    if (first == 0) {
-        system.b.resize(count, before);
-    } else {
-        system.b.conservativeResize(count, before);
-    }
-    const bool two_columns =
-        write_rows(rows, first, system, threads) || !system.detours.empty() || (first > 0 && before == 2);
-    if (two_columns && before == 1) {
-        system.b.conservativeResize(count, 2);
-        system.b.col(1) = system.b.col(0);
-        write_rows(rows, first, system, threads);
-    } else if (!two_columns && before == 2) {
-        system.b.conservativeResize(count, 1);
-    }
 }
 
 }  // namespace

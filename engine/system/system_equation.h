@@ -37,7 +37,6 @@ struct InverseMass {
     double linear_root = 0.0;                // square root of `linear`
     Matrix3 angular = Matrix3::Zero();       // 1/(kg m^2), world frame
     Matrix3 angular_root = Matrix3::Zero();  // W with W W^T = angular; W maps body axes to world axes
-    bool turns_alike = false;                // equal moments: independent of the orientation
 };
 
 // Properties of a row that every step reads, in a compact array of their own: a cache line holds four of them,
@@ -87,8 +86,7 @@ struct SystemEquation {
 };
 
 // Writes 6.2.9 for the bodies, with their forces, and the rows into `system`, whose memory is reused. `rows` must
-// outlive its use. Only bodies in `awake` (ascending) take part, or all; the others count as static. `threads`
-// share the work; null: one thread.
+// outlive its use. Only bodies in `awake` (ascending) take part, or all; the others count as static.
 void build_system(std::span<const Body> bodies, std::span<const int> awake, std::span<const ConstraintRow> rows,
                   double dt, SystemEquation& system, Threads* threads = nullptr);
 void build_system(std::span<const Body> bodies, std::span<const ConstraintRow> rows, double dt,

@@ -4,7 +4,7 @@
 #include "engine/bodies/diagnostics.h"
 #include "engine/constraints/contact_constraints.h"
 #include "engine/forces/gravity.h"
-#include "engine/impacts/contact_impacts.h"
+#include "engine/impacts/impacts.h"
 #include "engine/measures/penetration.h"
 #include "engine/world.h"
 
@@ -109,8 +109,8 @@ struct ContactScene {
             return false;
         };
         using engine::collision::Collider;
-        if (any(&Collider::friction)) stage->set_friction(std::make_unique<engine::ConeFriction>());
-        if (any(&Collider::restitution)) world.impacts = std::make_unique<engine::ContactImpacts>(*stage);
+        if (any(&Collider::friction)) stage->set_friction(engine::cone_friction);
+        if (any(&Collider::restitution)) world.impacts = std::make_unique<engine::Impacts>(*stage);
         stage->set_continuous_collision(std::make_unique<engine::collision::ContinuousCollision>());
         stage->set_cache(std::make_unique<engine::ContactCache>());
         world.constraints.push_back(std::move(stage));

@@ -21,7 +21,7 @@ struct Capsule {
     double half_length = 0.5;  // m, from the middle to the centre of a round end
 };
 
-// As collide() in pair_table.h. A point for each end, whose feature is the end: 0 above, 1 below in the body frame.
+// As collide() in collide.h. A point for each end, whose feature is the end: 0 above, 1 below in the body frame.
 void collide_capsule_plane(const Capsule& capsule, const Pose& capsule_pose, const Plane&, const Pose& plane_pose,
                            double margin, Manifold& manifold) {
     const Vector3 up = plane_pose.rotation.col(1);

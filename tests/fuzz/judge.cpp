@@ -2,6 +2,7 @@
 
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
+#include "engine/impacts/impacts.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/fuzz/step_claims.h"
 

@@ -1,6 +1,7 @@
 #include "tests/fuzz/step_claims.h"
 
 #include "engine/bodies/diagnostics.h"
+#include "engine/impacts/impacts.h"
 #include "engine/step/choice.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
-#include "engine/impacts/contact_impacts.h"
+#include "engine/impacts/impacts.h"
 
 #include <algorithm>
 #include <map>
@@ -26,16 +26,16 @@ collision::Shape make_shape(const BodyDescription& described) {
         described.shape);
 }
 
-std::unique_ptr<engine::FrictionRule> make_friction(FrictionModel model, const Vector3& gravity) {
+engine::FrictionRule make_friction(FrictionModel model, const Vector3& gravity) {
     switch (model) {
         case FrictionModel::cone:
-            return std::make_unique<engine::ConeFriction>();
+            return engine::cone_friction;
         case FrictionModel::coulomb:
-            return std::make_unique<engine::CoulombFriction>();
+            return engine::coulomb_friction;
         case FrictionModel::paper:
             break;
     }
-    return std::make_unique<engine::WeightFriction>(gravity);
+    return engine::weight_friction(gravity);
 }
 
 // The numbers of what the bodies name, by body and by name: groups or materials. Negative without a name.
@@ -123,14 +123,16 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
     };
     auto contacts = std::make_unique<engine::ContactConstraints>(colliders, choices);
     auto materials = make_materials(description, settings);
-    if (any(&collision::Collider::friction) || (materials && materials->any_friction())) {
+    if (any(&collision::Collider::friction) ||
+        (materials && materials->any(&collision::MaterialPairs::Surface::friction))) {
         contacts->set_friction(make_friction(settings.friction_model, scene.gravity));
     }
-    if (any(&collision::Collider::restitution) || (materials && materials->any_bounces())) {
+    if (any(&collision::Collider::restitution) ||
+        (materials && materials->any(&collision::MaterialPairs::Surface::restitution))) {
         if (settings.restitution_model == RestitutionModel::sum) {
             contacts->set_restitution(engine::restitution_sum);
         } else {
-            scene.world.impacts = std::make_unique<engine::ContactImpacts>(*contacts);
+            scene.world.impacts = std::make_unique<engine::Impacts>(*contacts);
         }
     }
     if (settings.margin > 0.0)

@@ -1,10 +1,9 @@
 // A search of its own over the 15 axes, which keep their names from step to step without a look at any vertex:
-// boxes as hulls (polyhedron_pairs.h) would have the same contacts at higher cost.
-#include "engine/collision/pairs/box_box.h"
-
+// boxes as hulls (polyhedron_pairs.cpp) would have the same contacts at higher cost.
 #include "engine/base/constants.h"
 #include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/clipping.h"
+#include "engine/collision/pairs/pairs.h"
 #include "engine/collision/pairs/separations.h"
 
 #include <algorithm>

@@ -5,9 +5,7 @@ namespace pushfactor::engine::collision {
 namespace {
 
 const Vector3& support_vertex(const Hull& hull, const Vector3& direction) {
-    return *std::max_element(hull.vertices.begin(), hull.vertices.end(), [&](const Vector3& p, const Vector3& q) {
-        return direction.dot(p) < direction.dot(q);
-    });
+    return *std::ranges::max_element(hull.vertices, {}, [&](const Vector3& p) { return direction.dot(p); });
 }
 
 // The largest of n . w over the unit vectors n of the arc between the normals of an edge's faces. Inside the arc n
@@ -28,38 +26,30 @@ HullAxes::HullAxes(const PlacedHull& a, const PlacedHull& b)
       offset_(a.pose().rotation.transpose() * (b.pose().position - a.pose().position)),
       back_(-(turn_.transpose() * offset_)) {}
 
-double HullAxes::along_face_of_a(int number) const {
-    const HullFace& face = a_.hull().face(number);
-    return face.normal.dot(offset_) - face.offset - support(b_.hull(), -(turn_.transpose() * face.normal));
+double HullAxes::along(const PlacedHull& own, int number) const {
+    const HullFace& face = own.hull().face(number);
+    const bool of_a = &own == &a_;
+    const Vector3 to_other = of_a ? Vector3(turn_.transpose() * face.normal) : Vector3(turn_ * face.normal);
+    return face.normal.dot(of_a ? offset_ : back_) - face.offset - support((of_a ? b_ : a_).hull(), -to_other);
 }
 
-double HullAxes::along_face_of_b(int number) const {
-    const HullFace& face = b_.hull().face(number);
-    return face.normal.dot(back_) - face.offset - support(a_.hull(), -(turn_ * face.normal));
-}
-
-double HullAxes::at_most_along_face_of_a(int number) const {
-    const HullFace& face = a_.hull().face(number);
-    return face.normal.dot(offset_) - face.offset - b_.hull().inner_radius;
-}
-
-double HullAxes::at_most_along_face_of_b(int number) const {
-    const HullFace& face = b_.hull().face(number);
-    return face.normal.dot(back_) - face.offset - a_.hull().inner_radius;
+double HullAxes::at_most_along(const PlacedHull& own, int number) const {
+    const HullFace& face = own.hull().face(number);
+    const bool of_a = &own == &a_;
+    return face.normal.dot(of_a ? offset_ : back_) - face.offset - (of_a ? b_ : a_).hull().inner_radius;
 }
 
 double HullAxes::large_face_gap() const {
     double highest = -infinity;
-    int of_a = 0, of_b = -1;
-    for (int f = 0; f < static_cast<int>(a_.hull().faces.size()); ++f) {
-        const double bound = at_most_along_face_of_a(f);
-        if (bound > highest) highest = bound, of_a = f;
+    const PlacedHull* of = &a_;
+    int face = 0;
+    for (const PlacedHull* own : {&a_, &b_}) {
+        for (int f = 0; f < static_cast<int>(own->hull().faces.size()); ++f) {
+            const double bound = at_most_along(*own, f);
+            if (bound > highest) highest = bound, of = own, face = f;
+        }
     }
-    for (int f = 0; f < static_cast<int>(b_.hull().faces.size()); ++f) {
-        const double bound = at_most_along_face_of_b(f);
-        if (bound > highest) highest = bound, of_b = f;
-    }
-    return of_b < 0 ? along_face_of_a(of_a) : along_face_of_b(of_b);
+    return along(*of, face);
 }
 
 void HullAxes::list_edges(const Hull& own, const Hull& other, const Matrix3& turn, const Vector3& offset,

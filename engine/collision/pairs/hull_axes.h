@@ -19,28 +19,22 @@ class HullAxes {
   public:
     HullAxes(const PlacedHull& a, const PlacedHull& b);
 
-    // Separation along the normal of a face [m].
-    double along_face_of_a(int face) const;
-    double along_face_of_b(int face) const;
-    // An upper bound of it.
-    double at_most_along_face_of_a(int face) const;
-    double at_most_along_face_of_b(int face) const;
-
     // The gap along one of the face axes, probably one of the largest [m].
     double large_face_gap() const;
 
     // Calls `visit` with the face axes of which the gap may reach `least` [m].
     template <typename Visit>
     void visit_faces(double least, const Visit& visit) const {
-        for (int f = 0; f < static_cast<int>(a_.hull().faces.size()); ++f) {
-            if (at_most_along_face_of_a(f) < least) continue;
-            const Vector3 normal = a_.pose().rotation * a_.hull().face(f).normal;
-            visit(Separation{normal, along_face_of_a(f), f, -1});
-        }
-        for (int f = 0; f < static_cast<int>(b_.hull().faces.size()); ++f) {
-            if (at_most_along_face_of_b(f) < least) continue;
-            const Vector3 normal = -(b_.pose().rotation * b_.hull().face(f).normal);
-            visit(Separation{normal, along_face_of_b(f), -1, f});
+        for (const PlacedHull* own : {&a_, &b_}) {
+            for (int f = 0; f < static_cast<int>(own->hull().faces.size()); ++f) {
+                if (at_most_along(*own, f) < least) continue;
+                const Vector3 out = own->pose().rotation * own->hull().face(f).normal;
+                if (own == &a_) {
+                    visit(Separation{out, along(a_, f), f, -1});
+                } else {
+                    visit(Separation{-out, along(b_, f), -1, f});
+                }
+            }
         }
     }
 
@@ -66,6 +60,10 @@ class HullAxes {
     }
 
   private:
+    // Separation along the normal of a face of one of both, and an upper bound of it [m].
+    double along(const PlacedHull& own, int face) const;
+    double at_most_along(const PlacedHull& own, int face) const;
+
     static constexpr std::size_t most_edges = 3 * most_vertices;
     struct EdgeList {
         std::array<int, most_edges> numbers;
@@ -95,22 +93,16 @@ class HullAxes {
 };
 
 // Calls `visit` with the separations of two polyhedra of which the gap exceeds `least` [m], perhaps with some
-// others, and at least with the largest. Those of edges are left out if `enough()` is true after those of faces.
-template <typename Visit, typename Enough>
-void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit,
-                       const Enough& enough) {
+// others, and at least with the largest.
+template <typename Visit>
+void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit) {
     const HullAxes axes(a, b);
     double largest = -infinity;
     axes.visit_faces(std::min(least, axes.large_face_gap()), [&](const Separation& separation) {
         largest = std::max(largest, separation.gap);
         visit(separation);
     });
-    if (!enough()) axes.visit_edges(std::min(least, largest), visit);
-}
-
-template <typename Visit>
-void visit_separations(const PlacedHull& a, const PlacedHull& b, double least, const Visit& visit) {
-    visit_separations(a, b, least, visit, [] { return false; });
+    axes.visit_edges(std::min(least, largest), visit);
 }
 
 }  // namespace pushfactor::engine::collision

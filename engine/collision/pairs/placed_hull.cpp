@@ -7,7 +7,7 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// The cube from -1 to 1, vertices numbered as the corners in box_plane.cpp.
+// The cube from -1 to 1, vertices numbered as the corners in plane_pairs.cpp.
 const Hull& cube() {
     static const PolyhedronMesh mesh = [] {
         std::vector<Vector3> vertices;

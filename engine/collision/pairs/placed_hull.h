@@ -4,8 +4,12 @@
 #include "engine/collision/collider.h"
 
 #include <array>
+#include <concepts>
 
 namespace pushfactor::engine::collision {
+
+template <typename T>
+concept Flat = std::same_as<T, Box> || std::same_as<T, Polyhedron>;
 
 // A polyhedron, or a box as one. Refers to the shape and the pose.
 class PlacedHull {

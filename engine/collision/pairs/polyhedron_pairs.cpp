@@ -1,8 +1,8 @@
-#include "engine/collision/pairs/polyhedron_pairs.h"
-
 #include "engine/base/constants.h"
 #include "engine/collision/pairs/axis_choice.h"
 #include "engine/collision/pairs/clipping.h"
+#include "engine/collision/pairs/hull_axes.h"
+#include "engine/collision/pairs/pairs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Features that a scene does not need are not constructed, make no rows or columns, and their code is not entered.
 #include "demos/runs/step_division.h"
-#include "engine/collision/pairs/box_box.h"
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"

@@ -1,5 +1,4 @@
-#include "engine/collision/pairs/box_box.h"
-
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"

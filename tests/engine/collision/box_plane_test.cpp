@@ -1,4 +1,4 @@
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/engine/dense_algebra.h"

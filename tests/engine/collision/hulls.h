@@ -18,7 +18,7 @@ inline engine::collision::Polyhedron polyhedron_of(std::span<const engine::Vecto
     return {demos::make_polyhedron(points).shape.mesh};
 }
 
-// Corners of a box in the order in which box_plane.cpp numbers them.
+// Corners of a box in the order in which plane_pairs.cpp numbers them.
 inline Points box_points(const engine::Vector3& half_size) {
     Points points;
     for (unsigned k = 0; k < 8; ++k) {

@@ -1,6 +1,6 @@
 #include "engine/collision/manifold.h"
 
-#include "engine/collision/pairs/box_box.h"
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/kept.h"
 #include "tests/random.h"

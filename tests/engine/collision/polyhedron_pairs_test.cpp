@@ -1,6 +1,5 @@
-#include "engine/collision/pairs/polyhedron_pairs.h"
-
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/hulls.h"
 #include "tests/engine/collision/kept.h"

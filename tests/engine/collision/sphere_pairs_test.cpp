@@ -1,6 +1,5 @@
-#include "engine/collision/pairs/sphere_pairs.h"
-
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"

@@ -1,6 +1,6 @@
 #include "engine/collision/time_of_impact.h"
 
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/pose.h"
 #include "tests/random.h"

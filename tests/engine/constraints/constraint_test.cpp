@@ -30,6 +30,12 @@ ConstraintRow contact(const BodyPair& pair, double gap, const Correction& correc
     return row;
 }
 
+Jacobian along(const Vector3& direction, const PairPoint& point) {
+    ConstraintRow row;
+    point.place(row, direction);
+    return row.jacobian;
+}
+
 }  // namespace
 
 TEST_CASE("j_c v_ab is the speed at which the two material points part along the direction") {
@@ -39,7 +45,7 @@ TEST_CASE("j_c v_ab is the speed at which the two material points part along the
         const Body b = moving_box(random);
         const Vector3 point = random.vector(-2, 2);
         const Vector3 n = random.rotation() * Vector3::UnitX();
-        const Jacobian j = PairPoint({0, 1, a, b}, point).along(n);
+        const Jacobian j = along(n, PairPoint({0, 1, a, b}, point));
         const double parting = n.dot(velocity_at(b, point) - velocity_at(a, point));
         REQUIRE(j.a.dot(velocity_of(a)) + j.b.dot(velocity_of(b)) == Approx(parting).margin(1e-12));
     }
@@ -49,8 +55,8 @@ TEST_CASE("the block of a static body is zero, whichever side it is on") {
     Random random(9);
     const Body wall = static_body(Vector3::Zero());
     const Body box = moving_box(random);
-    CHECK(PairPoint({0, 1, wall, box}, {1, 2, 3}).along(Vector3::UnitY()).a == Vector6::Zero());
-    CHECK(PairPoint({1, 0, box, wall}, {1, 2, 3}).along(Vector3::UnitY()).b == Vector6::Zero());
+    CHECK(along(Vector3::UnitY(), PairPoint({0, 1, wall, box}, {1, 2, 3})).a == Vector6::Zero());
+    CHECK(along(Vector3::UnitY(), PairPoint({1, 0, box, wall}, {1, 2, 3})).b == Vector6::Zero());
 }
 
 TEST_CASE("5.3.1: penetration beyond the slop is pushed out by beta d / dt, in the part that the kind names") {
@@ -99,10 +105,10 @@ TEST_CASE("the paper's friction bound is mu m |g n| over the points, whichever w
     const Body ground = static_body(Vector3::Zero());
     const Body one = box_body(2.0, Vector3::Ones(), Vector3::Zero());
     const Body other = box_body(3.0, Vector3::Ones(), Vector3::Zero());
-    const WeightFriction rule(Vector3(0, -10, 0));
+    const FrictionRule rule = weight_friction(Vector3(0, -10, 0));
     const auto bound = [&](const Body& a, const Body& b, const Vector3& n) {
         const BodyPair pair{0, 1, a, b};
-        return rule.bound({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0, Disc::first);
+        return rule({.bodies = pair, .normal = n, .friction = 0.5, .points = 4}).at(0, Disc::first);
     };
     CHECK(bound(ground, one, Vector3::UnitY()).c_max == Approx(2.5));
     CHECK(bound(ground, one, -Vector3::UnitY()).c_max == Approx(2.5));
@@ -119,13 +125,13 @@ TEST_CASE("Coulomb's bound names the contact row of the point, alone or together
     const Vector3 up = Vector3::UnitY();
     const FrictionSite site{.bodies = pair, .normal = up, .friction = 0.3, .points = 4};
     for (const Disc which : {Disc::first, Disc::second}) {
-        for (const FrictionBound& bound : {CoulombFriction().bound(site), ConeFriction().bound(site)}) {
+        for (const FrictionBound& bound : {coulomb_friction(site), cone_friction(site)}) {
             CHECK(bound.at(17, which).c_min == -0.3);
             CHECK(bound.at(17, which).c_max == 0.3);
             CHECK(bound.at(17, which).of_row == 17);
         }
-        CHECK(CoulombFriction().bound(site).at(17, which).disc == Disc::none);
-        CHECK(ConeFriction().bound(site).at(17, which).disc == which);
+        CHECK(coulomb_friction(site).at(17, which).disc == Disc::none);
+        CHECK(cone_friction(site).at(17, which).disc == which);
     }
 }
 

@@ -27,13 +27,21 @@ ContactForce force(double newton) {
     return {.normal = {newton, newton + 0.5}};
 }
 
+void store(ContactCache& cache, std::span<const Touch> touches, std::span<const ContactForce> forces) {
+    cache.clear();
+    for (const Touch& touch : touches) {
+        cache.store(touch, forces.first(touch.points.size()));
+        forces = forces.subspan(touch.points.size());
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a force is found again by pair and feature, even when the point has moved") {
     ContactCache cache;
     const std::vector<Touch> before{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}}),
                                     touch({1, 2}, {{7, {0, 1, 0}}})};
-    cache.store(before, std::vector<ContactForce>{force(1), force(2), force(3)});
+    store(cache, before, std::vector<ContactForce>{force(1), force(2), force(3)});
 
     const std::vector<Touch> now{touch({0, 1}, {{8, {0.5, 0, 0}}}), touch({1, 2}, {{7, {0, 1, 0}}})};
     std::vector<ContactForce> forces;
@@ -48,8 +56,8 @@ TEST_CASE("a force is found again by pair and feature, even when the point has m
 TEST_CASE(
     "a new feature takes the force of the nearest point within 2 % of the size, a farther one starts from zero") {
     ContactCache cache;
-    cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
-                std::vector<ContactForce>{force(1), force(2)});
+    store(cache, std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
+          std::vector<ContactForce>{force(1), force(2)});
     std::vector<ContactForce> forces;
     forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 1}, {{30, {0.99, 0, 0}}, {31, {0.97, 0, 0}}})}, forces);
@@ -59,12 +67,12 @@ TEST_CASE(
 
 TEST_CASE("another pair finds nothing, and a pair that was away is forgotten") {
     ContactCache cache;
-    cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}})}, std::vector<ContactForce>{force(1)});
+    store(cache, std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}})}, std::vector<ContactForce>{force(1)});
     std::vector<ContactForce> forces;
     forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 2}, {{7, {0, 0, 0}}})}, forces);
     CHECK(forces[0].normal.first == 0.0);
-    cache.store(std::vector<Touch>{}, std::vector<ContactForce>{});
+    store(cache, std::vector<Touch>{}, std::vector<ContactForce>{});
     forces.clear();
     cache.recall(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}})}, forces);
     CHECK(forces[0].normal.first == 0.0);
@@ -72,8 +80,8 @@ TEST_CASE("another pair finds nothing, and a pair that was away is forgotten") {
 
 TEST_CASE("a corner that is clipped into two hands its force on once, to the point that is nearer") {
     ContactCache cache;
-    cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
-                std::vector<ContactForce>{force(1), force(2)});
+    store(cache, std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {1, 0, 0}}})},
+          std::vector<ContactForce>{force(1), force(2)});
     std::vector<ContactForce> forces;
     cache.recall(std::vector<Touch>{touch({0, 1}, {{30, {0.985, 0, 0}}, {31, {1, 0, 0.01}}, {7, {0, 0, 0}}})},
                  forces);
@@ -85,8 +93,8 @@ TEST_CASE("a corner that is clipped into two hands its force on once, to the poi
 
 TEST_CASE("a force goes to its feature first, and what is near a point takes one that is left") {
     ContactCache cache;
-    cache.store(std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {0.01, 0, 0}}})},
-                std::vector<ContactForce>{force(1), force(2)});
+    store(cache, std::vector<Touch>{touch({0, 1}, {{7, {0, 0, 0}}, {8, {0.01, 0, 0}}})},
+          std::vector<ContactForce>{force(1), force(2)});
     std::vector<ContactForce> forces;
     // Nearer to the old point 7, which has moved on.
     cache.recall(std::vector<Touch>{touch({0, 1}, {{30, {0, 0, 0}}, {7, {0.005, 0, 0}}})}, forces);
@@ -110,7 +118,7 @@ TEST_CASE("whatever points come and go, no force is handed out twice, and each t
         std::vector<ContactForce> given;
         for (std::size_t k = 0; k < before.size(); ++k) given.push_back(force(static_cast<double>(1 << k)));
         ContactCache cache;
-        cache.store(std::vector<Touch>{touch({0, 1}, before)}, given);
+        store(cache, std::vector<Touch>{touch({0, 1}, before)}, given);
         std::vector<ContactForce> forces;
         cache.recall(std::vector<Touch>{touch({0, 1}, now)}, forces);
         REQUIRE(forces.size() == now.size());

@@ -175,9 +175,9 @@ TEST_CASE("a cube that hovers in the margin keeps its speed, whatever the rule o
             std::vector<collision::Collider>{{.body = 0, .shape = collision::Plane{}},
                                              {.body = 1, .shape = collision::Box{}}},
             ContactChoices{.correction = {}, .detection = {.margin = 0.01}});
-        if (rule == 0) stage->set_friction(std::make_unique<WeightFriction>(gravity));
-        if (rule == 1) stage->set_friction(std::make_unique<CoulombFriction>());
-        if (rule == 2) stage->set_friction(std::make_unique<ConeFriction>());
+        if (rule == 0) stage->set_friction(weight_friction(gravity));
+        if (rule == 1) stage->set_friction(coulomb_friction);
+        if (rule == 2) stage->set_friction(cone_friction);
         world.constraints.push_back(std::move(stage));
         world.solver = solvers::make_solver("auto");
         world.termination = {.iterations = 25, .tolerance_high = 1e-8, .tolerance_low = 1e-10};

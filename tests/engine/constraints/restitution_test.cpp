@@ -1,7 +1,6 @@
 // Elastic collisions, paper section 8.2, and the lasting push: a conveyor (8.1, "constant speed motors").
-#include "engine/constraints/restitution.h"
-
 #include "engine/constraints/contact_constraints.h"
+#include "engine/constraints/contact_row.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/poke.h"
 #include "engine/world.h"
@@ -41,8 +40,8 @@ World above_floor(const Body& body, const collision::Shape& shape, const Floor& 
                                          {.body = 1, .shape = shape, .friction = floor.friction}},
         ContactChoices{.correction = floor.correction, .slop = 0.002, .detection = {.margin = 0.0}});
     stage->set_restitution(floor.rule);
-    if (!floor.rule) world.impacts = std::make_unique<ContactImpacts>(*stage);
-    if (floor.friction > 0.0) stage->set_friction(std::make_unique<CoulombFriction>());
+    if (!floor.rule) world.impacts = std::make_unique<Impacts>(*stage);
+    if (floor.friction > 0.0) stage->set_friction(coulomb_friction);
     stage->set_cache(std::make_unique<ContactCache>());
     world.constraints.push_back(std::move(stage));
     world.solver = solvers::make_solver("pgs");

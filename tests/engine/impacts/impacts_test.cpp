@@ -1,7 +1,8 @@
 // Impacts in the order in which they happen within a step.
+#include "engine/impacts/impacts.h"
+
 #include "engine/constraints/distance_constraints.h"
 #include "engine/energy_account.h"
-#include "engine/impacts/contact_impacts.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"

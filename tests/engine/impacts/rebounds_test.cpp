@@ -1,6 +1,6 @@
 // Rebounds with friction make no energy.
 #include "engine/collision/collider.h"
-#include "engine/impacts/contact_impacts.h"
+#include "engine/impacts/impacts.h"
 #include "tests/catch.h"
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"

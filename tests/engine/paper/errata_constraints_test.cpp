@@ -142,9 +142,9 @@ TEST_CASE("5.4: where g n is below zero the printed bounds cross and push a rest
     CHECK(speed_after({.c_min = printed, .c_max = -printed}) == 0.0);
 
     const BodyPair pair{0, 1, bodies[0], bodies[1]};
-    const WeightFriction rule(gravity);
-    CHECK(rule.bound({.bodies = pair, .normal = n, .friction = mu, .points = 1}).limit == -printed);
-    CHECK(rule.bound({.bodies = pair, .normal = Vector3::UnitX(), .friction = mu, .points = 1}).limit == 0.0);
+    const FrictionRule rule = weight_friction(gravity);
+    CHECK(rule({.bodies = pair, .normal = n, .friction = mu, .points = 1}).limit == -printed);
+    CHECK(rule({.bodies = pair, .normal = Vector3::UnitX(), .friction = mu, .points = 1}).limit == 0.0);
 }
 
 TEST_CASE("5.4: two tangents make a square of the cone: friction along its diagonal is sqrt(2) times as large") {
@@ -156,7 +156,7 @@ TEST_CASE("5.4: two tangents make a square of the cone: friction along its diago
         const std::vector<Body> bodies{static_body(Vector3::Zero()), resting_box(1.0)};
         const BodyPair pair{0, 1, bodies[0], bodies[1]};
         const double limit =
-            WeightFriction(gravity).bound({.bodies = pair, .normal = n, .friction = mu, .points = 1}).limit;
+            weight_friction(gravity)({.bodies = pair, .normal = n, .friction = mu, .points = 1}).limit;
         const auto acceleration = [&](const Vector3& first) {
             std::vector<ConstraintRow> rows{row_along(n, 0.0), row_along(first, 0.0),
                                             row_along(n.cross(first), 0.0)};
@@ -184,7 +184,7 @@ TEST_CASE("5.4: under a stack of five the model has a fifth of the normal force,
         const auto i = static_cast<std::size_t>(pair);
         const BodyPair bodies{pair, pair + 1, column.bodies[i], column.bodies[i + 1]};
         const FrictionSite site{.bodies = bodies, .normal = Vector3::UnitY(), .friction = 1.0, .points = 1};
-        CHECK(WeightFriction(gravity).bound(site).limit == Approx(model[i]));
+        CHECK(weight_friction(gravity)(site).limit == Approx(model[i]));
         CHECK(step.lambda(pair, 0) == Approx(12.0 * (5 - pair)));
     }
 }

@@ -1,6 +1,6 @@
 // Errata of paper section 8: the printed version and the right one.
 #include "engine/constraints/contact_constraints.h"
-#include "engine/constraints/restitution.h"
+#include "engine/constraints/contact_row.h"
 #include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"

@@ -2,7 +2,7 @@
 // in which two bodies can move, at random poses. Bars, ropes and struts have c = |p_ab| - l, and RATTLE has their
 // rows; contacts have c = -d, the gap; rows across the normal have no c (5.4), they are the rates at which the
 // material points of the bodies slide over each other.
-#include "engine/collision/pairs/pair_table.h"
+#include "engine/collision/pairs/collide.h"
 #include "engine/collision/time_of_impact.h"
 #include "engine/constraints/contact_constraints.h"
 #include "engine/constraints/distance_constraints.h"
@@ -251,7 +251,7 @@ ContactConstraints stage_of(const ShapePair& shapes, double margin) {
                               .slop = 0.0,
                               .detection = {.margin = margin, .reduce_to_four_points = false},
                               .order = RowOrder::bottom_up});
-    stage.set_friction(std::make_unique<CoulombFriction>());
+    stage.set_friction(coulomb_friction);
     return stage;
 }
 

@@ -50,8 +50,7 @@ inline Problem chain_problem(int count) {
 
 // The engine's problem of these bodies' contacts under gravity 10.
 inline Problem contact_problem(std::string name, std::vector<engine::Body> bodies,
-                               std::vector<engine::collision::Collider> colliders,
-                               std::unique_ptr<engine::FrictionRule> friction,
+                               std::vector<engine::collision::Collider> colliders, engine::FrictionRule friction,
                                const engine::ContactChoices& choices) {
     for (engine::Body& body : bodies) {
         if (!body.is_static()) body.force = engine::Vector3(0, -10, 0) / body.inverse_mass;
@@ -72,20 +71,13 @@ inline engine::ContactChoices pushed(engine::PushKind kind, bool four_points = t
 inline const engine::ContactChoices persistent = pushed(engine::PushKind::persistent);
 inline const engine::ContactChoices single_frame = pushed(engine::PushKind::single_frame);
 
-inline std::unique_ptr<engine::FrictionRule> weight_friction() {
-    return std::make_unique<engine::WeightFriction>(engine::Vector3(0, -10, 0));
-}
-inline std::unique_ptr<engine::FrictionRule> coulomb_friction() {
-    return std::make_unique<engine::CoulombFriction>();
-}
-inline std::unique_ptr<engine::FrictionRule> cone_friction() {
-    return std::make_unique<engine::ConeFriction>();
+inline engine::FrictionRule weight_friction() {
+    return engine::weight_friction(engine::Vector3(0, -10, 0));
 }
 
 // Cubes of 1 m and 1 kg stacked on a plane, overlapping by a centimetre, each turned by `turn` against the one
 // below: faces that meet in four points when aligned and in eight at 45 degrees. They move down and sideways.
-inline Problem tower_problem(std::string name, int count, double turn,
-                             std::unique_ptr<engine::FrictionRule> friction,
+inline Problem tower_problem(std::string name, int count, double turn, engine::FrictionRule friction,
                              const engine::ContactChoices& choices) {
     std::vector<engine::Body> bodies{engine::static_body(engine::Vector3::Zero())};
     std::vector<engine::collision::Collider> colliders{{.body = 0, .shape = engine::collision::Plane{}}};
@@ -100,7 +92,7 @@ inline Problem tower_problem(std::string name, int count, double turn,
 }
 
 // Six balls in a gutter of two planes, one row across and one on top of it.
-inline Problem gutter_problem(std::unique_ptr<engine::FrictionRule> friction) {
+inline Problem gutter_problem(engine::FrictionRule friction) {
     const auto tilted = [](double angle) {
         return engine::static_body(engine::Vector3::Zero(),
                                    engine::Quaternion(Eigen::AngleAxisd(angle, engine::Vector3::UnitZ())));
@@ -142,13 +134,13 @@ inline std::vector<Problem> solvable_problems() {
     for (int i = 0; i < 2; ++i) problems.back().rows.push_back(problems.back().rows[1]);
 
     problems.push_back(gutter_problem(weight_friction()));
-    problems.push_back(gutter_problem(coulomb_friction()));
+    problems.push_back(gutter_problem(pushfactor::engine::coulomb_friction));
     problems.back().name = "gutter, Coulomb";
     problems.push_back(tower_problem("box, singular", 1, 0.0, weight_friction(), single_frame));
-    problems.push_back(tower_problem("box, Coulomb", 1, 0.0, coulomb_friction(), single_frame));
-    problems.push_back(gutter_problem(cone_friction()));
+    problems.push_back(tower_problem("box, Coulomb", 1, 0.0, pushfactor::engine::coulomb_friction, single_frame));
+    problems.push_back(gutter_problem(pushfactor::engine::cone_friction));
     problems.back().name = "gutter, cone";
-    problems.push_back(tower_problem("box, cone", 1, 0.0, cone_friction(), single_frame));
+    problems.push_back(tower_problem("box, cone", 1, 0.0, pushfactor::engine::cone_friction, single_frame));
     problems.push_back(tower_problem("two boxes in two columns", 2, 0.0, weight_friction(), single_frame));
     return problems;
 }

@@ -83,7 +83,7 @@ TEST_CASE("a row that can move nothing gets no force from any sweeping solver") 
 }
 
 TEST_CASE("each of two columns is solved as if it were alone") {
-    const Problem problem = tower_problem("tower", 3, 0.0, coulomb_friction(), single_frame);
+    const Problem problem = tower_problem("tower", 3, 0.0, pushfactor::engine::coulomb_friction, single_frame);
     const Frozen frozen = problem.frozen();
     REQUIRE(frozen.system.column_count() == 2);
     for (const char* solver : {"nncg", "jacobi"}) {

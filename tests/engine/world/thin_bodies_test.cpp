@@ -1,5 +1,5 @@
 // Cards, planks and rods, ten to a hundred times as long as thick: their contacts are as good as those of cubes.
-#include "engine/collision/pairs/box_box.h"
+#include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
 #include "tests/engine/collision/kept.h"
 #include "tests/engine/collision/pose.h"

@@ -1,4 +1,4 @@
-#include "engine/impacts/contact_impacts.h"
+#include "engine/impacts/impacts.h"
 
 #include "engine/base/constants.h"
 #include "engine/base/index.h"
@@ -32,8 +32,8 @@ Vector6 acceleration_by(const Body& body, const Vector6& force) {
 
 }  // namespace
 
-bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
-                         const Awake& awake) {
+bool Impacts::fly(const StepStart& step, const RowSources& sources, std::span<const ConstraintRow> rows,
+                  const Awake& awake) {
     followed_.clear();
     resting_.clear();
     count_ = 0;
@@ -42,17 +42,17 @@ bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::
     step_ = step;
     sources_ = sources;
     awake_ = &awake;
-    if (colliders_of_.empty()) measure_colliders();
+    if (turning_.empty()) measure_colliders();
     find_about_to_rebound();
     if (changed_.empty()) return false;
     begin(rows);
     set_off(0.0);
-    for (int next = earliest(); next >= 0; next = earliest()) {
+    while (!next_.empty()) {
         if (count_ >= constants::impacts::most_per_body * static_cast<int>(flights_.size())) {
             is_cut_short_ = true;
             break;
         }
-        strike(next, rows);
+        strike(std::get<int>(*next_.begin()), rows);
         if (!resting_.empty()) return true;
     }
     for (const int body : flying_) {
@@ -62,10 +62,8 @@ bool ContactImpacts::fly(const StepStart& step, const RowSources& sources, std::
     return true;
 }
 
-void ContactImpacts::measure_colliders() {
-    colliders_of_.resize(step_.bodies.size());
+void Impacts::measure_colliders() {
     for (const collision::Collider& own : contacts_.colliders()) {
-        colliders_of_[at(own.body)].push_back(static_cast<int>(turning_.size()));
         turning_.push_back(std::sqrt(collision::squared_turning_radius(own.shape)));
         const Vector3 extents = collision::half_extents(own.shape, Matrix3::Identity());
         radii_.push_back(std::max(turning_.back(), extents.maxCoeff()));
@@ -73,7 +71,7 @@ void ContactImpacts::measure_colliders() {
 }
 
 // Bodies of pairs that meet by their free motions, fast enough to rebound.
-void ContactImpacts::find_about_to_rebound() {
+void Impacts::find_about_to_rebound() {
     changed_.clear();
     for (const collision::Touch& touch : contacts_.touches()) {
         if (touch.restitution == 0.0) continue;
@@ -101,11 +99,11 @@ void ContactImpacts::find_about_to_rebound() {
     }
 }
 
-ImpactLimits ContactImpacts::limits_of(const collision::Touch& touch) const {
+ImpactLimits Impacts::limits_of(const collision::Touch& touch) const {
     return {.size = touch.size, .touching = contacts_.touching_gap_of(touch.size), .dt = step_.dt};
 }
 
-void ContactImpacts::begin(std::span<const ConstraintRow> rows) {
+void Impacts::begin(std::span<const ConstraintRow> rows) {
     const std::size_t count = step_.bodies.size();
     flights_.clear();
     flying_.clear();
@@ -119,7 +117,7 @@ void ContactImpacts::begin(std::span<const ConstraintRow> rows) {
 }
 
 // Rows that take part in the impacts of their bodies, which bodies they connect, and how they accelerate them.
-void ContactImpacts::find_what_holds(std::span<const ConstraintRow> rows) {
+void Impacts::find_what_holds(std::span<const ConstraintRow> rows) {
     by_rows_.assign(step_.bodies.size(), Vector6::Zero());
     lies_.assign(step_.bodies.size(), 0);
     parent_.resize(step_.bodies.size());
@@ -149,12 +147,12 @@ void ContactImpacts::find_what_holds(std::span<const ConstraintRow> rows) {
     }
 }
 
-int ContactImpacts::group_of(int body) {
+int Impacts::group_of(int body) {
     while (parent_[at(body)] != body) body = parent_[at(body)] = parent_[at(parent_[at(body)])];
     return body;
 }
 
-Flight& ContactImpacts::fly_body(int body) {
+Flight& Impacts::fly_body(int body) {
     int& number = flight_of_[at(body)];
     if (number < 0) {
         const Body& own = step_.bodies[at(body)];
@@ -172,7 +170,7 @@ Flight& ContactImpacts::fly_body(int body) {
 }
 
 // Lets the changed bodies fly on from `time`: what they meet is foreseen anew.
-void ContactImpacts::set_off(double time) {
+void Impacts::set_off(double time) {
     std::vector<bool> looking;
     for (const int body : changed_) {
         const Flight& flight = fly_body(body);
@@ -182,7 +180,7 @@ void ContactImpacts::set_off(double time) {
                            rest * (velocity(now).norm() + rest * flight.fall().norm());
         if (way <= reach_[at(body)]) continue;
         reach_[at(body)] = 2.0 * way;
-        for (const int collider : colliders_of_[at(body)]) {
+        for (const int collider : contacts_.colliders_of(body)) {
             const Vector3 reach = Vector3::Constant(1.01 * radii_[at(collider)] + reach_[at(body)]);
             contacts_.broad_phase().put(collider, {step_.bodies[at(body)].position, reach});
             looking.resize(contacts_.colliders().size());
@@ -206,35 +204,28 @@ void ContactImpacts::set_off(double time) {
     }
 }
 
-Flier ContactImpacts::flier(int collider) {
+Flier Impacts::flier(int collider) {
     const collision::Collider& own = contacts_.colliders()[at(collider)];
     fly_body(own.body);
     return {own.shape, flight_of(own.body), radii_[at(collider)], turning_[at(collider)]};
 }
 
-void ContactImpacts::foresee(int number, double from) {
+void Impacts::foresee(int number, double from) {
     Meeting& meeting = meetings_[at(number)];
     const Flier a = flier(meeting.touch.pair.a), b = flier(meeting.touch.pair.b);
-    meeting.time =
-        meeting.left < constants::impacts::least_left ? never : next_impact(a, b, meeting.limits, from, manifold_);
-    if (meeting.time == never) return;
-    next_.push_back({meeting.time, meeting.touch.pair, number});
-    std::push_heap(next_.begin(), next_.end());
+    const bool is_over = meeting.left < constants::impacts::least_left;
+    expect(number, is_over ? never : next_impact(a, b, meeting.limits, from, manifold_));
 }
 
-// The meeting that is first in time, and of several at once the first pair; -1 if there is none.
-int ContactImpacts::earliest() {
-    while (!next_.empty()) {
-        const Next first = next_.front();
-        std::pop_heap(next_.begin(), next_.end());
-        next_.pop_back();
-        if (meetings_[at(first.meeting)].time == first.time) return first.meeting;
-    }
-    return -1;
+void Impacts::expect(int number, double time) {
+    Meeting& meeting = meetings_[at(number)];
+    next_.erase({meeting.time, meeting.touch.pair, number});
+    meeting.time = time;
+    if (time < never) next_.insert({time, meeting.touch.pair, number});
 }
 
 // The number of a body in the problem; -1 if it is static and not one of the pair.
-int ContactImpacts::add_to_problem(int body, double time) {
+int Impacts::add_to_problem(int body, double time) {
     int& number = number_[at(body)];
     if (number >= 0) return number;
     number = static_cast<int>(members_.size());
@@ -244,7 +235,7 @@ int ContactImpacts::add_to_problem(int body, double time) {
 }
 
 // A row of the step where its bodies are at `time`, if its source can follow them.
-const ConstraintRow& ContactImpacts::row_at(int row, double time, std::span<const ConstraintRow> rows) {
+const ConstraintRow& Impacts::row_at(int row, double time, std::span<const ConstraintRow> rows) {
     const ConstraintRow& own = rows[at(row)];
     const ConstraintSource* const source = sources_.follower_of(row);
     if (!source) return own;
@@ -263,8 +254,7 @@ const ConstraintRow& ContactImpacts::row_at(int row, double time, std::span<cons
 }
 
 // Appends the rows that hold bodies of the groups of the pair.
-void ContactImpacts::add_what_holds(const collision::Touch& touch, double time,
-                                    std::span<const ConstraintRow> rows) {
+void Impacts::add_what_holds(const collision::Touch& touch, double time, std::span<const ConstraintRow> rows) {
     const int group_a = group_of(touch.body_a), group_b = group_of(touch.body_b);
     int normal = -1;  // of the last contact
     item_begin_ = -1;
@@ -296,11 +286,11 @@ void ContactImpacts::add_what_holds(const collision::Touch& touch, double time,
     }
 }
 
-void ContactImpacts::strike(int number, std::span<const ConstraintRow> rows) {
+void Impacts::strike(int number, std::span<const ConstraintRow> rows) {
     Meeting& meeting = meetings_[at(number)];
     const double time = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
                                     meeting.time, manifold_);
-    meeting.time = never;
+    expect(number, never);
     if (time == never) return;
     ++count_;
     collision::Touch touch = meeting.touch;
