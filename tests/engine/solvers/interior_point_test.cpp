@@ -31,9 +31,9 @@ struct UnitColumn {
             const double scale = std::sqrt(system.diagonal[index]);
             const int leader = row.bounds.of_row;
             const double bound = leader < 0 ? system.dt * scale : scale / std::sqrt(system.diagonal[leader]);
-            problem.rows.push_back({.a = number_of(row.body_a),
+            problem.rows.push_back({.unit = &units[j],
+                                    .a = number_of(row.body_a),
                                     .b = number_of(row.body_b),
-                                    .unit = &units[j],
                                     .t = system.b(index, 0) * system.dt / scale,
                                     .low = row.bounds.c_min * bound,
                                     .high = row.bounds.c_max * bound,
