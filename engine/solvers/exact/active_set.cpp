@@ -6,15 +6,11 @@ namespace pushfactor::engine::solvers {
 
 namespace {
 
+// Of all steps but those to a proximal point; there rho grows after a point that is reached, by less after a
+// failure or many changes, and shrinks after one that is not, until it falls below least_rho.
 constexpr double greatest_rho = 1e9;
-// With discs the natural map is not linear between its bounds, so steps may have to stay near the
-// linearisation point: rho starts at careful_rho and grows after each improvement; otherwise it shrinks and the
-// next step starts from the best iterate, until rho falls below least_rho.
-constexpr double careful_rho = 1e3, least_rho = 1e-3;
-constexpr double rho_gain = 10.0, rho_loss = 0.1;
-// Proximal points: rho at first, and its growth after a failure and after many changes.
-constexpr double first_rho = 1e6;
-constexpr double small_rho_gain = 3.0;
+constexpr double first_rho = 1e6, least_rho = 1e-3;
+constexpr double rho_gain = 10.0, small_rho_gain = 3.0, rho_loss = 0.1;
 constexpr int few_changes = 3;
 // A proximal point is reached at this share of the residual that the step to it leaves; limit on changes.
 constexpr double reached_share = 0.1;
@@ -222,16 +218,14 @@ bool ActiveSet::look(const UnitProblem& problem, const std::vector<double>& y, E
     return best_.look(problem, y, x_, r_);
 }
 
-double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance,
-                        int changes, std::vector<double>& y, Effort& effort, SolveCount& count) {
+double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
+                        std::vector<double>& y, Effort& effort, SolveCount& count) {
     follow(problem, y, x_, r_);
     best_.start(problem, y, x_, r_);
     const int before = count.iterations;
     const double most = order.general_work() + problem.assembly_work();
     int without_gain = 0;
-    const double begin = pace == Pace::careful ? careful_rho : greatest_rho;
-    if (rho_ != begin) factored_.clear();
-    set_rho(problem, begin);
+    set_rho(problem, greatest_rho);
     const bool any_known = std::any_of(y.begin(), y.end(), [](double force) { return force != 0.0; });
     touching_ = any_known ? 0.0 : touching_share * best_.residual();
     // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
@@ -243,18 +237,6 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, Pa
         touching_ = 0.0;
         const bool better = look(problem, y, effort, count);
         without_gain = better ? 0 : without_gain + 1;
-        if (pace == Pace::careful) {
-            if (!better) {
-                y = best_.y();
-                follow(problem, y, x_, r_);
-                without_gain = 0;
-            }
-            const double next = std::min(better ? rho_ * rho_gain : rho_ * rho_loss, greatest_rho);
-            if (next < least_rho) break;
-            if (next != rho_) factored_.clear();
-            set_rho(problem, next);
-            continue;
-        }
         if (!better && (stayed || residual(problem, y, r_) > diverged * best_.residual())) break;
     }
     y = best_.y();

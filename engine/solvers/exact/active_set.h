@@ -47,15 +47,11 @@ class ActiveSet {
     // between may differ only in t and bounds.
     void start() { factored_.clear(); }
 
-    // Step length control: unlimited; or limited to where the linearised map of sliding discs is likely to hold,
-    // with more steps.
-    enum class Pace { bold, careful };
-
     // Improves y (within its bounds) until the natural residual is at most `tolerance` [m/s], stops falling, or
     // `changes` factorisations or the effort are used up. Returns the final residual [m/s]; y is the best iterate
     // among those that give the bodies no more energy than the warm start or zero force, and never worse than
     // before. `order` must connect the bodies of every row.
-    double solve(const Elimination& order, const UnitProblem& problem, Pace pace, double tolerance, int changes,
+    double solve(const Elimination& order, const UnitProblem& problem, double tolerance, int changes,
                  std::vector<double>& y, Effort& effort, SolveCount& count);
 
     // The same by proximal points, which go on where the residual stops falling.

@@ -19,18 +19,10 @@ namespace {
 // rarely succeed if these do not.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
-// Careful steps at first, for sliding discs.
-constexpr int first_careful_changes = 3;
-// Careful steps come first if the residual is below this share of asked_speed() and the effort also covers the
-// interior point method.
-constexpr double careful_share = 1e-2;
-constexpr double interior_factorisations = 14.0;
-constexpr int careful_changes = 40;
-// Proximal points replace further careful steps and a second start of the interior point method if the effort
-// covers so many changes, with which most heaps are solved; limit on their changes.
+// Proximal points replace a second start of the interior point method if the effort covers so many changes, with
+// which most heaps are solved; limit on their changes.
 constexpr int usual_proximal_changes = 200;
 constexpr int most_proximal_changes = 1000;
-constexpr auto bold = ActiveSet::Pace::bold;
 // Limit on interior point steps.
 constexpr int most_steps = 60;
 // Residual at which the interior point method hands over, as a share of asked_speed(). It stays slightly inside the
@@ -96,14 +88,18 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
             problem_.rows[j].t -= p_[j];
         }
         clamp(problem_, y_);
-        active_set_.solve(structure_->order, problem_, bold, tolerance, later_changes, y_, effort, count);
+        active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
         for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
 }
 
 bool ExactAnswer::solve(UnitRows& rows, double tolerance, double will_do, Effort& effort, SolveCount& count) {
-    problem_ = {rows.rows, rows.velocity.size(), rows.bounds_follow(), rows.has_discs(), rows.has_soft()};
+    problem_.rows = rows.rows;
+    problem_.bodies = rows.velocity.size();
+    problem_.bounds_follow = rows.bounds_follow();
+    problem_.has_discs = rows.has_discs();
+    problem_.has_soft = rows.has_soft();
     y_.resize(rows.rows.size());
     for (std::size_t j = 0; j < y_.size(); ++j) y_[j] = rows.rows[j].y;
     clamp(problem_, y_);
@@ -116,31 +112,20 @@ bool ExactAnswer::solve(UnitRows& rows, double tolerance, double will_do, Effort
 bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, SolveCount& count) {
     const Elimination& order = structure_->order;
     const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
-    double reached = active_set_.solve(order, problem_, bold, tolerance, first_changes, y_, effort, count);
-    const auto slide_carefully = [&](int changes) {
-        if (!problem_.has_discs || reached <= enough()) return;
-        reached =
-            active_set_.solve(order, problem_, ActiveSet::Pace::careful, tolerance, changes, y_, effort, count);
-    };
-    const double others = interior_factorisations * (order.general_work() + problem_.assembly_work());
-    const bool is_near = reached <= careful_share * asked_speed(problem_);
-    if (is_near && effort.affords(others)) slide_carefully(first_careful_changes);
+    double reached = active_set_.solve(order, problem_, tolerance, first_changes, y_, effort, count);
     const double near = near_share * asked_speed(problem_);
     const double by_points = usual_proximal_changes * (order.general_work() + problem_.assembly_work());
-    bool slid = !problem_.has_discs;
     for (const double aim : {std::max(tolerance, near), tolerance}) {
         if (reached <= enough()) return true;
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
-        reached = active_set_.solve(order, problem_, bold, tolerance, later_changes, y_, effort, count);
+        reached = active_set_.solve(order, problem_, tolerance, later_changes, y_, effort, count);
         if (!problem_.has_discs) continue;
         if (reached <= will_do) return reached <= enough();
         if (!effort.affords(by_points)) continue;
         reached = active_set_.solve_by_proximal_points(order, problem_, tolerance, most_proximal_changes, y_,
                                                        effort, count);
-        slid = true;
         break;
     }
-    if (!slid) slide_carefully(careful_changes);
     if (reached <= enough()) return true;
     if (contradicts()) {
         count.contradicts = true;

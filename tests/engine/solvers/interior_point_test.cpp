@@ -53,7 +53,7 @@ struct UnitColumn {
     }
     double solve_by_changes(double tolerance, std::vector<double>& y) {
         Effort effort(1e12);
-        return ActiveSet().solve(order, problem, ActiveSet::Pace::bold, tolerance, 1000, y, effort, count);
+        return ActiveSet().solve(order, problem, tolerance, 1000, y, effort, count);
     }
     double residual_of(const std::vector<double>& y) const {
         std::vector<double> r;
