@@ -58,7 +58,8 @@ void find_points(const Met& met, Manifold& manifold) {
         const double closed = met.rest * met.closing(point.position, manifold.normal);
         return !(point.gap < met.margin + std::max(0.0, closed));
     };
-    manifold.count -= static_cast<int>(std::ranges::remove_if(manifold.points(), stays_open).size());
+    const std::span<ContactPoint> points = manifold.points();
+    manifold.count = static_cast<int>(std::remove_if(points.begin(), points.end(), stays_open) - points.begin());
 }
 
 // Of many points those that may carry the bodies in this step.

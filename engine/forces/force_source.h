@@ -4,7 +4,6 @@
 #include "engine/bodies/awake.h"
 #include "engine/bodies/body.h"
 
-#include <ranges>
 #include <span>
 
 namespace pushfactor::engine {
@@ -12,11 +11,20 @@ namespace pushfactor::engine {
 // The bodies of a world as seen by a force source: iterates over those that are not at rest (rest.h).
 class ForcedBodies {
   public:
-    ForcedBodies(std::span<Body> bodies, const Awake& awake)
-        : bodies_(bodies), awake_(awake), forced_(awake.members(), Numbered{bodies}) {}
+    ForcedBodies(std::span<Body> bodies, const Awake& awake) : bodies_(bodies), awake_(awake) {}
 
-    auto begin() const { return forced_.begin(); }
-    auto end() const { return forced_.end(); }
+    struct Iterator {
+        const int* awake;
+        Body* bodies;
+        Body& operator*() const { return bodies[*awake]; }
+        Iterator& operator++() {
+            ++awake;
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return awake == other.awake; }
+    };
+    Iterator begin() const { return {awake_.members().data(), bodies_.data()}; }
+    Iterator end() const { return {awake_.members().data() + awake_.members().size(), bodies_.data()}; }
 
     // By index. For a resting body returns a copy, valid until the next call, because forces on it do not count.
     Body& operator[](std::size_t body) const {
@@ -26,14 +34,8 @@ class ForcedBodies {
     std::size_t size() const { return bodies_.size(); }
 
   private:
-    struct Numbered {
-        std::span<Body> bodies;
-        Body& operator()(int body) const { return bodies[static_cast<std::size_t>(body)]; }
-    };
-
     std::span<Body> bodies_;
     const Awake& awake_;
-    std::ranges::transform_view<std::span<const int>, Numbered> forced_;
     mutable Body at_rest_;
 };
 
