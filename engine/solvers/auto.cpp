@@ -7,7 +7,6 @@
 // rule depends on structure and guess, never on earlier steps or the clock.
 #include "engine/solvers/auto.h"
 
-#include "engine/solvers/direct.h"
 #include "engine/solvers/exact/exact_answer.h"
 #include "engine/solvers/single_row.h"
 #include "engine/solvers/sweep.h"
@@ -26,11 +25,10 @@ class Auto : public Solver {
     SolveCount solve(const SystemEquation& system, const Island& island, const Termination& termination,
                      Columns& lambda) override {
         if (island.rows == 1) return solve_single_row(system, island, lambda);
-        const double worth = std::min(termination.worth, most_work_of_a_column * island.columns);
-        const double of_one = worth / (termination.factorisations * island.columns);
+        const double of_one = termination.worth / (termination.factorisations * island.columns);
         bool may_be_worth = plans(island, of_one);
         if (!may_be_worth && termination.iterations == 0) return {};
-        Effort effort(worth, island.columns);
+        Effort effort(termination.worth, island.columns);
         return by_columns(rows_, system, island, lambda, [&](UnitRows&) {
             SolveCount count;
             if (may_be_worth && solve_exactly(termination, of_one, effort, count)) return count;

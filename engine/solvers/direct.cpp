@@ -12,6 +12,11 @@ namespace {
 
 // Largest number of sweeps after a failed exact solve.
 constexpr int most_sweeps = 200;
+// Largest cost of the exact solves of an island, in multiply-adds per column and step, including re-solves: some
+// seconds. Towers and walls of a thousand bodies cost a tenth of it in their first step.
+constexpr double most_work_of_a_column = 4e9;
+// Expected factorisations per column. An island that would exceed the bound with that many is swept.
+constexpr double usual_factorisations = 25.0;
 
 class Direct : public Solver {
   public:

@@ -86,7 +86,8 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double sweeps = sweeps_of_a_step * division_of(dt, bodies, island).steps * mass_ratio(bodies, island);
     const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
     const double of_sweeps = worth * 24.0 * island.columns * island.rows;
-    const double most = has_forces ? most_again : most_at_first;
+    const double size = std::max(1.0, island.movable() / bodies_of_limits);
+    const double most = size * (has_forces ? most_again : most_at_first);
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const double of_few = standing && island.movable() <= few ? few * of_a_body : 0.0;
