@@ -86,11 +86,19 @@ inline void check_refused(const std::string& arguments, const std::string& words
     check_refused(Folder(), "pushfactor " + arguments, words);
 }
 
-// Checks that an interrupted report ends with status 1 and leaves only complete files.
-inline void check_interrupted(const std::string& report) {
+// Runs the program with these arguments, and sends it the signal as soon as the shell command `seen` succeeds, or
+// after a minute.
+inline Ended stopped_when(const Folder& folder, const std::string& seen, const std::string& arguments,
+                          const std::string& signal = "INT") {
+    return shell(folder, PUSHFACTOR_IN_BACKGROUND " " + arguments + " & for look in $(seq 3000); do if " + seen +
+                             " 2>/dev/null >&2; then break; fi; sleep 0.02; done; kill -" + signal +
+                             " $!; wait $!");
+}
+
+// Checks that a report that is interrupted after its first file ends with status 1 and leaves only complete files.
+inline void check_interrupted(const std::string& report, const std::string& first_file) {
     const Folder folder;
-    const Ended ended =
-        shell(folder, PUSHFACTOR_IN_BACKGROUND " report " + report + " --out . & sleep 0.5; kill -INT $!; wait $!");
+    const Ended ended = stopped_when(folder, "ls " + first_file, "report " + report + " --out .");
     CHECK(ended.status == 1);
     CHECK(ended.err.find("interrupted: ") != std::string::npos);
     for (const std::string& file : folder.files()) CHECK(file.find(".partial") == std::string::npos);

@@ -5,6 +5,7 @@
 #include "renderer/gl/osmesa_context.h"
 #include "tests/catch.h"
 #include "tests/renderer/sample_pictures.h"
+#include "tests/skip.h"
 
 #include <functional>
 #include <memory>
@@ -82,7 +83,9 @@ TEST_CASE("The kind that is wanted is opened, and the first one otherwise") {
 }
 
 TEST_CASE("OSMesa and EGL give the same frames, to the byte") {
-    if (!is_installed(ContextKind::osmesa) || !is_installed(ContextKind::egl)) return;
+    if (!is_installed(ContextKind::osmesa) || !is_installed(ContextKind::egl)) {
+        return pushfactor::tests::skip("needs OSMesa and EGL");
+    }
     std::vector<Image> frames;
     for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl}) {
         const auto context = open_offscreen_context(kind);

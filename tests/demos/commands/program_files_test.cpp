@@ -185,9 +185,8 @@ TEST_CASE("two scenes never write into one folder") {
 
 TEST_CASE("a render that is far from its next frame can be interrupted too") {
     const Folder folder;
-    const Ended ended =
-        shell(folder, PUSHFACTOR_IN_BACKGROUND " render stack --seconds 100000 --at 0,100000 --out frames" + tiny +
-                          "& until [ -e frames/at_0s.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
+    const Ended ended = stopped_when(folder, "test -e frames/at_0s.png",
+                                     "render stack --seconds 20000 --at 0,20000 --out frames" + tiny);
     CHECK(ended.status == 1);
     CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames are in frames"));
 }
@@ -197,12 +196,11 @@ TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to 
         for (const std::string command : {"run stack", "render stack --fps 1 --size 64x36 --out frames"}) {
             const Folder folder;
             folder.write("steps.csv", "of an earlier run");
-            const Ended ended =
-                shell(folder, PUSHFACTOR_IN_BACKGROUND " " + command +
-                                  " --seconds 100000 --csv steps.csv --trajectory bodies.csv "
-                                  "--summary summary.json --save-state state.json & until "
-                                  "cat .*.partial 2>/dev/null | grep -q .; do sleep 0.05; done; kill -" +
-                                  signal + " $!; wait $!");
+            const Ended ended = stopped_when(folder, "cat .*.partial | grep -q .",
+                                             command +
+                                                 " --seconds 100000 --csv steps.csv --trajectory bodies.csv "
+                                                 "--summary summary.json --save-state state.json",
+                                             signal);
             INFO(signal << " " << command << ": " << ended.err);
             CHECK(ended.status == 1);
             CHECK_THAT(ended.err, Catch::Contains("pushfactor: interrupted: "));
@@ -229,8 +227,7 @@ TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to 
 TEST_CASE("an interrupted render leaves whole frames only and says how many") {
     const Folder folder;
     const Ended ended =
-        shell(folder, PUSHFACTOR_IN_BACKGROUND " render stack --seconds 1000 --out frames" + tiny +
-                          "& until [ -e frames/frame_000003.png ]; do sleep 0.05; done; kill -INT $!; wait $!");
+        stopped_when(folder, "test -e frames/frame_000003.png", "render stack --seconds 1000 --out frames" + tiny);
     CHECK(ended.status == 1);
     CHECK_THAT(ended.err, Catch::Contains("interrupted") && Catch::Contains("frames are in frames"));
     long frames = 0;

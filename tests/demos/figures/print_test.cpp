@@ -5,6 +5,7 @@
 #include "demos/text/palette.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/skip.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -102,7 +103,7 @@ TEST_CASE("Figure 7 in a column of 85 mm has letters of 8 points, in its PDF and
     CHECK(folder.files() == std::vector<std::string>{"figure_07.html", "figure_07.pdf", "figure_07.png",
                                                      "figure_07.tex", "index.html", "pushfactor.bib"});
     if (!installed("pdflatex") || !installed("pdftohtml") || !installed("pdfinfo")) {
-        WARN("skipped: needs texlive-latex-base and poppler-utils");
+        skip("needs texlive-latex-base and poppler-utils");
         return;
     }
     folder.write("paper.tex",

@@ -79,9 +79,8 @@ TEST_CASE("a replay must have a name and frames that it can have") {
 
 TEST_CASE("a run that stops early keeps its replay up to there, and a run that fails to write keeps the old one") {
     const Folder folder;
-    const Ended ended = shell(folder, PUSHFACTOR_IN_BACKGROUND
-                              " run stack --seconds 100000 --replay run.html & sleep 0.5; "
-                              "kill -INT $!; wait $!");
+    const Ended ended =
+        stopped_when(folder, "test -s .*.partial", "run stack --seconds 100000 --replay run.html");
     CHECK(ended.status == 1);
     CHECK(ended.err.find("run.html holds the run up to frame ") != std::string::npos);
     const std::string page = folder.read("run.html");

@@ -5,6 +5,7 @@
 #include "tests/demos/csv.h"
 #include "tests/demos/replay/browser.h"
 #include "tests/renderer/image_difference.h"
+#include "tests/skip.h"
 
 #include <fmt/format.h>
 
@@ -33,17 +34,17 @@ std::string gl_of(Browser& browser) {
         .get<std::string>();
 }
 
-// A browser with WebGL 2; null, with a warning, where there is none.
+// A browser with WebGL 2; null, with the reason, where there is none.
 std::unique_ptr<Browser> open_browser() {
     if (!find_browser()) {
-        WARN("skipped: no Chromium is installed");
+        skip("no Chromium is installed");
         return nullptr;
     }
     for (const auto& options : {with_mesa, with_swiftshader}) {
         auto browser = std::make_unique<Browser>(options);
         if (!gl_of(*browser).empty()) return browser;
     }
-    WARN("skipped: this Chromium has no WebGL 2");
+    skip("this Chromium has no WebGL 2");
     return nullptr;
 }
 
@@ -272,7 +273,7 @@ TEST_CASE("a frame of a replay is as long as that of the run, whatever the steps
 
 TEST_CASE("without WebGL 2 a replay says so and still has numbers and plots") {
     if (!find_browser()) {
-        WARN("skipped: no Chromium is installed");
+        skip("no Chromium is installed");
         return;
     }
     const Folder folder;

@@ -3,6 +3,7 @@
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 #include "tests/demos/replay/browser.h"
+#include "tests/skip.h"
 
 #include <iostream>
 #include <map>
@@ -112,7 +113,7 @@ TEST_CASE("check names a changed option, and the pictures that it changes") {
 TEST_CASE("the page of a check shows two pictures side by side, swapped, with a slider, and their difference") {
     const auto program = find_browser();
     if (!program) {
-        std::cout << "skipped: there is no browser (package chromium)\n";
+        skip("there is no browser (package chromium)");
         return;
     }
     const Folder folder;
@@ -218,9 +219,7 @@ TEST_CASE("a check that is interrupted, or cannot write, leaves what was expecte
     for (int i = 0; i < 9; ++i) fs::remove(folder / ("gold/frame_00000" + std::to_string(i) + ".png"));
     const auto before = contents(folder, "gold");
 
-    const Ended stopped = shell(folder, PUSHFACTOR_IN_BACKGROUND
-                                " check gold --update & until [ -e gold/.new/frame_000001.png ]; do sleep "
-                                "0.01; done; kill -INT $!; wait $!");
+    const Ended stopped = stopped_when(folder, "test -e gold/.new/frame_000001.png", "check gold --update");
     CHECK(stopped.status == 1);
     CHECK(stopped.err == "pushfactor: interrupted: no expected file was changed\n");
     CHECK(contents(folder, "gold") == before);

@@ -10,6 +10,7 @@
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 #include "tests/random.h"
+#include "tests/skip.h"
 
 #include <iostream>
 #include <set>
@@ -23,7 +24,7 @@ namespace {
 
 bool skips_without_fclib() {
     if (has_fclib()) return false;
-    std::cout << "skipped: FCLib is not installed (packages libfclib-dev and libhdf5-dev)\n";
+    skip("FCLib is not installed (packages libfclib-dev and libhdf5-dev)");
     return true;
 }
 

@@ -61,9 +61,7 @@ TEST_CASE("an atlas in 2, 7 and 64 shards, in any order, one killed and started 
         };
         if (count == 2) {
             const Ended killed =
-                shell(folder, PUSHFACTOR_IN_BACKGROUND + shard(2) + " --jobs 1 & until ls " + out +
-                                  "/pieces/*/*/*.json >list 2>/dev/null || ! kill -0 $!; do sleep 0.01; done; kill "
-                                  "-KILL $!; wait $!");
+                stopped_when(folder, "ls " + out + "/pieces/*/*/*.json", shard(2) + " --jobs 1", "KILL");
             CHECK(killed.status == 128 + 9);
             CHECK(!pieces_of(folder, out).empty());
             CHECK(pieces_of(folder, out).size() < cells / 2);

@@ -1,13 +1,12 @@
 // The scenes of the stability report's chapters on friction, floors, thin bodies and ball joints, and their files
-// in tests/scenes. `tests "[scene-files-update]"` regenerates the files.
-#include "demos/platform/output_file.h"
+// in tests/scenes, which build/release/tests/make_expected writes.
 #include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/scenes/scenes.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/demos/reports/stability_files.h"
 #include "tests/settings.h"
 
 #include <cmath>
@@ -22,20 +21,6 @@ using namespace pushfactor::demos::reports::stability;
 namespace {
 
 using pushfactor::engine::Vector3;
-
-const std::filesystem::path folder = std::filesystem::path(PUSHFACTOR_SOURCE_DIR) / "tests/scenes";
-
-std::map<std::string, SceneDescription> scenes() {
-    return {{"cone-16-directions", cubes_in_16_directions(3.0, 0.3, false)},
-            {"spinning-slab", spinning_slab(3.0, 10.0, 0.3)},
-            {"seam-floor", seam_floor({.speed = 4.0, .angle = 0.4})},
-            {"card-house", card_house(0.3)},
-            {"ball-joint-chain", ball_joint_chain(0.7)}};
-}
-
-std::filesystem::path file_of(const std::string& name) {
-    return folder / (name + ".json");
-}
 
 // Compilers may differ in the last digit of a sine.
 void check_same(const Json& file, const Json& scene) {
@@ -61,12 +46,8 @@ double penetration_of(const SceneDescription& scene) {
 
 }  // namespace
 
-TEST_CASE("scene files are made anew", "[.][scene-files-update]") {
-    for (const auto& [name, scene] : scenes()) write_file(file_of(name), scene_file_text(scene));
-}
-
 TEST_CASE("the scene files of the stability report say what its scenes are") {
-    for (const auto& [name, scene] : scenes()) {
+    for (const auto& [name, scene] : scenes_with_files()) {
         INFO(name);
         check_same(Json::parse(read_file(file_of(name))), Json::parse(scene_file_text(scene)));
     }
@@ -74,7 +55,7 @@ TEST_CASE("the scene files of the stability report say what its scenes are") {
 
 TEST_CASE("every scene file of the tests runs for a second") {
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(scene_folder)) {
         INFO(entry.path());
         ++files;
         for (const char* const preset : {"default", "exact"}) {
@@ -84,7 +65,7 @@ TEST_CASE("every scene file of the tests runs for a second") {
             CHECK(ended.status == 0);
         }
     }
-    CHECK(files >= static_cast<int>(scenes().size()));
+    CHECK(files >= static_cast<int>(scenes_with_files().size()));
 }
 
 TEST_CASE("cases have names of their own, and each one an expectation and a wanted outcome") {

@@ -7,6 +7,7 @@
 #include "tests/engine/contact_scene.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
+#include "tests/skip.h"
 
 #include <atomic>
 #include <chrono>
@@ -354,18 +355,17 @@ TEST_CASE("a world of many islands and a heap has the same bits with any number 
 
 TEST_CASE("after threads had to wait for each other, the caller works alone for some calls and then not any more") {
     Threads threads(2);
-    if (threads.count() < 2) return;
-    // The largest team of some jobs; stops at a team of two, whose helper is then slow if it is to be late.
+    if (threads.count() < 2) return pushfactor::tests::skip("this machine has one core");
+    // The largest team of some jobs; stops at a team of two, whose helper then is late at their meeting if asked
+    // to.
     const auto largest_team = [&](bool late) {
         int largest = 0;
         threads.keep_at_hand([&] {
-            for (int job = 0; job < 10'000 && largest < 2; ++job) {
+            for (int job = 0; job < (late ? 10'000'000 : 100'000) && largest < 2; ++job) {
                 threads.as_team([&](Team& team) {
-                    if (team.member() > 0) {
-                        if (late) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-                        return;
-                    }
-                    largest = team.size();
+                    if (team.member() == 0) largest = team.size();
+                    if (team.member() > 0 && late) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                    team.wait_for_all();
                 });
             }
         });
@@ -374,7 +374,7 @@ TEST_CASE("after threads had to wait for each other, the caller works alone for 
     // A caller that the system itself keeps from running does not notice that it would have had to wait.
     int alone = 0;
     for (int attempt = 0; attempt < 10 && alone < 8; ++attempt) {
-        if (largest_team(true) < 2) return;  // no other core was free
+        if (largest_team(true) < 2) return pushfactor::tests::skip("no other core was free");
         alone = 0;
         while (alone < 1000 && largest_team(false) == 1) ++alone;
     }

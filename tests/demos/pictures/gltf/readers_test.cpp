@@ -1,6 +1,7 @@
 // glTF files, read by assimp and by the validator of Khronos.
 #include "demos/options/named_run.h"
 #include "tests/demos/pictures/gltf/glb_runs.h"
+#include "tests/skip.h"
 
 #if PUSHFACTOR_ASSIMP
 #include <assimp/Importer.hpp>
@@ -13,14 +14,7 @@ using namespace pushfactor;
 using namespace pushfactor::demos;
 using namespace pushfactor::tests;
 
-namespace {
-
-// What this machine lacks; ctest then reports the test as skipped.
-void skip(const std::string& why) {
-    std::cout << "skipped: " << why << "\n";
-}
-
-}  // namespace
+namespace {}  // namespace
 
 #if PUSHFACTOR_ASSIMP
 TEST_CASE("assimp reads from a glTF file of every named scene the poses of the trajectory") {
