@@ -79,8 +79,7 @@ TEST_CASE("a replay must have a name and frames that it can have") {
 
 TEST_CASE("a run that stops early keeps its replay up to there, and a run that fails to write keeps the old one") {
     const Folder folder;
-    const Ended ended =
-        stopped_when(folder, "test -s .*.partial", "run stack --seconds 100000 --replay run.html");
+    const Ended ended = stopped_when(folder, "test -s .*.partial", "run stack --seconds 100000 --replay run.html");
     CHECK(ended.status == 1);
     CHECK(ended.err.find("run.html holds the run up to frame ") != std::string::npos);
     const std::string page = folder.read("run.html");
