@@ -1,6 +1,6 @@
 #include "engine/impacts/impact_solver.h"
 
-#include "engine/solvers/auto.h"
+#include "engine/solvers/direct.h"
 
 #include <algorithm>
 #include <cmath>

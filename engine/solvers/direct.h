@@ -4,8 +4,11 @@
 
 namespace pushfactor::engine::solvers {
 
-// Exact solver, see direct.cpp. `Termination::iterations` bounds the factorisations per column, and the sweeps if
-// it fails.
+// An exact solver where that is worth its cost, else sweeps, per island; see direct.cpp.
+std::unique_ptr<Solver> make_auto();
+
+// The same up to `most_work`. `Termination::iterations` bounds the factorisations per column, and the sweeps if it
+// fails.
 std::unique_ptr<Solver> make_direct();
 
 }  // namespace pushfactor::engine::solvers

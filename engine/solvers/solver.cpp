@@ -1,7 +1,6 @@
 #include "engine/solvers/solver.h"
 
 #include "engine/base/invalid_input.h"
-#include "engine/solvers/auto.h"
 #include "engine/solvers/dense.h"
 #include "engine/solvers/direct.h"
 #include "engine/solvers/jacobi.h"

@@ -5,7 +5,6 @@
 #include "demos/runs/checkpoint.h"
 #include "demos/text/median.h"
 #include "engine/collision/broad_phase.h"
-#include "engine/solvers/auto.h"
 
 #include <algorithm>
 
@@ -33,12 +32,15 @@ void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
     sum.touches += count_different(touching);
 }
 
+// Pairs per movable body, static partners included, up to which an island counts as a thread: 1 for a hanging or
+// standing body, 1.6 and more where a body of the pendulum grid lies on others, about 3 for a heap.
+constexpr double pairs_of_a_thread = 1.5;
+
 IslandKind kind_of(const engine::Island& island) {
     if (island.movable() == 1) return IslandKind::single;
     Pairs pairs;
     for (const engine::RowRun& run : island.runs) pairs.emplace_back(std::minmax(run.a, run.b));
-    return count_different(pairs) <= engine::solvers::pairs_of_a_thread * island.movable() ? IslandKind::thread
-                                                                                           : IslandKind::heap;
+    return count_different(pairs) <= pairs_of_a_thread * island.movable() ? IslandKind::thread : IslandKind::heap;
 }
 
 void add_islands(const engine::World& world, Counts& sum) {
