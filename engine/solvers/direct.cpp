@@ -37,7 +37,7 @@ class Direct : public Solver {
         }
         Termination own = termination;
         if (at_any_cost_) {
-            own.worth = most_work * island.columns;
+            own.worth = most_exact_work * island.columns;
             own.factorisations = usual_factorisations;
             own.iterations = std::min(termination.iterations, most_sweeps);
         }

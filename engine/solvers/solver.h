@@ -13,7 +13,7 @@ namespace pushfactor::engine::solvers {
 
 // What an exact solution of an island may cost in multiply-adds per column, including what is solved again: some
 // seconds.
-inline constexpr double most_work = 4e9;
+inline constexpr double most_exact_work = 4e9;
 
 // When to stop (6.2.3). If the natural-map residual of the warm start is at most `tolerance_high` no solve is
 // needed, which the caller of a solver checks; a solver iterates until the residual is at most `tolerance_low` or
@@ -27,7 +27,7 @@ struct Termination {
     double tolerance_low = 0.0;   // m/s, at most tolerance_high
     // For a solver that has other ways: what an exact solution is worth in multiply-adds, how many factorisations
     // it is expected to take, and the residual [m/s] up to which it is better than what would be done instead.
-    double worth = most_work;
+    double worth = most_exact_work;
     double factorisations = 1.0;
     double will_do = 0.0;
 };
