@@ -33,7 +33,7 @@ std::vector<Vector3> positions_of(const engine::World& world) {
 }
 
 double sideways(const Vector3& from, const Vector3& to) {
-    return std::hypot(to.x() - from.x(), to.z() - from.z());
+    return engine::elementary::hypot(to.x() - from.x(), to.z() - from.z());
 }
 
 // The length scale L of a scene [m]: size of the smallest movable body with contacts.

@@ -1,5 +1,6 @@
 #include "demos/runs/summary.h"
 
+#include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/text/json.h"
 #include "engine/bodies/diagnostics.h"
@@ -60,6 +61,15 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
+bool gives_listed_bits() {
+    static const bool gives = [] {
+        Simulation simulation(run_of("intersecting-stack", {{"preset", "paper"}, {"seconds", "1"}}));
+        for (long step = 0; step < whole_steps(simulation.settings()); ++step) simulation.advance();
+        return engine::state_hash(simulation.scene().world.bodies) == touchstone;
+    }();
+    return gives;
+}
+
 std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured) {
     const BuiltScene& scene = simulation.scene();
     Json summary;
@@ -70,6 +80,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["simulated_seconds"] = simulation.sample().time;
     summary["bodies"] = scene.world.bodies.size();
     summary["state_hash"] = fmt::format("{:016x}", engine::state_hash(scene.world.bodies));
+    summary["bits_as_listed"] = gives_listed_bits();
     summary["outcome"] = name_of(measured.outcome());
     summary["max_penetration_m"] = measured.max_penetration();
     summary["max_length_error_m"] = measured.max_length_error();

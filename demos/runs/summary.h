@@ -4,10 +4,17 @@
 #include "demos/options/choices.h"
 #include "demos/runs/measurements.h"
 
+#include <cstdint>
 #include <string>
 
 namespace pushfactor::demos {
 
 std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured);
+
+// State hash after one second of `intersecting-stack --preset paper`, from tests/bits/lines.txt.
+inline constexpr std::uint64_t touchstone = 0x7651e1c33b425dc8;
+
+// Whether this build gives it, as others do. The first call steps that run, which takes a millisecond.
+bool gives_listed_bits();
 
 }  // namespace pushfactor::demos

@@ -5,16 +5,11 @@
 
 #include <fmt/format.h>
 
-extern "C" {
-#include <libqhull_r/qhull_ra.h>
-}
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <set>
 
@@ -34,18 +29,18 @@ const Vector3& at(std::span<const Vector3> points, int index) {
 }
 
 struct Extent {
-    Vector3 origin;          // m, one of the points
-    double length = 0.0;     // m, from it to the farthest
-    double thickness = 0.0;  // m, the largest distance from a plane through three far points
+    std::array<int, 4> corners{};  // far points that span a tetrahedron
+    double length = 0.0;           // m, from the first to the farthest
+    double thickness = 0.0;        // m, the largest distance from the plane through the first three
 };
 
-// The farthest of the points by `distance`, with it.
+// The number of the farthest of the points by `distance`, and its distance.
 template <typename Distance>
-std::pair<Vector3, double> farthest(std::span<const Vector3> points, const Distance& distance) {
-    std::pair<Vector3, double> best{points.front(), -1.0};
-    for (const Vector3& point : points) {
-        const double here = distance(point);
-        if (here > best.second) best = {point, here};
+std::pair<int, double> farthest(std::span<const Vector3> points, const Distance& distance) {
+    std::pair<int, double> best{0, -1.0};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double here = distance(points[i]);
+        if (here > best.second) best = {static_cast<int>(i), here};
     }
     return best;
 }
@@ -55,94 +50,88 @@ Extent extent_of(std::span<const Vector3> points) {
     for (const Vector3& point : points) {
         if (!point.allFinite()) throw NoPolyhedron("points that are not finite", "finite points");
     }
-    const Vector3 first = points.front();
-    const auto [origin, any] = farthest(points, [&](const Vector3& p) { return (p - first).norm(); });
-    const Vector3 from = origin;
-    const auto end_and_length = farthest(points, [&](const Vector3& p) { return (p - from).norm(); });
-    const Vector3 end = end_and_length.first;
-    const double length = end_and_length.second;
+    const int first = farthest(points, [&](const Vector3& p) { return (p - points.front()).norm(); }).first;
+    const Vector3 from = at(points, first);
+    const auto [second, length] = farthest(points, [&](const Vector3& p) { return (p - from).norm(); });
     if (!(length > 0.0)) throw NoPolyhedron("points in one place", "points with a volume");
     if (!(length >= engine::least_length && length <= engine::greatest_length)) {
         throw NoPolyhedron(
             fmt::format("length {:.3g} m", length),
             fmt::format("length from {:.3g} to {:.3g} m", engine::least_length, engine::greatest_length));
     }
-    const Vector3 along = (end - from) / length;
-    const auto [side, width] =
-        farthest(points, [&](const Vector3& p) { return ((p - from) / length).cross(along).norm(); });
+    const auto scaled = [&, size = length](const Vector3& p) -> Vector3 { return (p - from) / size; };
+    const Vector3 along = scaled(at(points, second));
+    const auto [third, width] = farthest(points, [&](const Vector3& p) { return scaled(p).cross(along).norm(); });
     if (!(width > thin)) throw NoPolyhedron("points on a line", "points with a volume");
-    const Vector3 normal = along.cross((side - from) / length).normalized();
-    const auto [top, height] =
-        farthest(points, [&](const Vector3& p) { return std::abs(normal.dot((p - from) / length)); });
+    const Vector3 normal = along.cross(scaled(at(points, third))).normalized();
+    const auto [fourth, height] =
+        farthest(points, [&](const Vector3& p) { return std::abs(normal.dot(scaled(p))); });
     if (!(height > thin)) throw NoPolyhedron("points in a plane", "points with a volume");
-    return {from, length, height * length};
+    return {{first, second, third, fourth}, length, height * length};
 }
 
-// One run of Qhull.
-class Qhull {
+// Which side of a plane a point is on, exactly: the points are rounded to a grid, a length in 2^38 parts, and the
+// determinants of their differences have at most 121 bits. So the hull is that of the rounded points, flat parts
+// and all, and the same on every machine.
+class Grid {
   public:
-    // `coordinates`: three numbers per point, which have to outlive this object.
-    explicit Qhull(std::vector<double>& coordinates) : errors_(std::fopen("/dev/null", "w"), std::fclose) {
-        qh_zero(&qhull_, errors_.get());
-        std::array<char, 12> command{"qhull Qt Pp"};
-        const auto count = static_cast<int>(coordinates.size() / 3);
-        status_ =
-            qh_new_qhull(&qhull_, 3, count, coordinates.data(), False, command.data(), nullptr, errors_.get());
-    }
-    Qhull(const Qhull&) = delete;
-    Qhull& operator=(const Qhull&) = delete;
-    ~Qhull() {
-        qh_freeqhull(&qhull_, !qh_ALL);
-        int blocks = 0, bytes = 0;
-        qh_memfreeshort(&qhull_, &blocks, &bytes);
-    }
-
-    bool has_hull() const { return status_ == 0; }
-
-    // All turned alike.
-    std::vector<Triangle> triangles() {
-        std::vector<Triangle> all;
-        qhT* const qh = &qhull_;  // the macros want this name
-        facetT* facet = nullptr;
-        FORALLfacets {
-            Triangle triangle{};
-            std::size_t count = 0;
-            vertexT *vertex = nullptr, **vertexp = nullptr;
-            FOREACHvertex_(facet->vertices) {
-                if (count < 3) triangle[count++] = qh_pointid(qh, vertex->point);
+    Grid(std::span<const Vector3> points, const Extent& extent) {
+        const Vector3 origin = at(points, extent.corners[0]);
+        for (const Vector3& point : points) {
+            const Vector3 scaled = (point - origin) / extent.length;
+            Place place{};
+            for (int axis = 0; axis < 3; ++axis) {
+                place[static_cast<std::size_t>(axis)] =
+                    static_cast<std::int64_t>(std::floor(scaled[axis] * 0x1p38));
             }
-            if ((facet->toporient != 0) != (qh_ORIENTclock != 0)) std::swap(triangle[0], triangle[1]);
-            all.push_back(triangle);
+            places_.push_back(place);
         }
-        return all;
+    }
+
+    // Whether `point` is above the plane of a triangle, which is counter-clockwise seen from above.
+    bool is_above(const Triangle& triangle, int point) const {
+        const Place a = way(triangle[0], triangle[1]), b = way(triangle[0], triangle[2]),
+                    c = way(triangle[0], point);
+        return times(minor(a, b, 1, 2), c[0]) + times(minor(a, b, 2, 0), c[1]) + times(minor(a, b, 0, 1), c[2]) > 0;
     }
 
   private:
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors_;
-    qhT qhull_{};
-    int status_ = 0;
+    using Place = std::array<std::int64_t, 3>;
+    __extension__ using Wide = __int128;
+
+    static Wide times(Wide a, std::int64_t b) { return a * b; }
+    static Wide minor(const Place& a, const Place& b, std::size_t i, std::size_t j) {
+        return times(a[i], b[j]) - times(a[j], b[i]);
+    }
+    Place way(int from, int to) const {
+        const Place &a = places_[static_cast<std::size_t>(from)], &b = places_[static_cast<std::size_t>(to)];
+        return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    }
+
+    std::vector<Place> places_;
 };
 
-// Triangles of the hull, counter-clockwise seen from outside.
+// Triangles of the hull, counter-clockwise seen from outside. Grows point by point: the triangles that a point is
+// above give way to those that join it to their outline.
 std::vector<Triangle> triangulated_hull(std::span<const Vector3> points, const Extent& extent) {
-    std::vector<double> coordinates;
-    coordinates.reserve(3 * points.size());
-    for (const Vector3& point : points) {
-        const Vector3 scaled = (point - extent.origin) / extent.length;
-        coordinates.insert(coordinates.end(), {scaled.x(), scaled.y(), scaled.z()});
+    const Grid grid(points, extent);
+    auto [a, b, c, d] = extent.corners;
+    if (grid.is_above({a, b, c}, d)) std::swap(b, c);
+    std::vector<Triangle> hull{{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}};
+    std::set<std::pair<int, int>> edges;  // of the triangles that give way
+    for (int point = 0; point < static_cast<int>(points.size()); ++point) {
+        const auto kept = std::stable_partition(
+            hull.begin(), hull.end(), [&](const Triangle& triangle) { return !grid.is_above(triangle, point); });
+        edges.clear();
+        for (auto triangle = kept; triangle != hull.end(); ++triangle) {
+            for (std::size_t k = 0; k < 3; ++k) edges.emplace((*triangle)[k], (*triangle)[(k + 1) % 3]);
+        }
+        hull.erase(kept, hull.end());
+        for (const auto& [from, to] : edges) {
+            if (!edges.contains({to, from})) hull.push_back({from, to, point});
+        }
     }
-    Qhull qhull(coordinates);
-    if (!qhull.has_hull()) throw NoPolyhedron("points without a hull", "points with a volume");
-    std::vector<Triangle> triangles = qhull.triangles();
-    double volume = 0.0;
-    for (const auto& [a, b, c] : triangles) {
-        const auto scaled = [&](int index) { return Vector3((at(points, index) - extent.origin) / extent.length); };
-        volume += scaled(a).dot(scaled(b).cross(scaled(c)));
-    }
-    if (volume < 0.0) {
-        for (Triangle& triangle : triangles) std::swap(triangle[0], triangle[1]);
-    }
-    return triangles;
+    return hull;
 }
 
 // Numbers the faces: triangles that lie in one plane have the same. Large ones decide first where a plane lies.

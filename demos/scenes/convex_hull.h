@@ -1,4 +1,4 @@
-// The convex hull of points, by Qhull.
+// The convex hull of points, the same on every machine.
 #pragma once
 
 #include "engine/base/invalid_input.h"

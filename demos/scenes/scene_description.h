@@ -24,6 +24,9 @@ class World;
 
 namespace pushfactor::demos {
 
+namespace elementary = engine::elementary;
+using engine::turn_about;
+
 struct BoxShape {
     engine::Vector3 size = engine::Vector3::Ones();  // m, edges
 };

@@ -21,8 +21,9 @@ void rotate_about_axis(Quaternion& orientation, const Body& body, const Vector3&
                        double dt) {
     const double along = to_body_frame(orientation, angular_momentum)[axis];
     const double half_angle = 0.5 * along * body.inverse_inertia[axis] * dt;
-    Quaternion turn(std::cos(half_angle), 0.0, 0.0, 0.0);
-    turn.vec()[axis] = std::sin(half_angle);
+    const auto [sine, cosine] = elementary::sine_cosine(half_angle);
+    Quaternion turn(cosine, 0.0, 0.0, 0.0);
+    turn.vec()[axis] = sine;
     orientation = orientation * turn;
 }
 
@@ -55,9 +56,10 @@ Quaternion rotate_symmetric(const Body& body, const Vector3& angular_momentum, i
 // a b = `rotation_vector`; a series near zero avoids the division by a.
 Quaternion exponential(const Vector3& rotation_vector) {
     const double angle = rotation_vector.norm();
-    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
+    const auto [sine, cosine] = elementary::sine_cosine(0.5 * angle);
+    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : sine / angle;
     Quaternion q;
-    q.w() = std::cos(0.5 * angle);
+    q.w() = cosine;
     q.vec() = scale * rotation_vector;
     return q;
 }

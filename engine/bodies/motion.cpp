@@ -21,7 +21,7 @@ Motion motion_in_step(const Body& body, double dt, OrientationStep rotate, const
     Quaternion turn = rotate(body, l, dt) * body.orientation.conjugate();
     if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
     const double sine = turn.vec().norm();
-    motion.angular_velocity = (2.0 * std::atan2(sine, turn.w()) / (sine * dt)) * turn.vec();
+    motion.angular_velocity = (2.0 * elementary::atan2(sine, turn.w()) / (sine * dt)) * turn.vec();
     return motion;
 }
 

@@ -23,7 +23,7 @@ Vector3 turn_between(const Quaternion& from, const Quaternion& to) {
     if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
     const double sine = turn.vec().norm();
     if (sine == 0.0) return Vector3::Zero();
-    return 2.0 * std::atan2(sine, turn.w()) / sine * turn.vec();
+    return 2.0 * elementary::atan2(sine, turn.w()) / sine * turn.vec();
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ Place Oscillation::at(double time) const {
     const double on_way = times_.since_start(time);
     if (on_way == 0.0) return start_;
     const double angle = 2.0 * std::numbers::pi * frequency_ * on_way + phase_;
-    return {start_.position + (std::sin(angle) - std::sin(phase_)) * amplitude_, start_.orientation};
+    return {start_.position + (elementary::sin(angle) - elementary::sin(phase_)) * amplitude_, start_.orientation};
 }
 
 PlaceTable::PlaceTable(const Place& start, const std::vector<Entry>& entries) {

@@ -1,13 +1,20 @@
 #include "engine/bodies/solid.h"
 
+#include "engine/base/wide.h"
+
 #include <cmath>
+
+// What Eigen has to know of numbers.
+template <>
+struct Eigen::NumTraits<pushfactor::engine::Wide> : Eigen::GenericNumTraits<pushfactor::engine::Wide> {
+    enum { RequireInitialization = 1 };
+};
 
 namespace pushfactor::engine {
 
 namespace {
 
 // Wider than double, so that the moments of a cube are those of box_body() to the last bit.
-using Wide = long double;
 using WideVector = Eigen::Matrix<Wide, 3, 1>;
 using WideMatrix = Eigen::Matrix<Wide, 3, 3>;
 
@@ -26,25 +33,25 @@ void visit_triangles(std::span<const Vector3> vertices, std::span<const std::vec
 WideVector mean_of(std::span<const Vector3> points) {
     WideVector sum = WideVector::Zero();
     for (const Vector3& point : points) sum += point.cast<Wide>();
-    return sum / static_cast<Wide>(points.size());
+    return sum / Wide(static_cast<double>(points.size()));
 }
 
 }  // namespace
 
 Solid solid_of(std::span<const Vector3> vertices, std::span<const std::vector<int>> faces) {
     const WideVector inside = mean_of(vertices);
-    Wide volume = 0;
+    Wide volume = 0.0;
     WideVector moment = WideVector::Zero();
     visit_triangles(vertices, faces, inside, [&](const WideVector& a, const WideVector& b, const WideVector& c) {
-        const Wide part = a.dot(b.cross(c)) / 6;
+        const Wide part = a.dot(b.cross(c)) / 6.0;
         volume += part;
-        moment += part / 4 * (a + b + c);
+        moment += part / 4.0 * (a + b + c);
     });
     const WideVector centre = inside + moment / volume;
     WideMatrix second = WideMatrix::Zero();
     visit_triangles(vertices, faces, centre, [&](const WideVector& a, const WideVector& b, const WideVector& c) {
         const WideVector sum = a + b + c;
-        const Wide share = a.dot(b.cross(c)) / (120 * volume);
+        const Wide share = a.dot(b.cross(c)) / (volume * 120.0);
         second += share * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     });
     const WideMatrix inertia = second.trace() * WideMatrix::Identity() - second;

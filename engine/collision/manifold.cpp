@@ -44,8 +44,9 @@ Spread spread_of(std::span<const ContactPoint> points, const Vector3& u, const V
         const double x = u.dot(point.position - middle), y = v.dot(point.position - middle);
         uu += x * x, uv += x * y, vv += y * y;
     }
-    const double mean = 0.5 * (uu + vv), half = std::hypot(0.5 * (uu - vv), uv);
-    return {std::sqrt(mean + half), std::sqrt(std::max(0.0, mean - half)), 0.5 * std::atan2(2.0 * uv, uu - vv)};
+    const double mean = 0.5 * (uu + vv), half = elementary::hypot(0.5 * (uu - vv), uv);
+    return {std::sqrt(mean + half), std::sqrt(std::max(0.0, mean - half)),
+            0.5 * elementary::atan2(2.0 * uv, uu - vv)};
 }
 
 Outwards outwards_of(std::span<const ContactPoint> points, const Vector3& normal, const Matrix3& reference) {
@@ -56,7 +57,7 @@ Outwards outwards_of(std::span<const ContactPoint> points, const Vector3& normal
         const Vector3 direction = (2.0 * u + v).normalized();
         return {direction, normal.cross(direction)};
     }
-    const Vector3 p = std::cos(spread.angle) * u + std::sin(spread.angle) * v;
+    const Vector3 p = elementary::cos(spread.angle) * u + elementary::sin(spread.angle) * v;
     return off_diagonals(p * (spread.width / spread.length), normal.cross(p));
 }
 
@@ -88,7 +89,7 @@ double slope_of(const Turning& turning, std::span<const ContactPoint> points) {
 // the shapes turn by `path`.
 int directions_for(const Turning& turning, int least, int most) {
     int directions = least;
-    const auto sinks = [&](int n) { return turning.path * (1.0 - std::cos(std::numbers::pi / n)); };
+    const auto sinks = [&](int n) { return turning.path * (1.0 - elementary::cos(std::numbers::pi / n)); };
     while (directions < most && sinks(directions) > turning.allowed) directions *= 2;
     return directions;
 }
@@ -106,7 +107,7 @@ void keep_carrying(const Turning& turning, const Matrix3& reference, int least, 
     std::fill_n(kept.begin(), points.size(), false);
     for (int k = 0; k < directions; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / directions;
-        const Vector3 uphill = std::cos(angle) * outwards.along + std::sin(angle) * outwards.across;
+        const Vector3 uphill = elementary::cos(angle) * outwards.along + elementary::sin(angle) * outwards.across;
         kept[deepest(points, turning.ends, slope * uphill, kept)] = true;
     }
     int count = 0;

@@ -248,7 +248,7 @@ Pose pose_at(const Moving& moving, double time) {
     pose.position += time * moving.motion.velocity;
     const double rate = moving.motion.angular_velocity.norm();
     if (rate * time > 0.0) {
-        pose.rotation = Eigen::AngleAxisd(rate * time, moving.motion.angular_velocity / rate) * pose.rotation;
+        pose.rotation = turn_about(moving.motion.angular_velocity / rate, rate * time) * pose.rotation;
     }
     return pose;
 }

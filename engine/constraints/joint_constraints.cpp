@@ -30,14 +30,14 @@ Quaternion turn_of(const Joint& joint, const BodyPair& bodies) {
 // The part of a turn about `axis`, in (-pi, pi] [rad].
 double twist(const Quaternion& turn, const Vector3& axis) {
     const double along = turn.vec().dot(axis);
-    return turn.w() < 0.0 ? 2.0 * std::atan2(-along, -turn.w()) : 2.0 * std::atan2(along, turn.w());
+    return turn.w() < 0.0 ? 2.0 * elementary::atan2(-along, -turn.w()) : 2.0 * elementary::atan2(along, turn.w());
 }
 
 // theta: the shortest rotation from `axis` to `other`, both of unit length.
 Vector3 rotation_between(const Vector3& axis, const Vector3& other) {
     const Vector3 across = axis.cross(other);
     const double sine = across.norm(), cosine = axis.dot(other);
-    if (sine > 0.0) return std::atan2(sine, cosine) / sine * across;
+    if (sine > 0.0) return elementary::atan2(sine, cosine) / sine * across;
     return cosine < 0.0 ? Vector3(std::numbers::pi * axis.unitOrthogonal()) : Vector3(Vector3::Zero());
 }
 

@@ -20,7 +20,7 @@ double softness_across(const Body& body, const Vector3& r) {
     const double a = first.cwiseAbs2().dot(body.inverse_inertia);
     const double b = second.cwiseAbs2().dot(body.inverse_inertia);
     const double both = first.cwiseProduct(second).dot(body.inverse_inertia);
-    return 0.5 * (a + b) + std::hypot(0.5 * (a - b), both);
+    return 0.5 * (a + b) + elementary::hypot(0.5 * (a - b), both);
 }
 
 // omega^2 of one end under `force` on it [N]: about the end, and sideways with a bar of `length`, 0 for a joint.
@@ -56,7 +56,7 @@ double end_turning(const Body& body, const Vector3& point, bool is_hinge) {
     const Vector3 direction = body.orientation * point.normalized();
     const double about = std::abs(direction.dot(spin));
     const double nods = std::abs(direction.dot(body.angular_momentum)) * softness_across(body, point);
-    return std::hypot(direction.cross(spin).norm(), std::min(about, nods));
+    return elementary::hypot(direction.cross(spin).norm(), std::min(about, nods));
 }
 
 // Angular velocity of a bar's direction, or about an off-centre ball joint [rad/s].

@@ -92,7 +92,8 @@ class Dense : public Solver {
         SolveCount count;
 
         const MatrixX J = stacked_jacobian(system, island);
-        MatrixX A = J * stacked_inverse_mass(system, island) * J.transpose();
+        // Lazy: Eigen's other product orders its sums by the size of the processor's caches.
+        MatrixX A = MatrixX(J.lazyProduct(stacked_inverse_mass(system, island))).lazyProduct(J.transpose());
         // J M^-1 J^T as two dense products, then a full row of A for each update of lambda.
         const auto size = static_cast<double>(J.rows());
         const auto width = static_cast<double>(J.cols());

@@ -242,7 +242,7 @@ IslandSolver::Residuals IslandSolver::of_no_forces(const SystemEquation& system,
         };
         double moved = std::abs(std::min(std::max(wanted(j), bounds.c_min), bounds.c_max));
         if (bounds.disc == Disc::second) {
-            moved = std::min(std::hypot(wanted(j - 1), wanted(j)), bounds.c_max);
+            moved = std::min(elementary::hypot(wanted(j - 1), wanted(j)), bounds.c_max);
         }
         double& largest = residuals[static_cast<std::size_t>(column)];
         largest = std::max(largest, system.dt * diagonal * moved);

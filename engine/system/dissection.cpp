@@ -137,11 +137,12 @@ bool Dissection::halve(int begin, int end, int halvings, int leaf) {
         for (auto spot = first; spot != last; ++spot) leaf_of_[at(spot->body)] = leaf;
         return true;
     }
-    const Vector3 axis = long_axis({first, last});
-    for (auto spot = first; spot != last; ++spot) spot->place = axis.dot(spot->position);
+    const Vector3 axis = long_axis(std::span(spots_).subspan(at(begin), at(end - begin)));
+    places_.clear();
+    for (auto spot = first; spot != last; ++spot) places_.push_back(spot->place = axis.dot(spot->position));
     const auto half = (end - begin) / 2;
-    std::nth_element(first, first + half, last, [](const Spot& a, const Spot& b) { return a.place < b.place; });
-    const double plane = (first + half)->place, line = one_line * reach_;
+    std::nth_element(places_.begin(), places_.begin() + half, places_.end());
+    const double plane = places_[at(half)], line = one_line * reach_;
     const auto is_before = [=](const Spot& spot) { return spot.place < plane - line; };
     const auto is_not_behind = [=](const Spot& spot) { return spot.place <= plane + line; };
     const auto before = std::count_if(first, last, is_before),
@@ -149,10 +150,11 @@ bool Dissection::halve(int begin, int end, int halvings, int leaf) {
     const bool takes_line = not_behind - half < half - before;
     const auto middle = static_cast<int>(takes_line ? not_behind : before);
     if (std::min(middle, end - begin - middle) < least_share * (end - begin)) return false;
+    // Stable, because sums over bodies in another order are other sums.
     if (takes_line) {
-        std::partition(first, last, is_not_behind);
+        std::stable_partition(first, last, is_not_behind);
     } else {
-        std::partition(first, last, is_before);
+        std::stable_partition(first, last, is_before);
     }
     return halve(begin, begin + middle, halvings - 1, 2 * leaf) &&
            halve(begin + middle, end, halvings - 1, 2 * leaf + 1);

@@ -106,6 +106,7 @@ class Dissection {
     std::vector<Part> parts_;  // of all rounds
     std::vector<Round> rounds_;
     std::vector<Spot> spots_;
+    std::vector<double> places_;
     double reach_ = 0.0;        // m, of the farthest body from the first one
     std::vector<int> leaf_of_;  // by old number of a movable body
     std::vector<int> number_;   // new number, by old one

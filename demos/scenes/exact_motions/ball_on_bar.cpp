@@ -6,14 +6,16 @@
 
 namespace pushfactor::demos::scenes {
 
+namespace elementary = engine::elementary;
+
 namespace {
 
 // The rates of a swing: the two equations solved for a'' and b''.
 Swing rates(const BallOnBar& pendulum, const Swing& s) {
     const double l = pendulum.length;
     const double r = pendulum.radius;
-    const double sin_a = std::sin(s.a), cos_a = std::cos(s.a);
-    const double sin_b = std::sin(s.b), cos_b = std::cos(s.b);
+    const double sin_a = elementary::sin(s.a), cos_a = elementary::cos(s.a);
+    const double sin_b = elementary::sin(s.b), cos_b = elementary::cos(s.b);
     const double c = cos_a * cos_b + sin_a * sin_b;  // cos(a - b)
     const double d = sin_a * cos_b - cos_a * sin_b;  // sin(a - b)
 
@@ -44,7 +46,7 @@ Swing runge_kutta(const BallOnBar& pendulum, const Swing& s, double h) {
 
 // Distance of the centre from the vertical [m].
 double aside(const BallOnBar& pendulum, const Swing& swing) {
-    return pendulum.length * std::sin(swing.a) + pendulum.radius * std::sin(swing.b);
+    return pendulum.length * elementary::sin(swing.a) + pendulum.radius * elementary::sin(swing.b);
 }
 
 // Times at which the centre passes the vertical, each found by the secant between two steps.
@@ -79,7 +81,8 @@ Swing advance(const BallOnBar& pendulum, Swing swing, double time, int steps) {
 double centre_angle(const BallOnBar& pendulum, const Swing& swing) {
     const double l = pendulum.length;
     const double r = pendulum.radius;
-    return std::atan2(l * std::sin(swing.a) + r * std::sin(swing.b), l * std::cos(swing.a) + r * std::cos(swing.b));
+    return elementary::atan2(l * elementary::sin(swing.a) + r * elementary::sin(swing.b),
+                             l * elementary::cos(swing.a) + r * elementary::cos(swing.b));
 }
 
 double period(const BallOnBar& pendulum, double amplitude) {
@@ -89,7 +92,7 @@ double period(const BallOnBar& pendulum, double amplitude) {
     double weights = 0.0;
     for (std::size_t i = 0; i < halves; ++i) {
         const double u = (static_cast<double>(i) + 0.5) / halves;
-        const double weight = std::exp(-1.0 / (u * (1.0 - u)));
+        const double weight = elementary::exp(-1.0 / (u * (1.0 - u)));
         weighted += weight * (times[i + 1] - times[i]);
         weights += weight;
     }
@@ -98,7 +101,8 @@ double period(const BallOnBar& pendulum, double amplitude) {
 
 double length_for_period(BallOnBar pendulum, double amplitude, double wanted) {
     // Begin with the pendulum whose ball is fixed to the bar, for a small swing: L + k^2 / L = g (T / 2 pi)^2.
-    const double per_length = pendulum.gravity * std::pow(wanted / (2.0 * std::numbers::pi), 2);
+    const double per_radian = wanted / (2.0 * std::numbers::pi);
+    const double per_length = pendulum.gravity * per_radian * per_radian;
     pendulum.length = per_length / (1.0 + amplitude * amplitude / 8.0) - pendulum.radius;
     // T^2 grows almost in proportion to l + r; the secant through both guesses then has the last digits.
     const double first = pendulum.length, first_period = period(pendulum, amplitude);

@@ -10,6 +10,9 @@
 
 namespace pushfactor::demos::scenes {
 
+namespace elementary = engine::elementary;
+using engine::turn_about;
+
 using engine::Matrix3;
 using engine::Quaternion;
 using engine::Vector3;
@@ -101,7 +104,7 @@ Quaternion FreeRotation::at(double time) {
         for (const auto& [place, weight] : points) phi_ += half * weight * precession_rate(middle + half * place);
     }
     time_ = time;
-    const Matrix3 turn = Eigen::AngleAxisd(phi_, Vector3::UnitZ()).toRotationMatrix();
+    const Matrix3 turn = turn_about(Vector3::UnitZ(), phi_).toRotationMatrix();
     return Quaternion(to_world_ * turn * frame(momentum(time)).transpose()).normalized();
 }
 
@@ -117,9 +120,12 @@ Elliptic jacobi_elliptic(double u, double m) {
         ++n;
     }
     double phi = std::ldexp(means[n] * u, static_cast<int>(n));
-    for (std::size_t i = n; i > 0; --i) phi = 0.5 * (phi + std::asin(differences[i] / means[i] * std::sin(phi)));
-    const double sn = std::sin(phi);
-    return {sn, std::cos(phi), std::sqrt(1.0 - m * sn * sn)};
+    for (std::size_t i = n; i > 0; --i) {
+        const double sine = differences[i] / means[i] * elementary::sin(phi);
+        phi = 0.5 * (phi + elementary::atan2(sine, std::sqrt((1.0 - sine) * (1.0 + sine))));
+    }
+    const double sn = elementary::sin(phi);
+    return {sn, elementary::cos(phi), std::sqrt(1.0 - m * sn * sn)};
 }
 
 }  // namespace pushfactor::demos::scenes

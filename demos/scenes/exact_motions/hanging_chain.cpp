@@ -7,6 +7,8 @@
 
 namespace pushfactor::demos::scenes {
 
+namespace elementary = engine::elementary;
+
 namespace {
 
 using Eigen::Index;
@@ -21,7 +23,8 @@ VectorXd hanging_masses(const HangingChain& chain) {
 
 VectorXd accelerations(const HangingChain& chain, const VectorXd& carried, const ChainSwing& swing) {
     const Index n = swing.angles.size();
-    const VectorXd sine = swing.angles.array().sin(), cosine = swing.angles.array().cos();
+    const VectorXd sine = swing.angles.unaryExpr(&elementary::sin),
+                   cosine = swing.angles.unaryExpr(&elementary::cos);
     Eigen::MatrixXd mass(n, n);
     VectorXd torque(n);
     for (Index i = 0; i < n; ++i) torque[i] = -carried[i] * chain.gravity * chain.lengths[i] * sine[i];
@@ -62,7 +65,8 @@ std::vector<Eigen::Vector2d> places(const HangingChain& chain, const ChainSwing&
     std::vector<Eigen::Vector2d> result;
     Eigen::Vector2d end(0, 0);
     for (Index i = 0; i < swing.angles.size(); ++i) {
-        end += chain.lengths[i] * Eigen::Vector2d(std::sin(swing.angles[i]), -std::cos(swing.angles[i]));
+        end +=
+            chain.lengths[i] * Eigen::Vector2d(elementary::sin(swing.angles[i]), -elementary::cos(swing.angles[i]));
         result.push_back(end);
     }
     return result;

@@ -16,8 +16,8 @@ Prospect describe_card_house(const ParameterValues& values, Random&) {
     constexpr double floor = 1.0, pitch = 1.01;  // m: length of a floor, distance between tops
     const double thickness = height / values.number("slenderness"), mu = values.number("friction");
     // Half of the space that a leaning card takes.
-    const double beside = 0.5 * (height * std::sin(lean) + thickness * std::cos(lean));
-    const double above = 0.5 * (height * std::cos(lean) + thickness * std::sin(lean));
+    const double beside = 0.5 * (height * elementary::sin(lean) + thickness * elementary::cos(lean));
+    const double above = 0.5 * (height * elementary::cos(lean) + thickness * elementary::sin(lean));
     const int storeys = values.whole("storeys");
     SceneDescription scene = on_ground(mu);
     for (int k = 0; k < storeys; ++k) {
@@ -51,7 +51,7 @@ Prospect describe_dominoes(const ParameterValues& values, Random&) {
                 {i * values.number("spacing"), 0.5 * height, 0}, mu);
         prospect.leaving.push_back(name);
     }
-    const double diagonal = std::hypot(height, thickness);
+    const double diagonal = elementary::hypot(height, thickness);
     const double climb = 0.5 * (diagonal - height);    // m, of its centre
     const double inertia = diagonal * diagonal / 3.0;  // m^2, about the edge, of 1 kg
     BodyDescription& first = prospect.scene.bodies[1];
@@ -72,7 +72,7 @@ Prospect describe_leaning_slab(const ParameterValues& values, Random&) {
     constexpr double length = 2.0, width = 0.5;  // m
     const double phi = values.number("lean"), thickness = values.number("thickness");
     const double of_wall = values.number("wall-friction");
-    const double sine = std::sin(phi), cosine = std::cos(phi);
+    const double sine = elementary::sin(phi), cosine = elementary::cos(phi);
     const double out = 0.5 * (length * sine - thickness * cosine);
     const double limit = out / (length * cosine + of_wall * (length * sine - out));
     const double mu = limit * more_than_limit(values);

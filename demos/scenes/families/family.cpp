@@ -43,7 +43,7 @@ double drawn(const FamilyParameter& parameter, bool small, int seed) {
     if (parameter.range.whole && parameter.draw == Draw::evenly)
         return std::floor(low + share * (high - low + 1.0));
     double value = low + share * (high - low);
-    if (parameter.draw == Draw::by_decades) value = low * std::pow(high / low, share);
+    if (parameter.draw == Draw::by_decades) value = low * elementary::exp(share * elementary::log(high / low));
     return std::clamp(parameter.range.whole ? std::round(value) : rounded(value), low, high);
 }
 

@@ -58,16 +58,16 @@ BodyDescription& add_ball(SceneDescription& scene, const std::string& name, doub
 }
 
 Quaternion turned(double angle) {
-    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitY()));
+    return turn_about(Vector3::UnitY(), angle);
 }
 
 Quaternion inclined(double angle) {
-    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+    return turn_about(Vector3::UnitZ(), angle);
 }
 
 double rest_by(double height, double friction, double speed) {
     const double falls = std::sqrt(2.0 * height / gravity);
-    return 5.0 + 2.0 * falls + std::hypot(falls, speed / gravity) / friction;
+    return 5.0 + 2.0 * falls + elementary::hypot(falls, speed / gravity) / friction;
 }
 
 void look_at_all(SceneDescription& scene) {

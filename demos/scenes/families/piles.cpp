@@ -111,7 +111,8 @@ Prospect describe_rods(const ParameterValues& values, Random& random) {
         const double z = random.in(-0.5, 0.5);
         BodyDescription& rod = add_box(scene, "rod " + std::to_string(i + 1), {length, thickness, thickness},
                                        100.0 * length * thickness, {x, above + 0.3 * i, z}, mu);
-        rod.orientation = turned(random.in(0.0, 6.0)) * inclined(random.in(-0.1, 0.1));
+        const double slope = random.in(-0.1, 0.1);
+        rod.orientation = turned(random.in(0.0, 6.0)) * inclined(slope);
         rod.velocity = Vector3(0, -speed, 0);
     }
     const double height = scene.bodies.back().position.y();

@@ -30,11 +30,13 @@ Prospect describe_round(const ParameterValues& values, Random&) {
     const int planks = values.whole("planks");
     SceneDescription scene = on_ground(mu);
     // Neighbours do not touch: their inner corners are 3 cm tan(pi / planks) apart.
-    const double radius = 0.015 + 0.5 * plank.z() + 0.5 * plank.x() / std::tan(std::numbers::pi / planks);
+    const auto [sine, cosine] = elementary::sine_cosine(std::numbers::pi / planks);
+    const double radius = 0.015 + 0.5 * plank.z() + 0.5 * plank.x() * cosine / sine;
     for (int ring = 0; ring < values.whole("rings"); ++ring) {
         for (int i = 0; i < planks; ++i) {
             const double angle = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / planks;
-            const Vector3 place(radius * std::cos(angle), (ring + 0.5) * plank.y(), radius * std::sin(angle));
+            const Vector3 place(radius * elementary::cos(angle), (ring + 0.5) * plank.y(),
+                                radius * elementary::sin(angle));
             add_box(scene, name_of_plank("ring ", ring, i), plank, plank_mass, place, mu).orientation =
                 turned(-angle - 0.5 * std::numbers::pi);
         }

@@ -28,7 +28,8 @@ void add_prism(SceneDescription& scene, const std::string& name, const std::vect
 // A column of cubes, each cut by a plane through its middle. What is above a cut presses straight down on it.
 Prospect describe_cut_column(const ParameterValues& values, Random&) {
     constexpr double side = 1.0, density = 1000.0;  // m, kg/m^3
-    const double slope = std::tan(values.number("angle"));
+    const auto [sine, cosine] = elementary::sine_cosine(values.number("angle"));
+    const double slope = sine / cosine;
     const double mu = slope * more_than_limit(values);
     SceneDescription scene = on_ground(mu);
     const int cubes = values.whole("cubes");

@@ -26,18 +26,18 @@ constexpr double abutment = 0.5;     // m, height of an abutment
 
 // Points at a distance from the centre, at an angle from the crown.
 Vector3 at(double radius, double angle, double z) {
-    return {radius * std::sin(angle), radius * std::cos(angle), z};
+    return {radius * elementary::sin(angle), radius * elementary::cos(angle), z};
 }
 
 void add_abutment(SceneDescription& scene, const std::string& name, double angle, double thickness, double mu) {
     // The joint is the upper face.
-    const Vector3 up(-std::cos(angle), std::sin(angle), 0.0);
+    const Vector3 up(-elementary::cos(angle), elementary::sin(angle), 0.0);
     const Vector3 outwards = angle > 0.0 ? up : Vector3(-up);
-    const double turn = std::atan2(-outwards.x(), outwards.y());
+    const double turn = elementary::atan2(-outwards.x(), outwards.y());
     scene.bodies.push_back({.name = name,
                             .shape = BoxShape{Vector3(2.5 * thickness, abutment, 1.25 * depth)},
                             .position = at(mean_radius, angle, 0.0) - 0.5 * abutment * outwards,
-                            .orientation = Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ())),
+                            .orientation = turn_about(Vector3::UnitZ(), turn),
                             .friction = mu});
 }
 
@@ -67,8 +67,8 @@ std::vector<Joint> joints_of_half(const ArchShape& shape) {
     const double step = 2.0 * shape.half_angle / shape.voussoirs;
     // Area, and area times distance of its centre, of a triangle with the tip at the centre of the arch.
     const auto triangle = [&](double radius) {
-        const double area = 0.5 * radius * radius * std::sin(step);
-        return std::pair{area, area * 2.0 / 3.0 * radius * std::cos(0.5 * step)};
+        const double area = 0.5 * radius * radius * elementary::sin(step);
+        return std::pair{area, area * 2.0 / 3.0 * radius * elementary::cos(0.5 * step)};
     };
     const auto [large, large_moment] = triangle(outer);
     const auto [small, small_moment] = triangle(inner);
@@ -80,7 +80,8 @@ std::vector<Joint> joints_of_half(const ArchShape& shape) {
     if (on_crown) {
         // Half of the keystone: its outline is a triangle with a right angle.
         const auto half = [&](double radius) {
-            const double height = radius * std::cos(0.5 * step), width = radius * std::sin(0.5 * step);
+            const double height = radius * elementary::cos(0.5 * step),
+                         width = radius * elementary::sin(0.5 * step);
             return 0.5 * height * width * width / 3.0;
         };
         weight = 0.5 * area;
@@ -90,7 +91,7 @@ std::vector<Joint> joints_of_half(const ArchShape& shape) {
         joints.push_back({angle, weight, moment});
         if (angle + 0.5 * step > shape.half_angle) break;
         weight += area;
-        moment += area * distance * std::sin(angle + 0.5 * step);
+        moment += area * distance * elementary::sin(angle + 0.5 * step);
     }
     return joints;
 }
@@ -102,7 +103,7 @@ double room(const std::vector<Joint>& joints, const ArchShape& shape, double fri
     // |H sin - W cos| <= friction (H cos + W sin) at each joint.
     double least = 0.0, greatest = 1e6 * joints.back().weight;
     for (const auto& [angle, weight, moment] : joints) {
-        const double s = std::sin(angle), c = std::cos(angle);
+        const double s = elementary::sin(angle), c = elementary::cos(angle);
         if (s + friction * c > 0.0) least = std::max(least, weight * (c - friction * s) / (s + friction * c));
         if (s - friction * c > 0.0) greatest = std::min(greatest, weight * (c + friction * s) / (s - friction * c));
     }
@@ -110,7 +111,7 @@ double room(const std::vector<Joint>& joints, const ArchShape& shape, double fri
     const auto room_with = [&](double thrust) {
         double low = -std::numeric_limits<double>::infinity(), high = -low;
         for (const auto& [angle, weight, moment] : joints) {
-            const double normal = thrust * std::cos(angle) + weight * std::sin(angle);
+            const double normal = thrust * elementary::cos(angle) + weight * elementary::sin(angle);
             low = std::max(low, inner * normal - moment);
             high = std::min(high, outer * normal - moment);
         }
@@ -178,7 +179,7 @@ SceneDescription arch(const ParameterValues& parameters) {
         body.colour = k % 2 == 0 ? "orange" : "vermilion";
         scene.bodies.push_back(body);
     }
-    const double lowest = mean_radius * std::cos(half) - abutment;
+    const double lowest = mean_radius * elementary::cos(half) - abutment;
     scene.view = view_of({0, 0.5 * (lowest + mean_radius), 0}, mean_radius - lowest);
     scene.view.eye = scene.view.target + 0.8 * (scene.view.eye - scene.view.target);
     scene.view.floor = lowest;

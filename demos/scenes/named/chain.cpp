@@ -27,7 +27,7 @@ SceneDescription chain(const ParameterValues& parameters) {
     const int links = parameters.whole("links");
     const double end_mass = parameters.number("end-mass");
     const double angle = parameters.number("angle") * std::numbers::pi / 180.0;
-    const Vector3 along(std::sin(angle), -std::cos(angle), 0.0);
+    const Vector3 along(elementary::sin(angle), -elementary::cos(angle), 0.0);
 
     SceneDescription scene;
     scene.name = "chain";
@@ -35,7 +35,7 @@ SceneDescription chain(const ParameterValues& parameters) {
         const bool end = i == links;
         BodyDescription ball{
             .name = "ball " + std::to_string(i),
-            .shape = SphereShape{end ? radius * std::clamp(std::cbrt(end_mass), 1.0, 8.0) : radius},
+            .shape = SphereShape{end ? radius * std::clamp(elementary::cbrt(end_mass), 1.0, 8.0) : radius},
             .mass = end ? end_mass : 1.0,
             .position = (i * length) * along};
         ball.colour = end ? "vermilion" : "ivory";

@@ -17,8 +17,8 @@ void displace(BodyDescription& body, double reach, Random& random) {
     const double distance = reach * std::sqrt(random.in(0.0, 1.0));
     const double direction = random.in(0.0, 2.0 * std::numbers::pi);
     const double turn = random.in(-0.02, 0.02);
-    body.position += Vector3(distance * std::cos(direction), 0.0, distance * std::sin(direction));
-    body.orientation = Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitY()));
+    body.position += Vector3(distance * elementary::cos(direction), 0.0, distance * elementary::sin(direction));
+    body.orientation = turn_about(Vector3::UnitY(), turn);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ void add_tower(SceneDescription& scene, int count, Random& random) {
 
 void add_funnel_planes(SceneDescription& scene, double mu) {
     for (int k = 0; k < 4; ++k) {
-        const Quaternion turn(Eigen::AngleAxisd(0.5 * std::numbers::pi * k, Vector3::UnitY()));
-        const Quaternion tilt(Eigen::AngleAxisd(-0.25 * std::numbers::pi, Vector3::UnitZ()));
+        const Quaternion turn = turn_about(Vector3::UnitY(), 0.5 * std::numbers::pi * k);
+        const Quaternion tilt = turn_about(Vector3::UnitZ(), -0.25 * std::numbers::pi);
         scene.bodies.push_back({.name = "plane " + std::to_string(k + 1),
                                 .shape = PlaneShape{},
                                 .orientation = turn * tilt,
@@ -72,7 +72,7 @@ std::vector<Vector3> funnel_places(int count, double reach, Random& random) {
 
 View view_into_funnel(int count) {
     // The bodies fill a pyramid: its volume 4/3 h^3 holds them at a packing of about 0.6.
-    const double heap = std::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
+    const double heap = elementary::cbrt(0.75 * count * (4.19 * radius * radius * radius) / 0.6) + 1.0;
     View view = view_of({0, 0.65 * heap, 0}, 1.6 * heap);
     view.eye.y() += 0.6 * heap;
     return view;

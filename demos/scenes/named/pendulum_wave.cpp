@@ -36,7 +36,7 @@ class WaveMeasure : public SceneMeasure {
           reference_(pendulums_.size(), Swing{.a = amplitude, .b = amplitude}),
           initial_energy_(engine::potential_energy(world.bodies, gravity)) {
         for (const BallOnBar& p : pendulums_)
-            swing_energy_ += p.gravity * (p.length + p.radius) * (1.0 - std::cos(amplitude));
+            swing_energy_ += p.gravity * (p.length + p.radius) * (1.0 - elementary::cos(amplitude));
         potential_ = initial_energy_;
     }
 
@@ -46,7 +46,7 @@ class WaveMeasure : public SceneMeasure {
         for (std::size_t i = 0; i < pendulums_.size(); ++i) {
             reference_[i] = advance(pendulums_[i], reference_[i], dt, steps);
             const Vector3& centre = world.bodies[i].position;
-            const double angle = std::atan2(centre.z(), beam - centre.y());
+            const double angle = elementary::atan2(centre.z(), beam - centre.y());
             const double error = angle - centre_angle(pendulums_[i], reference_[i]);
             squares_ += error * error;
         }
@@ -104,11 +104,11 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
 
         // Bar and ball aligned at the amplitude, swinging in the y-z plane.
         const Vector3 hook(wave_spacing * (k - 0.5 * (count - 1)), beam, 0.0);
-        const Vector3 along(0.0, -std::cos(amplitude), std::sin(amplitude));
+        const Vector3 along(0.0, -elementary::cos(amplitude), elementary::sin(amplitude));
         BodyDescription ball{
             .name = "ball " + std::to_string(k + 1), .shape = SphereShape{bob_radius}, .mass = 1.0};
         ball.position = hook + (pendulum.length + bob_radius) * along;
-        ball.orientation = Quaternion(Eigen::AngleAxisd(-amplitude, Vector3::UnitX()));
+        ball.orientation = turn_about(Vector3::UnitX(), -amplitude);
         scene.bodies.push_back(ball);
         scene.distances.push_back(
             {.a = {"world", hook}, .b = {ball.name, Vector3(0, bob_radius, 0)}, .length = pendulum.length});

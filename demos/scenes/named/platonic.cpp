@@ -91,7 +91,7 @@ SceneDescription platonic(const ParameterValues& parameters) {
     double reach = 0.0;  // m, of the largest corner
     for (std::size_t kind = 0; kind < shapes.size(); ++kind) {
         std::vector<Vector3> points = regular_solids()[kind].points;
-        const double scale = std::cbrt(volume / make_polyhedron(points).shape.volume);
+        const double scale = elementary::cbrt(volume / make_polyhedron(points).shape.volume);
         for (Vector3& point : points) point *= scale;
         shapes[kind] = make_polyhedron(points);
         reach = std::max(reach, scale);

@@ -73,13 +73,15 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
 double read_mass(const JsonReader& json, const BodyDescription& body) {
     if (!json.has("density_kg_per_m3")) return json.at("mass_kg").number(engine::least_mass, engine::greatest_mass);
     const JsonReader density = json.at("density_kg_per_m3");
-    const double volume = std::visit(
-        engine::Overloaded{
-            [](const BoxShape& box) { return box.size.prod(); },
-            [](const SphereShape& sphere) { return 4.0 / 3.0 * std::numbers::pi * std::pow(sphere.radius, 3); },
-            [](const PlaneShape&) { return 0.0; },
-            [](const PolyhedronShape& polyhedron) { return polyhedron.volume; }},
-        body.shape);
+    const double volume =
+        std::visit(engine::Overloaded{[](const BoxShape& box) { return box.size.prod(); },
+                                      [](const SphereShape& sphere) {
+                                          return 4.0 / 3.0 * std::numbers::pi *
+                                                 (sphere.radius * sphere.radius * sphere.radius);
+                                      },
+                                      [](const PlaneShape&) { return 0.0; },
+                                      [](const PolyhedronShape& polyhedron) { return polyhedron.volume; }},
+                   body.shape);
     const double mass = density.positive() * volume;
     if (!(mass >= engine::least_mass && mass <= engine::greatest_mass)) {
         density.refuse(

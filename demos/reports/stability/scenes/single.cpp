@@ -29,14 +29,14 @@ constexpr double link_length = 0.5;
 
 // Turned by `angle` [rad] about the z axis.
 Quaternion inclined(double angle) {
-    return Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+    return turn_about(Vector3::UnitZ(), angle);
 }
 
 // A card on its long edge, leaning by `angle` towards +x (-x if negative): its lower edge is on the ground, and
 // `at` [m] is the x coordinate of the farthest point of its upper end.
 BodyDescription leaning_card(const std::string& name, double angle, double at) {
-    const double sine = std::sin(std::abs(angle));
-    const double cosine = std::cos(angle);
+    const double sine = elementary::sin(std::abs(angle));
+    const double cosine = elementary::cos(angle);
     const double reach = 0.5 * (height * sine + card_thickness * cosine);
     const double middle = 0.5 * (height * cosine + card_thickness * sine);
     BodyDescription card =
@@ -47,7 +47,7 @@ BodyDescription leaning_card(const std::string& name, double angle, double at) {
 
 // Direction of a rod that hangs from the origin in the plane z = 0, `angle` [rad] from the vertical.
 Vector3 down_along(double angle) {
-    return {std::sin(angle), -std::cos(angle), 0};
+    return {elementary::sin(angle), -elementary::cos(angle), 0};
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ SceneDescription pile(const Pile& pile) {
         const Vector3 place(0.003 * i, 0.5 - 1e-4 + i * (1.0 - 1e-4), -0.002 * i);
         scene.bodies.push_back(
             box("cube " + std::to_string(i + 1), Vector3::Constant(pile.side), pile.origin + pile.side * place));
-        scene.bodies.back().mass = 1000.0 * std::pow(pile.side, 3);
+        scene.bodies.back().mass = 1000.0 * (pile.side * pile.side * pile.side);
     }
     scene.view =
         scenes::view_of(pile.origin + Vector3(0, 0.46 * pile.count * pile.side, 0), pile.count * pile.side);
@@ -190,7 +190,7 @@ double rod_pendulum_period(double angle) {
     // Squared rate of small swings: m g l / 2 over the moment of inertia about the end; m = 1 kg.
     const double inertia = rod_length * rod_length / 3.0 + rod_thickness * rod_thickness / 12.0;  // m^2
     const double rate = std::sqrt(usual_gravity * 0.5 * rod_length / inertia);                    // rad/s
-    return 4.0 * std::comp_ellint_1(std::sin(0.5 * angle)) / rate;
+    return 4.0 * std::comp_ellint_1(elementary::sin(0.5 * angle)) / rate;
 }
 
 SceneDescription ball_joint_chain(double angle) {
@@ -213,7 +213,7 @@ SceneDescription ball_joint_chain(double angle) {
 
 double ball_joint_chain_swing(double angle) {
     const double mass = links;  // kg
-    return mass * usual_gravity * 0.5 * links * link_length * (1.0 - std::cos(angle));
+    return mass * usual_gravity * 0.5 * links * link_length * (1.0 - elementary::cos(angle));
 }
 
 }  // namespace pushfactor::demos::reports::stability

@@ -58,7 +58,7 @@ std::vector<BodyDescription> riders(const Ride& ride) {
     for (BodyDescription& one : found) {
         one.velocity = along(ride.angle, ride.speed);
         one.orientation = turned(ride.angle);
-        one.position.z() += 1.6 * std::sin(ride.angle);  // so that the path is centred on the floor
+        one.position.z() += 1.6 * elementary::sin(ride.angle);  // so that the path is centred on the floor
     }
     if (ride.uneven == 0.0) found.back().angular_velocity = rolling(found.back().velocity, 0.5);
     return found;
@@ -143,7 +143,7 @@ SceneDescription slope(double angle) {
         one.orientation = turned(angles[i]);
         scene.bodies.push_back(one);
     }
-    scene.gravity = usual_gravity * Vector3(std::sin(angle), -std::cos(angle), 0);
+    scene.gravity = usual_gravity * Vector3(elementary::sin(angle), -elementary::cos(angle), 0);
     return scene;
 }
 
@@ -158,7 +158,7 @@ SceneDescription balls_on_slope(double angle, double across) {
         one.angular_velocity = rolling(one.velocity, 0.5);
         scene.bodies.push_back(one);
     }
-    scene.gravity = usual_gravity * Vector3(std::sin(angle), -std::cos(angle), 0);
+    scene.gravity = usual_gravity * Vector3(elementary::sin(angle), -elementary::cos(angle), 0);
     return scene;
 }
 
