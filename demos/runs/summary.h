@@ -11,7 +11,7 @@ namespace pushfactor::demos {
 
 std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured);
 
-// State hash after one second of `intersecting-stack --preset paper`, from tests/bits/lines.txt.
+// State hash after one second of `intersecting-stack --preset paper`, from tests/hashes/lines.txt.
 inline constexpr std::uint64_t touchstone = 0x7651e1c33b425dc8;
 
 // Whether this build gives it, as others do. The first call steps that run, which takes a millisecond.

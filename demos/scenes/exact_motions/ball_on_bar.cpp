@@ -1,5 +1,7 @@
 #include "demos/scenes/exact_motions/ball_on_bar.h"
 
+#include "engine/base/elementary.h"
+
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "demos/scenes/exact_motions/hanging_chain.h"
 
+#include "engine/base/elementary.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Prints what has to be the same on every machine, with every compiler and in every build type: state hashes after
 // one second and at the end of runs, and residuals and work of all solvers on systems of one step.
-//   bits >tests/bits/lines.txt           writes the list, after a change that is meant to alter them
-//   bits --check tests/bits/lines.txt    prints the lines that are others than those in a file; then exits with 1
+//   bits >tests/hashes/lines.txt           writes the list, after a change that is meant to alter them
+//   bits --check tests/hashes/lines.txt    prints the lines that are others than those in a file; then exits with 1
 //   --short                              stops runs after one second
 //   WORD                                 only lines that contain it, such as a preset or a scene
 #include "demos/options/named_run.h"
