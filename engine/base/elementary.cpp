@@ -37,7 +37,7 @@ double polynomial(double z, const std::array<double, n>& c) {
     return even + odd * z;
 }
 
-// 1 / n! of alternating sign from `from` in steps of two, the first one times `sign`.
+// 1 / n! for n = from, from + step, ..., the first times `sign`; with a step of two of alternating sign.
 template <std::size_t terms>
 consteval std::array<double, terms> inverse_factorials(int from, int step, double sign) {
     std::array<double, terms> result{};
@@ -71,7 +71,7 @@ Reduced reduce(double x) {
     const Wide less_second = exact_sum(x - n * first, -(n * second));
     const Wide less_third = exact_sum(less_second.high, -(n * third));
     const double low = (less_second.low + less_third.low) - n * rest;
-    return {fast_sum(less_third.high, low), static_cast<int>(n) & 3};
+    return {fast_sum(less_third.high, low), static_cast<int>(n)};
 }
 
 double sine_of(const Wide& angle) {
@@ -87,10 +87,15 @@ double cosine_of(const Wide& angle) {
     return less + (((1.0 - less) - half) + (z * z * polynomial(z, terms) - x * angle.low));
 }
 
-// atan(k / 16).
-constexpr std::array<Wide, 17> arctangents{{{0.0, 0.0},
-                                            {0x1.ff55bb72cfdeap-5, -0x1.c934d86d23f1dp-60},
-                                            {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
+// sin(x + more pi/2)
+double sine_after(const Reduced& x, int more) {
+    const int quarters = (x.quarters + more) & 3;
+    const double value = quarters % 2 == 0 ? sine_of(x.angle) : cosine_of(x.angle);
+    return quarters < 2 ? value : -value;
+}
+
+// atan(k / 16) from k = 2 on.
+constexpr std::array<Wide, 15> arctangents{{{0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                             {0x1.7b97b4bce5b02p-3, 0x1.347b0b4f881cap-58},
                                             {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
                                             {0x1.362773707ebccp-2, -0x1.963a544b672d8p-57},
@@ -125,7 +130,7 @@ Wide arctangent(double a, double b) {
     const double k = nearest(16.0 * t), c = 0.0625 * k;
     const Wide parts = halves(b);  // whose products with c are exact
     const double z = ((a - c * parts.high) - c * parts.low) / (b + c * a), square = z * z;
-    const Wide& near = arctangents[static_cast<std::size_t>(k)];
+    const Wide& near = arctangents[static_cast<std::size_t>(k) - 2];
     return fast_sum(near.high, near.low + (z + z * square * polynomial(square, terms)));
 }
 
@@ -135,29 +140,15 @@ constexpr double ln_2_high = 0x1.62e42feep-1, ln_2_low = 0x1.a39ef35793c76p-33; 
 
 SineCosine sine_cosine(double x) {
     const Reduced reduced = reduce(x);
-    const double s = sine_of(reduced.angle), c = cosine_of(reduced.angle);
-    switch (reduced.quarters) {
-        case 0:
-            return {s, c};
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        default:
-            return {-c, s};
-    }
+    return {sine_after(reduced, 0), sine_after(reduced, 1)};
 }
 
 double sin(double x) {
-    const Reduced reduced = reduce(x);
-    const double value = reduced.quarters % 2 == 0 ? sine_of(reduced.angle) : cosine_of(reduced.angle);
-    return reduced.quarters < 2 ? value : -value;
+    return sine_after(reduce(x), 0);
 }
 
 double cos(double x) {
-    const Reduced reduced = reduce(x);
-    const double value = reduced.quarters % 2 == 0 ? cosine_of(reduced.angle) : sine_of(reduced.angle);
-    return reduced.quarters == 1 || reduced.quarters == 2 ? -value : value;
+    return sine_after(reduce(x), 1);
 }
 
 double atan2(double y, double x) {
