@@ -31,7 +31,7 @@ std::optional<CameraChoice> parse_camera(std::string_view text) {
 
 View turned(const CameraChoice& choice, View view, double time) {
     const double angle = choice.degrees_a_second * time * std::numbers::pi / 180.0;
-    const engine::Quaternion turn = engine::turn_about(engine::Vector3::UnitY(), angle);
+    const engine::Quaternion turn = engine::exponential(angle * engine::Vector3::UnitY());
     if (angle != 0.0) view.eye = view.target + turn * (view.eye - view.target);
     return view;
 }

@@ -5,6 +5,7 @@
 #include "demos/scenes/polyhedron_shape.h"
 #include "engine/base/math.h"
 #include "engine/base/overloaded.h"
+#include "engine/bodies/integrator.h"
 #include "engine/constraints/distance_constraints.h"
 #include "engine/constraints/joint_constraints.h"
 #include "engine/forces/poke.h"
@@ -25,7 +26,7 @@ class World;
 namespace pushfactor::demos {
 
 namespace elementary = engine::elementary;
-using engine::turn_about;
+using engine::exponential;
 
 struct BoxShape {
     engine::Vector3 size = engine::Vector3::Ones();  // m, edges

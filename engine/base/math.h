@@ -23,15 +23,6 @@ using Columns = Eigen::MatrixXd;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// By an angle [rad] about a unit vector. Eigen's AngleAxis takes sin and cos of the C library.
-inline Quaternion turn_about(const Vector3& axis, double angle) {
-    const auto [sine, cosine] = elementary::sine_cosine(0.5 * angle);
-    Quaternion turn;
-    turn.w() = cosine;
-    turn.vec() = sine * axis;
-    return turn;
-}
-
 inline Vector6 stacked(const Vector3& linear, const Vector3& angular) {
     Vector6 both;
     both.head<3>() = linear;

@@ -246,10 +246,7 @@ Course course_of_balls(const Vector3& offset, const Vector3& velocity, double di
 Pose pose_at(const Moving& moving, double time) {
     Pose pose = moving.start;
     pose.position += time * moving.motion.velocity;
-    const double rate = moving.motion.angular_velocity.norm();
-    if (rate * time > 0.0) {
-        pose.rotation = turn_about(moving.motion.angular_velocity / rate, rate * time) * pose.rotation;
-    }
+    if (time > 0.0) pose.rotation = exponential(time * moving.motion.angular_velocity) * pose.rotation;
     return pose;
 }
 

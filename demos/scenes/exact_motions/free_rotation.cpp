@@ -1,6 +1,7 @@
 #include "demos/scenes/exact_motions/free_rotation.h"
 
 #include "engine/base/invalid_input.h"
+#include "engine/bodies/integrator.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,7 @@
 namespace pushfactor::demos::scenes {
 
 namespace elementary = engine::elementary;
-using engine::turn_about;
+using engine::exponential;
 
 using engine::Matrix3;
 using engine::Quaternion;
@@ -104,7 +105,7 @@ Quaternion FreeRotation::at(double time) {
         for (const auto& [place, weight] : points) phi_ += half * weight * precession_rate(middle + half * place);
     }
     time_ = time;
-    const Matrix3 turn = turn_about(Vector3::UnitZ(), phi_).toRotationMatrix();
+    const Matrix3 turn = exponential(phi_ * Vector3::UnitZ()).toRotationMatrix();
     return Quaternion(to_world_ * turn * frame(momentum(time)).transpose()).normalized();
 }
 

@@ -58,11 +58,11 @@ BodyDescription& add_ball(SceneDescription& scene, const std::string& name, doub
 }
 
 Quaternion turned(double angle) {
-    return turn_about(Vector3::UnitY(), angle);
+    return exponential(angle * Vector3::UnitY());
 }
 
 Quaternion inclined(double angle) {
-    return turn_about(Vector3::UnitZ(), angle);
+    return exponential(angle * Vector3::UnitZ());
 }
 
 double rest_by(double height, double friction, double speed) {

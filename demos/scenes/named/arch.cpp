@@ -37,7 +37,7 @@ void add_abutment(SceneDescription& scene, const std::string& name, double angle
     scene.bodies.push_back({.name = name,
                             .shape = BoxShape{Vector3(2.5 * thickness, abutment, 1.25 * depth)},
                             .position = at(mean_radius, angle, 0.0) - 0.5 * abutment * outwards,
-                            .orientation = turn_about(Vector3::UnitZ(), turn),
+                            .orientation = exponential(turn * Vector3::UnitZ()),
                             .friction = mu});
 }
 

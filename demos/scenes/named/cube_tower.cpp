@@ -18,7 +18,7 @@ void displace(BodyDescription& body, double reach, Random& random) {
     const double direction = random.in(0.0, 2.0 * std::numbers::pi);
     const double turn = random.in(-0.02, 0.02);
     body.position += Vector3(distance * elementary::cos(direction), 0.0, distance * elementary::sin(direction));
-    body.orientation = turn_about(Vector3::UnitY(), turn);
+    body.orientation = exponential(turn * Vector3::UnitY());
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ void add_tower(SceneDescription& scene, int count, Random& random) {
 
 void add_funnel_planes(SceneDescription& scene, double mu) {
     for (int k = 0; k < 4; ++k) {
-        const Quaternion turn = turn_about(Vector3::UnitY(), 0.5 * std::numbers::pi * k);
-        const Quaternion tilt = turn_about(Vector3::UnitZ(), -0.25 * std::numbers::pi);
+        const Quaternion turn = exponential(0.5 * std::numbers::pi * k * Vector3::UnitY());
+        const Quaternion tilt = exponential(-0.25 * std::numbers::pi * Vector3::UnitZ());
         scene.bodies.push_back({.name = "plane " + std::to_string(k + 1),
                                 .shape = PlaneShape{},
                                 .orientation = turn * tilt,

@@ -108,7 +108,7 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
         BodyDescription ball{
             .name = "ball " + std::to_string(k + 1), .shape = SphereShape{bob_radius}, .mass = 1.0};
         ball.position = hook + (pendulum.length + bob_radius) * along;
-        ball.orientation = turn_about(Vector3::UnitX(), -amplitude);
+        ball.orientation = exponential(-amplitude * Vector3::UnitX());
         scene.bodies.push_back(ball);
         scene.distances.push_back(
             {.a = {"world", hook}, .b = {ball.name, Vector3(0, bob_radius, 0)}, .length = pendulum.length});

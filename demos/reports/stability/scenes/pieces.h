@@ -28,7 +28,7 @@ inline BodyDescription wall(const std::string& name, const engine::Vector3& size
 
 // Turned by `angle` [rad] about the vertical.
 inline engine::Quaternion turned(double angle) {
-    return engine::turn_about(engine::Vector3::UnitY(), angle);
+    return engine::exponential(angle * engine::Vector3::UnitY());
 }
 
 // A horizontal vector of this length, turned by `angle` [rad] about the vertical from the x axis.

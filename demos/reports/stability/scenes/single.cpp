@@ -29,7 +29,7 @@ constexpr double link_length = 0.5;
 
 // Turned by `angle` [rad] about the z axis.
 Quaternion inclined(double angle) {
-    return turn_about(Vector3::UnitZ(), angle);
+    return exponential(angle * Vector3::UnitZ());
 }
 
 // A card on its long edge, leaning by `angle` towards +x (-x if negative): its lower edge is on the ground, and
