@@ -1,4 +1,4 @@
-# For PUSHFACTOR_CORE_ONLY: Eigen, fmt and JSON are headers that serve every processor. Those of this system are found,
+# For PUSHFACTOR_CORE_ONLY: Eigen, GLM, fmt and JSON are headers that serve every processor. Those of this system are found,
 # without the rest of its folder, which another system's compiler must not see.
 set(headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
@@ -16,9 +16,13 @@ function(use_headers package target folder header)
 endfunction()
 
 use_headers(Eigen3 Eigen3::Eigen Eigen Core)
+use_headers(glm glm::glm glm glm.hpp)
 use_headers(fmt fmt::fmt fmt format.h)
 use_headers(nlohmann_json nlohmann_json::nlohmann_json nlohmann json.hpp)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 if(EMSCRIPTEN)
-    file(WRITE ${headers}/mmintrin.h "// Eigen includes it beside SSE2; WebAssembly has no such registers.\n")
+    # Written once: all files depend on it.
+    if(NOT EXISTS ${headers}/mmintrin.h)
+        file(WRITE ${headers}/mmintrin.h "// Eigen includes it beside SSE2; WebAssembly has no such registers.\n")
+    endif()
 endif()

@@ -1,12 +1,4 @@
 // The data of the page as numbers: the counterpart of demos/pictures/replay, where the format is described.
-const inflated = async (text) => {
-    const binary = atob(text);
-    const bytes = new Uint8Array(binary.length);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-};
-
 class Integers {
     constructor(bytes, at = 0) {
         this.bytes = bytes;
@@ -48,8 +40,7 @@ const quantities = (bytes, count, frames) => {
     return values;
 };
 
-// Per frame a list of what acts: kind, body, other, place, force, push for this step only, push that lasts.
-const actingSize = 15;
+// Per frame a list of what acts (arrows.js).
 const forceFrames = (bytes, frames, units) => {
     const head = new Integers(bytes);
     const lengths = [head.next(), head.next(), head.next(), head.next()];
@@ -116,20 +107,6 @@ const forceFrames = (bytes, frames, units) => {
         last = {who: list, raw, index};
     }
     return lists;
-};
-
-const meshesIn = (bytes) => {
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    const meshes = [];
-    for (let at = 0; at < bytes.length;) {
-        const vertices = view.getUint32(at, true), indices = view.getUint32(at + 4, true);
-        at += 8;
-        const mesh = {vertices: new Float32Array(6 * vertices), indices: new Uint16Array(indices)};
-        for (let i = 0; i < mesh.vertices.length; ++i, at += 4) mesh.vertices[i] = view.getFloat32(at, true);
-        for (let i = 0; i < mesh.indices.length; ++i, at += 2) mesh.indices[i] = view.getUint16(at, true);
-        meshes.push(mesh);
-    }
-    return meshes;
 };
 
 // The frames of one run, in blocks that are inflated when they are needed and forgotten when there are many.

@@ -1,8 +1,6 @@
 // The page: clock, camera, what is shown, and what other programs may ask (window.pushfactor, see demos/FORMATS.md).
-const $ = (id) => document.getElementById(id);
 const about = JSON.parse($("run").textContent);
 const end = JSON.parse($("end").textContent);
-const kinds = ["contacts", "forces", "push", "velocities"];
 const measures = [
     {title: "Energy", unit: "J", of: [["kinetic", (m) => m[0]], ["potential", (m) => m[1]], ["sum", (m) => m[0].map((x, i) => x + m[1][i])]]},
     {title: "Deepest overlap", unit: "m", of: [["", (m) => m[2]]]},
@@ -23,12 +21,6 @@ const lastFrame = end.frames - 1;
 const state = {frame: 0, isPlaying: false, speed: about.play_speed, show: new Set(), scale: 0, mode: "side", camera: null, chosen: null, follows: false};
 let tracks = [], stages = [], painter, plots = [], drawnFrame = -1, drawWanted = false;
 
-const say = (text) => { $("said").textContent = text; };
-const fail = (text) => {
-    $("problem").textContent = text;
-    $("problem").hidden = false;
-};
-
 // ---- camera ----
 
 const sceneCamera = (run, time) => {
@@ -38,15 +30,10 @@ const sceneCamera = (run, time) => {
         : [Math.cos(angle) * offset[0] + Math.sin(angle) * offset[2], offset[1], Math.cos(angle) * offset[2] - Math.sin(angle) * offset[0]];
     return {eye: add(target, turned), target, fieldOfView};
 };
-const halfTangent = (degrees) => Math.tan(radians(0.5 * degrees));
 // What the pictures of several runs show to each side (film.cpp), as a tangent.
 const across = () => Math.max(...tracks.map(({stage: {camera}}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view))));
-// In a narrow view the field of view grows, so that what a wide one shows to the sides stays in it.
-const widened = (camera, aspect) => {
-    if (tracks.length === 1 && aspect >= 0.98 * about.width / about.height) return camera;
-    const needed = 2 * Math.atan(across() / (0.9 * aspect)) * 180 / Math.PI;
-    return {...camera, fieldOfView: clamp(needed, camera.fieldOfView, 120)};
-};
+const isNarrow = (aspect) => tracks.length > 1 || aspect < 0.98 * about.width / about.height;
+const widened = (camera, aspect) => isNarrow(aspect) ? shownAcross(camera, across(), aspect) : camera;
 const cameraOf = (run, area) => widened(state.camera || sceneCamera(run, state.frame * seconds), area.width / area.height);
 const ownCamera = () => {
     if (!state.camera) state.camera = sceneCamera(0, state.frame * seconds);
@@ -54,25 +41,15 @@ const ownCamera = () => {
 };
 
 const turnCamera = (right, up) => {
-    const camera = ownCamera(), offset = minus(camera.eye, camera.target), distance = norm(offset);
-    const azimuth = Math.atan2(offset[0], offset[2]) - right;
-    const height = clamp(Math.asin(clamp(offset[1] / distance, -1, 1)) + up, -1.52, 1.52);
-    camera.eye = add(camera.target, times(distance, [Math.sin(azimuth) * Math.cos(height), Math.sin(height), Math.cos(azimuth) * Math.cos(height)]));
+    turnEye(ownCamera(), right, up);
     cameraChanged();
 };
-// Shares of what is seen at the target.
 const moveCamera = (right, up) => {
-    const camera = ownCamera(), forward = unit(minus(camera.target, camera.eye));
-    const aside = unit(cross(forward, screenUp(forward))), upward = cross(aside, forward);
-    const size = 2 * scaleOf(camera) * halfTangent(camera.fieldOfView);
-    const shift = add(times(right * size, aside), times(up * size, upward));
-    camera.eye = add(camera.eye, shift);
-    camera.target = add(camera.target, shift);
+    shiftCamera(ownCamera(), right, up);
     cameraChanged();
 };
 const zoomCamera = (factor) => {
-    const camera = ownCamera();
-    camera.eye = add(camera.target, times(factor, minus(camera.eye, camera.target)));
+    zoomEye(ownCamera(), factor);
     cameraChanged();
 };
 const cameraChanged = () => {
@@ -85,21 +62,12 @@ const resetCamera = () => {
     cameraChanged();
 };
 const fitCamera = () => {
-    const camera = ownCamera();
-    const movable = tracks.flatMap((track) => track.stage.recorded.map((body) => [track, body]));
-    let low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (const [track, body] of movable) {
-        const {position} = track.poses(state.frame), {unit: size} = track.stage.bodies[body];
-        low = low.map((x, k) => Math.min(x, position[3 * body + k] - size));
-        high = high.map((x, k) => Math.max(x, position[3 * body + k] + size));
-    }
-    if (!(low[0] <= high[0])) return;
+    const balls = tracks.flatMap((track) => {
+        const {position} = track.poses(state.frame);
+        return track.stage.recorded.map((body) => ({centre: [...position.subarray(3 * body, 3 * body + 3)], radius: track.stage.bodies[body].unit}));
+    });
     const [area] = areas();
-    const centre = times(0.5, add(low, high)), radius = 0.5 * norm(minus(high, low));
-    const half = Math.min(halfTangent(camera.fieldOfView), halfTangent(camera.fieldOfView) * area.width / area.height);
-    const distance = radius / (0.95 * Math.sin(Math.atan(half)));
-    camera.eye = add(centre, times(distance, unit(minus(camera.eye, camera.target))));
-    camera.target = centre;
+    if (!frameBalls(ownCamera(), balls, area.width / area.height)) return;
     cameraChanged();
 };
 const placeOf = ({run, body}) => {
@@ -128,20 +96,9 @@ const followChosen = () => {
 
 // ---- drawing ----
 
-// Cells of the canvas in pixels, y from the top, as demos/pictures/layout.cpp places the panels of a picture.
 const areas = () => {
-    const canvas = $("picture"), count = state.mode === "ghost" ? 1 : tracks.length;
-    if (count === 1) return [{x: 0, y: 0, width: canvas.width, height: canvas.height}];
     const up = Math.max(...tracks.map(({stage: {camera}}) => halfTangent(camera.field_of_view)));
-    const gap = Math.max(2, Math.floor(Math.min(canvas.width, canvas.height) / 240));
-    let best = null;
-    for (let columns = 1; columns <= count; ++columns) {
-        const rows = Math.ceil(count / columns);
-        const width = Math.floor((canvas.width - gap * (columns - 1)) / columns), height = Math.floor((canvas.height - gap * (rows - 1)) / rows);
-        const scale = Math.min(0.5 * height / up, 0.5 * width / across());
-        if (!best || scale > best.scale) best = {columns, width, height, scale};
-    }
-    return tracks.map((_, i) => ({x: (i % best.columns) * (best.width + gap), y: Math.floor(i / best.columns) * (best.height + gap), width: best.width, height: best.height}));
+    return cellsOf($("picture"), state.mode === "ghost" ? 1 : tracks.length, up, across());
 };
 
 const wantedParts = () => {
@@ -161,30 +118,11 @@ const unitsAMetre = (kind) => {
 
 const drawMarks = (marks, run) => {
     const acting = state.show.size > (state.show.has("velocities") ? 1 : 0) ? tracks[run].acting(state.frame) : [];
-    const vector = (at, k) => [acting[at + k], acting[at + k + 1], acting[at + k + 2]];
-    const legend = about.legend;
-    if (state.show.has("contacts")) {
-        for (let at = 0; at < acting.length; at += actingSize) {
-            if (acting[at] < 2) marks.dot(vector(at, 3), legend.contacts[acting[at]].colour);
-        }
-    }
-    const arrow = (place, value, kind, entry) => marks.arrow(place, add(place, times(1 / unitsAMetre(kind), value)), legend[kind][entry].colour);
-    for (const kind of ["forces", "push"]) {
-        if (!state.show.has(kind)) continue;
-        for (let at = 0; at < acting.length; at += actingSize) {
-            if (kind === "forces") {
-                arrow(vector(at, 3), vector(at, 6), kind, Math.max(0, acting[at] - 1));
-            } else {
-                arrow(vector(at, 3), vector(at, 9), kind, 0);
-                arrow(vector(at, 3), vector(at, 12), kind, 1);
-            }
-        }
-    }
-    if (state.show.has("velocities")) {
-        tracks[run].stage.recorded.forEach((body, i) => {
-            arrow(placeOf({run, body}), velocityOf(run, i).linear, "velocities", tracks[run].stage.bodies[body].mass === undefined ? 1 : 0);
-        });
-    }
+    drawActing(marks, acting, state.show, about.legend, unitsAMetre);
+    if (!state.show.has("velocities")) return;
+    tracks[run].stage.recorded.forEach((body, i) => {
+        drawVelocity(marks, placeOf({run, body}), velocityOf(run, i).linear, tracks[run].stage.bodies[body], about.legend, unitsAMetre);
+    });
 };
 
 // Stored velocities if the file has them, else those between frames: this one and the one before, or at the beginning of
@@ -296,30 +234,10 @@ const showLabels = () => {
 };
 
 const showLegend = () => {
-    const camera = tracks[0].stage.camera, distance = norm(minus(camera.eye, camera.target));
-    const pixels = 0.5 * $("view").clientHeight / (distance * halfTangent(camera.field_of_view));
-    const rounded = (value) => {
-        const power = 10 ** Math.floor(Math.log10(value)), digit = value / power;
-        return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-    };
-    const lines = [];
-    for (const kind of kinds) {
-        if (!state.show.has(kind)) continue;
-        const example = rounded(1.3 * 0.11 * distance * unitsAMetre(kind));
-        about.legend[kind].forEach(({name, colour, unit: unitText}, i) => {
-            if (kind === "forces" && !tracks.some((track) => hasForce(track, i))) return;
-            if (kind === "velocities" && i === 1 && !tracks.some(({stage}) => stage.recorded.some((body) => stage.bodies[body].mass === undefined))) return;
-            const line = document.createElement("div"), mark = document.createElement("i"), text = document.createElement("span");
-            text.textContent = unitText ? `${name}, ${shortNumber(example)} ${unitText}` : name;
-            mark.style.background = css(colour);
-            if (unitText) mark.style.width = `${Math.min(example / unitsAMetre(kind) * pixels, 160)}px`; else mark.className = "point";
-            line.append(text, mark);
-            lines.push(line);
-        });
-    }
-    $("legend").replaceChildren(...lines);
+    const camera = tracks[0].stage.camera;
+    const pixels = $("view").clientHeight / (2 * norm(minus(camera.eye, camera.target)) * halfTangent(camera.field_of_view));
+    $("legend").replaceChildren(...legendLines(tracks.map(({stage}) => stage), state.show, about.legend, unitsAMetre, pixels));
 };
-const hasForce = (track, entry) => entry === 0 || (entry === 3 ? track.stage.has_outside_forces : track.stage.links.length > 0);
 
 const fact = (name, value) => {
     const line = document.createElement("div"), term = document.createElement("dt"), text = document.createElement("dd");
@@ -639,67 +557,7 @@ const makeControls = () => {
         event.preventDefault();
         action(event);
     });
-    makePointer();
-};
-
-const makePointer = () => {
-    const view = $("view"), pointers = new Map();
-    let moved = 0;
-    view.addEventListener("pointerdown", (event) => {
-        view.setPointerCapture(event.pointerId);
-        if (!pointers.size) moved = 0;
-        pointers.set(event.pointerId, event);
-        view.classList.add("dragged");
-    });
-    view.addEventListener("pointermove", (event) => {
-        const last = pointers.get(event.pointerId);
-        if (!last) return;
-        const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY, height = view.clientHeight;
-        moved += Math.hypot(dx, dy);
-        if (pointers.size === 2) {
-            const [other] = [...pointers.values()].filter((one) => one.pointerId !== event.pointerId);
-            const apart = (one) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
-            if (apart(event) > 0) zoomCamera(clamp(apart(last) / apart(event), 0.5, 2));
-            moveCamera(-0.5 * dx / height, 0.5 * dy / height);
-        } else if (moved > 3) {
-            if (event.shiftKey || event.buttons & 6) moveCamera(-dx / height, dy / height); else turnCamera(3 * dx / height, 3 * dy / height);
-        }
-        pointers.set(event.pointerId, event);
-    });
-    const release = (event) => {
-        if (pointers.delete(event.pointerId) && !pointers.size) view.classList.remove("dragged");
-    };
-    view.addEventListener("pointerup", (event) => {
-        const isClick = pointers.size === 1 && moved <= 3 && event.button === 0;
-        release(event);
-        if (isClick) choose(bodyAt(event.clientX, event.clientY));
-    });
-    view.addEventListener("pointercancel", release);
-    view.addEventListener("contextmenu", (event) => event.preventDefault());
-    view.addEventListener("wheel", (event) => {
-        event.preventDefault();
-        zoomCamera(Math.exp(clamp(event.deltaY * (event.deltaMode ? 30 : 1), -300, 300) / 600));
-    }, {passive: false});
-};
-
-const copy = async (text, button, label) => {
-    let copied = true;
-    try {
-        await navigator.clipboard.writeText(text);
-    } catch {
-        // For browsers that deny the clipboard to pages on disk.
-        const area = document.createElement("textarea");
-        area.value = text;
-        area.style.position = "fixed";
-        document.body.append(area);
-        area.select();
-        copied = document.execCommand("copy");
-        area.remove();
-        button.focus();
-    }
-    button.textContent = copied ? "Copied" : "Not allowed";
-    say(copied ? "Copied." : "The browser does not allow copying.");
-    setTimeout(() => { button.textContent = label; }, 2000);
+    listenToPointer($("view"), {turn: turnCamera, move: moveCamera, zoom: zoomCamera, click: (x, y) => choose(bodyAt(x, y))});
 };
 
 const makeTexts = () => {

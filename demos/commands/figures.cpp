@@ -1,6 +1,7 @@
 #include "demos/commands/commands.h"
 #include "demos/figures/figure.h"
 #include "demos/pages/figure_output.h"
+#include "demos/pages/live_links.h"
 #include "demos/pages/printing/latex.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
@@ -145,11 +146,12 @@ void carry_out(const Figures& command) {
         bar.show(static_cast<long>(sections.size()));
     }
     if (format.print) write_file(folder / "pushfactor.bib", bibliography());
-    write_file(folder / "index.html",
-               page_text("Pushfactor: figures",
-                         "Figures 5 to 11 of Tamis & Maggiore, Constraint based physics solver (2015), and some of "
-                         "our own. All numbers were measured in the runs that are shown.",
-                         sections));
+    write_index(
+        folder,
+        page_text("Pushfactor: figures",
+                  "Figures 5 to 11 of Tamis & Maggiore, Constraint based physics solver (2015), and some of "
+                  "our own. All numbers were measured in the runs that are shown.",
+                  sections));
     print((folder / "index.html").string() + "\n");
 }
 

@@ -100,13 +100,9 @@ bool set_overlay(FrameChoices& choices, std::string_view text) {
 }
 
 bool set_compare(FrameChoices& choices, std::string_view text) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string_view::npos) return false;
-    Comparison comparison{.option = std::string(text.substr(0, equals)), .values = {}};
-    for (const std::string_view value : parts_of(text.substr(equals + 1))) comparison.values.emplace_back(value);
-    if (comparison.values.size() < 2 || comparison.values.size() > most_panels) return false;
-    choices.compare = comparison;
-    return true;
+    const auto comparison = parse_comparison(text);
+    if (comparison) choices.compare = comparison;
+    return comparison.has_value();
 }
 
 bool set_gl(FrameChoices& choices, std::string_view text) {
@@ -213,6 +209,15 @@ long step_of(std::string_view option, const Rational& time, const Rational& dt) 
 }
 
 }  // namespace
+
+std::optional<Comparison> parse_comparison(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string_view::npos) return std::nullopt;
+    Comparison comparison{.option = std::string(text.substr(0, equals)), .values = {}};
+    for (const std::string_view value : parts_of(text.substr(equals + 1))) comparison.values.emplace_back(value);
+    if (comparison.values.size() < 2 || comparison.values.size() > most_panels) return std::nullopt;
+    return comparison;
+}
 
 double FrameChoices::trail_seconds() const {
     const auto trails = std::ranges::find(overlay, OverlayKind::trails, &OverlayItem::kind);

@@ -18,6 +18,8 @@ struct Comparison {
     std::string option;
     std::vector<std::string> values;  // at least two
 };
+// Parses "push=none,single-frame". None for other text.
+std::optional<Comparison> parse_comparison(std::string_view text);
 
 struct FrameChoices {
     int width = 1280, height = 720;  // pixels

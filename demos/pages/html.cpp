@@ -1,5 +1,7 @@
 #include "demos/pages/html.h"
 
+#include "demos/pages/live_links.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,10 +60,17 @@ std::string link_to(std::string_view file) {
 }
 
 std::string command(std::string_view command, std::string_view what) {
+    std::string live;
+    if (has_live_page()) {
+        for (const LiveLink& link : live_links(command)) {
+            live += fmt::format(" <a href=\"{}\">In the browser{}</a>", escaped(link.address),
+                                link.differs.empty() ? "" : ", " + escaped(link.differs));
+        }
+    }
     return fmt::format(
         "<div class=\"command\"><code>{}</code>"
-        "<button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the command: {}\">Copy</button></div>",
-        escaped(command), escaped(what));
+        "<button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the command: {}\">Copy</button></div>{}",
+        escaped(command), escaped(what), live.empty() ? "" : "<p class=\"files\">" + live.substr(1) + "</p>");
 }
 
 }  // namespace pushfactor::demos::html

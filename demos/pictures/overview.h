@@ -3,16 +3,11 @@
 
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
-#include "demos/pictures/framing.h"
 #include "demos/pictures/survey.h"
 
 #include <vector>
 
 namespace pushfactor::demos::pictures {
-
-// A view in the direction of `view` of all that is `reached`, up to where the picture would show nothing else; at
-// least of the bodies at the `start`. `aspect` is width over height.
-View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect);
 
 // Width over height of the narrowest panel that may be needed for so many.
 double least_aspect(const FrameChoices& frames, std::size_t panels);

@@ -46,22 +46,6 @@ void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene
     }
 }
 
-std::vector<Ball> movable_balls(const BuiltScene& scene) {
-    std::vector<Ball> balls;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (!goes_about(scene.bodies[i])) continue;
-        balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
-    }
-    const auto add_ends = [&](const auto& held) {
-        const auto [from, to] = span_of(held, scene.world.bodies);
-        balls.push_back({.centre = from});
-        balls.push_back({.centre = to});
-    };
-    if (scene.distances) std::ranges::for_each(scene.distances->distances(), add_ends);
-    if (scene.joints) std::ranges::for_each(scene.joints->joints(), add_ends);
-    return balls;
-}
-
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to) {
     Survey found;
     std::map<OverlayKind, std::vector<double>> maxima;

@@ -37,7 +37,4 @@ using GoTo = std::function<void(Simulation& run, long step)>;
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
 
-// Balls around the movable bodies of a scene in its current state, and the points that they hang on.
-std::vector<Ball> movable_balls(const BuiltScene& scene);
-
 }  // namespace pushfactor::demos::pictures

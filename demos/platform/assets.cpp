@@ -4,12 +4,24 @@ namespace pushfactor::demos {
 
 namespace fs = std::filesystem;
 
-fs::path asset_folder(const std::string& name) {
+namespace {
+
+fs::path installed_assets() {
     std::error_code no_such_link;  // without /proc only the source folder is used
     const fs::path program = fs::read_symlink("/proc/self/exe", no_such_link);
-    const fs::path installed = (program.parent_path() / PUSHFACTOR_INSTALLED_ASSETS).lexically_normal();
-    const fs::path assets = fs::is_directory(installed) ? installed : fs::path(PUSHFACTOR_ASSET_DIR);
-    return assets / name;
+    return (program.parent_path() / PUSHFACTOR_INSTALLED_ASSETS).lexically_normal();
+}
+
+}  // namespace
+
+fs::path asset_folder(const std::string& name) {
+    const fs::path installed = installed_assets();
+    return (fs::is_directory(installed) ? installed : fs::path(PUSHFACTOR_ASSET_DIR)) / name;
+}
+
+fs::path live_page() {
+    const fs::path installed = installed_assets();
+    return fs::is_directory(installed) ? installed / "live.html" : fs::path(PUSHFACTOR_LIVE_PAGE);
 }
 
 }  // namespace pushfactor::demos

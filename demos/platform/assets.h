@@ -10,4 +10,7 @@ namespace pushfactor::demos {
 // in the source tree that it was built from.
 std::filesystem::path asset_folder(const std::string& name);
 
+// Where the page that runs the program in a browser is, if it has been made: demos/live.cmake.
+std::filesystem::path live_page();
+
 }  // namespace pushfactor::demos

@@ -3,6 +3,8 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -20,6 +22,29 @@ inline std::string command_of(std::span<const std::string> words) {
     std::string text = "pushfactor";
     for (const std::string& word : words) text += " " + quoted(word);
     return text;
+}
+
+// The words of such a command.
+inline std::vector<std::string> words_of(std::string_view command) {
+    std::vector<std::string> words;
+    bool in_word = false, in_quotes = false;
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        const char c = command[i];
+        if (!in_quotes && c == ' ') {
+            in_word = false;
+            continue;
+        }
+        if (!in_word) words.emplace_back();
+        in_word = true;
+        if (c == '\'') {
+            in_quotes = !in_quotes;
+        } else if (!in_quotes && c == '\\' && i + 1 < command.size()) {
+            words.back() += command[++i];
+        } else {
+            words.back() += c;
+        }
+    }
+    return words;
 }
 
 }  // namespace pushfactor::demos

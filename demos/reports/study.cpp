@@ -3,6 +3,7 @@
 #include "demos/pages/about.h"
 #include "demos/pages/job_summary.h"
 #include "demos/pages/junit.h"
+#include "demos/pages/live_links.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
 #include "demos/reports/pieces/crew.h"
@@ -115,7 +116,7 @@ void StudyRun::write(const std::string& headline, std::span<const SuiteVerdict> 
 }
 
 void StudyRun::write_page(const std::string& opening) const {
-    write("index.html", page_text("Pushfactor: " + study_.title, opening, sections));
+    write_index(folder(), page_text("Pushfactor: " + study_.title, opening, sections));
 }
 
 StudyRun::Count make_study(const Study& study, const StudyRequest& request) {

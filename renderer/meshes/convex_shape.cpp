@@ -111,7 +111,8 @@ bool before(const ConvexShape& a, const ConvexShape& b) {
     const auto in_order = [](const glm::vec3& p, const glm::vec3& q) {
         return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
     };
-    return std::ranges::lexicographical_compare(a.corners, b.corners, in_order);
+    return std::lexicographical_compare(a.corners.begin(), a.corners.end(), b.corners.begin(), b.corners.end(),
+                                        in_order);
 }
 
 std::string fault_of(const ConvexShape& shape) {

@@ -30,11 +30,13 @@ class Folder {
     std::string read(const std::string& name) const { return read_file(path_ / name); }
     void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
 
-    // Names of all files below, "a/b.png".
+    // Names of all files below, "a/b.png", without the page that runs the program in a browser: it is put beside
+    // others only where it has been made (demos/pages/live_links.h).
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-            if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), path_).string());
+            if (entry.is_regular_file() && entry.path().filename() != "live.html")
+                names.push_back(std::filesystem::relative(entry.path(), path_).string());
         }
         std::sort(names.begin(), names.end());
         return names;

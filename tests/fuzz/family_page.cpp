@@ -3,6 +3,7 @@
 #include "demos/pages/page.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/layout.h"
+#include "demos/pictures/movable_balls.h"
 #include "demos/pictures/survey.h"
 #include "demos/platform/output_file.h"
 #include "demos/runs/measurements.h"

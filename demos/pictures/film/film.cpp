@@ -3,6 +3,7 @@
 #include "demos/pictures/caption.h"
 #include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
+#include "demos/pictures/movable_balls.h"
 #include "demos/pictures/overlays/overlay.h"
 
 #include <fmt/format.h>

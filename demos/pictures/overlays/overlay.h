@@ -3,23 +3,14 @@
 #pragma once
 
 #include "demos/options/overlay_choice.h"
+#include "demos/pictures/overlays/legend.h"
 #include "demos/pictures/overlays/quantity.h"
 #include "demos/runs/scene.h"
-#include "demos/text/palette.h"
 #include "renderer/picture/picture.h"
 
-#include <string>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
-
-// A line of an overlay's legend: "contact force" or "bar force" of forces, and so on.
-struct LegendEntry {
-    std::string name;
-    Colour colour;
-    std::string unit;  // empty for points
-};
-std::vector<LegendEntry> entries_of(OverlayKind kind);
 
 // Quantities of the world's last step, at the contact points of the start of the step. Before the first step only
 // what does not come from rows: velocities, forces and torques from outside, pairs that do not touch. A force is

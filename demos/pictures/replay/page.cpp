@@ -46,7 +46,8 @@ std::string asset(const char* name) {
 
 // In the order in which they need each other.
 std::string script() {
-    constexpr std::array files{"space.js", "decode.js", "scene.js", "draw.js", "marks.js", "plots.js", "viewer.js"};
+    constexpr std::array files{"page.js", "space.js", "bytes.js",  "decode.js", "camera.js", "scene.js",
+                               "draw.js", "marks.js", "arrows.js", "plots.js",  "viewer.js"};
     std::string text;
     for (const char* const file : files) text += compact(asset(file));
     return text;

@@ -2,7 +2,7 @@
 
 #include "demos/pictures/caption.h"
 #include "demos/pictures/composition.h"
-#include "demos/pictures/overlays/overlay.h"
+#include "demos/pictures/movable_balls.h"
 #include "demos/pictures/overview.h"
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/integers.h"
@@ -32,21 +32,6 @@ constexpr double negligible = 1e-5;
 
 // Numbers in a block: 16 MB here, and as much in the page.
 constexpr long most_numbers = 1L << 21;
-
-// What the arrows of the page mean, as in the pictures.
-Json legend() {
-    Json legend;
-    for (const OverlayKind kind :
-         {OverlayKind::contacts, OverlayKind::forces, OverlayKind::push, OverlayKind::velocities}) {
-        for (const LegendEntry& entry : entries_of(kind)) {
-            legend[std::string(name_of(kind))].push_back(
-                {{"name", entry.name},
-                 {"colour", {entry.colour.red, entry.colour.green, entry.colour.blue}},
-                 {"unit", entry.unit}});
-        }
-    }
-    return legend;
-}
 
 std::string quantities_text(std::vector<std::vector<std::int64_t>>& quantities) {
     std::string bytes;
@@ -153,7 +138,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
         if (item.units_a_metre) shown["units_a_metre"] = *item.units_a_metre;
         about["overlay"].push_back(shown);
     }
-    about["legend"] = legend();
+    about["legend"] = legend_of_arrows();
     about["runs"] = panels.size();
     about["degrees_a_second"] = frames_.camera.degrees_a_second;
     if (frames_.compare) about["compared"] = frames_.compare->option;

@@ -2,6 +2,7 @@
 
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/draw_list.h"
+#include "demos/pictures/overlays/legend.h"
 #include "demos/pictures/plane_outline.h"
 #include "demos/pictures/replay/bytes.h"
 #include "renderer/meshes/meshes.h"
@@ -162,6 +163,20 @@ Json stage_of(const ComparedRun& panel, const Simulation& simulation) {
     if (picture.ground) stage["ground"] = picture.ground->height;
     stage["towards_sun"] = three(picture.towards_sun);
     return stage;
+}
+
+Json legend_of_arrows() {
+    Json legend;
+    for (const OverlayKind kind :
+         {OverlayKind::contacts, OverlayKind::forces, OverlayKind::push, OverlayKind::velocities}) {
+        for (const LegendEntry& entry : entries_of(kind)) {
+            legend[std::string(name_of(kind))].push_back(
+                {{"name", entry.name},
+                 {"colour", {entry.colour.red, entry.colour.green, entry.colour.blue}},
+                 {"unit", entry.unit}});
+        }
+    }
+    return legend;
 }
 
 std::string polyhedra_of(const Simulation& simulation) {

@@ -24,6 +24,9 @@ Json stage_of(const ComparedRun& panel, const Simulation& simulation);
 // A camera as the page needs it. `start`: what it has to show to the sides if there are several panels.
 Json camera_of(const View& view, std::span<const Ball> start);
 
+// What the arrows of the page mean, by overlay, as in the pictures.
+Json legend_of_arrows();
+
 // Meshes of the polyhedra of a run, as numbered by stage_of; and those of box and square. Per mesh the numbers of
 // vertices and indices (32 bits each), per vertex corner and normal (six 32-bit floats), and the indices (16 bits
 // each, an even number of them). The page makes the domes of the spheres itself: they are 20 kB.

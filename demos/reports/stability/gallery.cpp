@@ -3,6 +3,7 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/framing.h"
 #include "demos/pictures/layout.h"
+#include "demos/pictures/movable_balls.h"
 #include "demos/pictures/survey.h"
 #include "renderer/base/renderer_error.h"
 

@@ -10,11 +10,13 @@ using namespace pushfactor::tests;
 namespace {
 
 // The files that the page refers to.
+// Files that the page shows or links to.
 std::vector<std::string> references(const std::string& page) {
     std::vector<std::string> found;
     const std::regex reference("(?:src|href)=\"([^\"]*)\"");
     for (std::sregex_iterator i(page.begin(), page.end(), reference), end; i != end; ++i) {
-        if ((*i)[1].str().front() != '#') found.push_back((*i)[1]);
+        const std::string file = (*i)[1].str().substr(0, (*i)[1].str().find('#'));
+        if (!file.empty()) found.push_back(file);
     }
     return found;
 }

@@ -2,8 +2,8 @@
 // is no Chromium.
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"
+#include "tests/demos/browser.h"
 #include "tests/demos/csv.h"
-#include "tests/demos/replay/browser.h"
 #include "tests/renderer/image_difference.h"
 #include "tests/skip.h"
 
@@ -20,38 +20,6 @@ using pushfactor::renderer::Image;
 namespace {
 
 constexpr int width = 320, height = 180;  // pixels
-
-// Mesa's llvmpipe, which draws the pictures too; else Chromium's own rasteriser.
-const std::vector<std::string> with_mesa{"--use-angle=gl-egl", "--ignore-gpu-blocklist"};
-const std::vector<std::string> with_swiftshader{"--use-angle=swiftshader", "--enable-unsafe-swiftshader"};
-
-std::string gl_of(Browser& browser) {
-    return browser
-        .value_of(
-            "(() => { const gl = document.createElement('canvas').getContext('webgl2'); if (!gl) return '';"
-            "const e = gl.getExtension('WEBGL_debug_renderer_info');"
-            "return String(gl.getParameter(e ? e.UNMASKED_RENDERER_WEBGL : gl.RENDERER)); })()")
-        .get<std::string>();
-}
-
-// A browser with WebGL 2; null, with the reason, where there is none.
-std::unique_ptr<Browser> open_browser() {
-    if (!find_browser()) {
-        skip("no Chromium is installed");
-        return nullptr;
-    }
-    for (const auto& options : {with_mesa, with_swiftshader}) {
-        auto browser = std::make_unique<Browser>(options);
-        if (!gl_of(*browser).empty()) return browser;
-    }
-    skip("this Chromium has no WebGL 2");
-    return nullptr;
-}
-
-void check_quiet(const Browser& browser) {
-    CHECK(browser.messages() == std::vector<std::string>{});
-    CHECK(browser.requests() == std::vector<std::string>{});
-}
 
 std::string address_of(const Folder& folder, const std::string& file, const std::string& hash = "") {
     return "file://" + (folder / file).string() + (hash.empty() ? "" : "#" + hash);

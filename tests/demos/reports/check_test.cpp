@@ -1,8 +1,8 @@
 // The command check: green for what is equal, red and named for each thing that may change, and nothing lost.
 #include "tests/catch.h"
+#include "tests/demos/browser.h"
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
-#include "tests/demos/replay/browser.h"
 #include "tests/skip.h"
 
 #include <iostream>

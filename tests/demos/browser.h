@@ -9,6 +9,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,5 +62,14 @@ class Browser {
     std::string address_;
     std::vector<std::string> messages_, requests_;
 };
+
+// Who draws: the renderer that WebGL 2 names; empty without it.
+std::string gl_of(Browser& browser);
+
+// A browser with WebGL 2; null, after saying why the test is skipped, where there is none.
+std::unique_ptr<Browser> open_browser();
+
+// No console message, no exception and no request.
+void check_quiet(const Browser& browser);
 
 }  // namespace pushfactor::tests

@@ -1,6 +1,7 @@
-#include "tests/demos/replay/browser.h"
+#include "tests/demos/browser.h"
 
 #include "renderer/images/read_png.h"
+#include "tests/skip.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -125,7 +126,8 @@ void Browser::note(const Json& event) {
     }
     if (method == "Network.requestWillBeSent") {
         const std::string address = event["params"]["request"]["url"];
-        if (address != address_) requests_.push_back(address);
+        // A blob is in the memory of the page.
+        if (address != address_ && !address.starts_with("blob:")) requests_.push_back(address);
     }
 }
 
@@ -186,6 +188,42 @@ void Browser::click(double x, double y) {
 
 renderer::Image Browser::screenshot() {
     return renderer::decode_png(bytes_of_base64(call("Page.captureScreenshot", {{"format", "png"}})["data"]));
+}
+
+namespace {
+
+// Mesa's llvmpipe, which draws the pictures too; else Chromium's own rasteriser.
+const std::vector<std::string> with_mesa{"--use-angle=gl-egl", "--ignore-gpu-blocklist"};
+const std::vector<std::string> with_swiftshader{"--use-angle=swiftshader", "--enable-unsafe-swiftshader"};
+
+}  // namespace
+
+std::string gl_of(Browser& browser) {
+    return browser
+        .value_of(
+            "(() => { const gl = document.createElement('canvas').getContext('webgl2'); if (!gl) return '';"
+            "const e = gl.getExtension('WEBGL_debug_renderer_info');"
+            "return String(gl.getParameter(e ? e.UNMASKED_RENDERER_WEBGL : gl.RENDERER)); })()")
+        .get<std::string>();
+}
+
+// A browser with WebGL 2; null, with the reason, where there is none.
+std::unique_ptr<Browser> open_browser() {
+    if (!find_browser()) {
+        skip("no Chromium is installed");
+        return nullptr;
+    }
+    for (const auto& options : {with_mesa, with_swiftshader}) {
+        auto browser = std::make_unique<Browser>(options);
+        if (!gl_of(*browser).empty()) return browser;
+    }
+    skip("this Chromium has no WebGL 2");
+    return nullptr;
+}
+
+void check_quiet(const Browser& browser) {
+    CHECK(browser.messages() == std::vector<std::string>{});
+    CHECK(browser.requests() == std::vector<std::string>{});
 }
 
 }  // namespace pushfactor::tests

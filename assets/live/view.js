@@ -1,0 +1,145 @@
+// The picture of runs side by side: camera, cells, what is drawn over them.
+class View {
+    // `changed` is called when the camera has been moved; `labels` gives the text of each cell; `decorate(marks, i)`
+    // adds marks to it.
+    constructor(painter, legend, changed) {
+        this.painter = painter;
+        this.legend = legend;
+        this.changed = changed;
+        this.show = new Set();
+        this.scale = 0;
+        this.camera = null;
+        this.runs = [];
+        this.labels = [];
+        this.decorate = () => {};
+        this.start = ({eye, target}) => ({eye: [...eye], target: [...target]});  // of the scene's own camera
+        this.largest = {};
+        this.wanted = false;
+        listenToPointer($("view"), {
+            turn: (right, up) => this.move(() => turnEye(this.own(), right, up)),
+            move: (right, up) => this.move(() => shiftCamera(this.own(), right, up)),
+            zoom: (factor) => this.move(() => zoomEye(this.own(), factor)),
+            click: () => {},
+        });
+    }
+
+    // What is drawn from now on: runs with stage, meshes, poses(), acting(), velocity(i), placeOf(body).
+    take(runs, labels) {
+        this.runs = runs;
+        this.labels = labels;
+        this.stages = runs.map((run) => new Stage({stage: run.stage, meshes: run.meshes, poses: () => run.poses()}));
+        this.largest = {};
+        $("labels").dataset.key = "";
+    }
+
+    first(i) {
+        const {camera} = this.runs[i].stage;
+        return {...this.start(camera), fieldOfView: camera.field_of_view};
+    }
+    own() {
+        if (!this.camera) this.camera = this.first(0);
+        return this.camera;
+    }
+    move(change) {
+        if (!this.runs.length) return;
+        change();
+        this.want();
+        this.changed();
+    }
+    home() {
+        this.camera = null;
+        this.want();
+        this.changed();
+    }
+    fit() {
+        const balls = this.runs.flatMap((run) => run.stage.recorded.map((body) => ({centre: run.placeOf(body), radius: run.stage.bodies[body].unit})));
+        const [cell] = this.cells();
+        this.move(() => frameBalls(this.own(), balls, cell.width / cell.height));
+    }
+
+    across() { return Math.max(...this.runs.map(({stage: {camera}}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view)))); }
+    cells() {
+        const up = Math.max(...this.runs.map(({stage: {camera}}) => halfTangent(camera.field_of_view)));
+        return cellsOf($("picture"), this.runs.length, up, this.across());
+    }
+    cameraOf(i, cell) {
+        const camera = this.camera || this.first(i), aspect = cell.width / cell.height;
+        return this.runs.length > 1 || aspect < 1.7 ? shownAcross(camera, this.across(), aspect) : camera;
+    }
+
+    // The largest arrow so far has at most a fifth of what is between eye and target.
+    unitsAMetre(kind) {
+        const {eye, target} = this.first(0);
+        return roundUp(Math.max(this.largest[kind] || 0, 1e-6)) / (0.2 * norm(minus(eye, target))) / 2 ** this.scale;
+    }
+    measure() {
+        const most = (kind, value) => { this.largest[kind] = Math.max(this.largest[kind] || 0, value); };
+        for (const run of this.runs) {
+            run.stage.recorded.forEach((_, i) => most("velocities", norm(run.velocity(i))));
+            const list = run.acting();
+            for (let at = 0; at < list.length; at += actingSize) {
+                const length = (k) => Math.hypot(list[at + k], list[at + k + 1], list[at + k + 2]);
+                most("forces", length(6));
+                most("push", Math.max(length(9), length(12)));
+            }
+        }
+    }
+
+    want() {
+        if (this.wanted) return;
+        this.wanted = true;
+        requestAnimationFrame(() => {
+            this.wanted = false;
+            this.draw();
+        });
+    }
+
+    draw() {
+        if (!this.runs.length || !this.painter) return;
+        const ratio = Math.min(window.devicePixelRatio || 1, 2);
+        const width = Math.max(16, Math.round($("view").clientWidth * ratio)), height = Math.max(16, Math.round($("view").clientHeight * ratio));
+        for (const canvas of [$("picture"), $("marks")]) {
+            if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+        }
+        this.measure();
+        this.painter.clearPage();
+        const context = $("marks").getContext("2d");
+        context.clearRect(0, 0, width, height);
+        const cells = this.cells();
+        cells.forEach((cell, i) => {
+            const camera = this.cameraOf(i, cell), run = this.runs[i];
+            this.painter.draw([this.stages[i].at(0)], camera, {...cell, y: height - cell.y - cell.height});
+            context.save();
+            context.beginPath();
+            context.rect(cell.x, cell.y, cell.width, cell.height);
+            context.clip();
+            const marks = new Marks(context, camera, cell);
+            const scale = (kind) => this.unitsAMetre(kind);
+            drawActing(marks, run.acting(), this.show, this.legend, scale);
+            if (this.show.has("velocities")) {
+                run.stage.recorded.forEach((body, k) => drawVelocity(marks, run.placeOf(body), run.velocity(k), run.stage.bodies[body], this.legend, scale));
+            }
+            this.decorate(marks, i);
+            marks.draw();
+            context.restore();
+        });
+        this.label(cells, width / Math.max($("view").clientWidth, 1));
+    }
+
+    label(cells, ratio) {
+        const {eye, target, fieldOfView} = this.first(0);
+        const pixels = $("view").clientHeight / (2 * norm(minus(eye, target)) * halfTangent(fieldOfView));
+        $("legend").replaceChildren(...legendLines(this.runs.map(({stage}) => stage), this.show, this.legend, (kind) => this.unitsAMetre(kind), pixels));
+        const key = JSON.stringify([this.labels, cells, ratio]);
+        if ($("labels").dataset.key === key) return;
+        $("labels").dataset.key = key;
+        $("labels").replaceChildren(...cells.map((cell, i) => [cell, this.labels[i]]).filter(([, text]) => text).map(([cell, text]) => {
+            const label = document.createElement("span");
+            label.textContent = text;
+            label.style.left = `${cell.x / ratio}px`;
+            label.style.top = `${cell.y / ratio}px`;
+            label.style.maxWidth = `calc(${cell.width / ratio}px - 1.2rem)`;
+            return label;
+        }));
+    }
+}

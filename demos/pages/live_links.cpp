@@ -1,0 +1,112 @@
+#include "demos/pages/live_links.h"
+
+#include "demos/options/frame_options.h"
+#include "demos/options/named_run.h"
+#include "demos/options/simulation_options.h"
+#include "demos/pages/html.h"
+#include "demos/platform/assets.h"
+#include "demos/platform/output_file.h"
+#include "demos/platform/shell_words.h"
+#include "demos/scenes/catalogue.h"
+#include "demos/text/errors.h"
+#include "demos/text/rational.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace pushfactor::demos {
+
+namespace {
+
+constexpr const char* name_of_page = "live.html";
+
+// Options with a value; those without one show nothing.
+OptionTexts options_among(const std::vector<std::string>& words) {
+    OptionTexts options;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i].starts_with("--") && !words[i + 1].starts_with("--")) {
+            options.emplace_back(words[i].substr(2), words[i + 1]);
+        }
+    }
+    return options;
+}
+
+const std::string* find(const OptionTexts& options, std::string_view name) {
+    const auto found =
+        std::find_if(options.begin(), options.end(), [&](const auto& option) { return option.first == name; });
+    return found == options.end() ? nullptr : &found->second;
+}
+
+// The options that decide the run; the page knows no others.
+OptionTexts deciding(const SceneEntry& scene, const OptionTexts& options) {
+    const auto decides = [&](const std::string& name) {
+        if (name == "seconds" || name == "threads") return false;
+        const std::vector<std::string> known = simulation_option_names();
+        return std::find(known.begin(), known.end(), name) != known.end() ||
+               std::any_of(scene.parameters.begin(), scene.parameters.end(),
+                           [&](const Parameter& parameter) { return parameter.name == name; });
+    };
+    OptionTexts kept;
+    for (const auto& option : options) {
+        if (decides(option.first)) kept.push_back(option);
+    }
+    return kept;
+}
+
+// That is shown last: of --at, else the end of the run.
+long last_step(const OptionTexts& options) {
+    const std::string* const at = find(options, "at");
+    const std::string* const seconds = find(options, "seconds");
+    const std::string* const dt = find(options, "dt");
+    const auto time = parse_rational(at ? at->substr(at->rfind(',') + 1) : seconds ? *seconds : "10");
+    const auto step = parse_rational(dt ? *dt : "1/60");
+    return time && step ? static_cast<long>((*time / *step).value() + 1e-9) : 0;
+}
+
+std::string address_of(const std::string& scene, const OptionTexts& options, long step) {
+    std::string address = fmt::format("{}#scenes&scene={}", name_of_page, scene);
+    for (const auto& [name, text] : options) address += fmt::format("&{}={}", name, html::link_to(text));
+    return address + fmt::format("&step={}", step);
+}
+
+}  // namespace
+
+std::vector<LiveLink> live_links(std::string_view command) {
+    const std::vector<std::string> words = words_of(command);
+    if (words.size() < 3 || words[0] != "pushfactor" || (words[1] != "run" && words[1] != "render")) return {};
+    const SceneEntry* const scene = find_scene(words[2]);
+    if (!scene) return {};
+    const OptionTexts options = options_among(words);
+    const OptionTexts own = deciding(*scene, options);
+    const long step = last_step(options);
+    const std::string* const compared = find(options, "compare");
+    const auto comparison = compared ? parse_comparison(*compared) : std::nullopt;
+    if (!comparison) return {{address_of(words[2], own, step), ""}};
+    std::vector<LiveLink> links;
+    for (const std::string& value : comparison->values) {
+        OptionTexts with = own;
+        std::erase_if(with, [&](const auto& option) { return option.first == comparison->option; });
+        with.emplace_back(comparison->option, value);
+        links.push_back({address_of(words[2], with, step), comparison->option + " " + value});
+    }
+    return links;
+}
+
+bool has_live_page() {
+    return std::filesystem::exists(live_page());
+}
+
+void write_index(const std::filesystem::path& folder, const std::string& page) {
+    if (page.find(fmt::format("href=\"{}#", name_of_page)) != std::string::npos) {
+        std::ifstream stream(live_page(), std::ios::binary);
+        if (!stream) throw OutputError("cannot read " + live_page().string());
+        write_file(folder / name_of_page, std::string{std::istreambuf_iterator<char>(stream), {}});
+    }
+    write_file(folder / "index.html", page);
+}
+
+}  // namespace pushfactor::demos
