@@ -402,6 +402,8 @@ const readAddress = async () => {
     if (eye && target && norm(minus(eye, target)) > 0 && runs.length) {
         view.camera = {eye, target, fieldOfView: runs[0].stage.camera.field_of_view};
         view.draw();
+    } else if (words.has("fit") && runs.length) {
+        view.fit();
     }
     return words;
 };

@@ -63,14 +63,15 @@ std::string command(std::string_view command, std::string_view what) {
     std::string live;
     if (has_live_page()) {
         for (const LiveLink& link : live_links(command)) {
-            live += fmt::format(" <a href=\"{}\">In the browser{}</a>", escaped(link.address),
+            live += fmt::format(" · <a href=\"{}\">In the browser{}</a>", escaped(link.address),
                                 link.differs.empty() ? "" : ", " + escaped(link.differs));
         }
     }
     return fmt::format(
         "<div class=\"command\"><code>{}</code>"
         "<button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the command: {}\">Copy</button></div>{}",
-        escaped(command), escaped(what), live.empty() ? "" : "<p class=\"files\">" + live.substr(1) + "</p>");
+        escaped(command), escaped(what),
+        live.empty() ? "" : "<p class=\"files\">" + live.substr(std::string_view(" · ").size()) + "</p>");
 }
 
 }  // namespace pushfactor::demos::html

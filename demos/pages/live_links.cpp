@@ -67,10 +67,23 @@ long last_step(const OptionTexts& options) {
     return time && step ? static_cast<long>((*time / *step).value() + 1e-9) : 0;
 }
 
-std::string address_of(const std::string& scene, const OptionTexts& options, long step) {
+// What the page shows of the overlays, and whether its camera shows all bodies.
+std::string shown_by(const OptionTexts& options) {
+    std::string words, kinds;
+    const std::string* const overlay = find(options, "overlay");
+    for (const OverlayItem& item :
+         overlay ? parse_overlay(*overlay).value_or(std::vector<OverlayItem>()) : std::vector<OverlayItem>()) {
+        if (is_in_replays(item.kind)) kinds += (kinds.empty() ? "" : ",") + std::string(name_of(item.kind));
+    }
+    if (!kinds.empty()) words += "&show=" + kinds;
+    if (const std::string* const camera = find(options, "camera"); camera && *camera == "fit") words += "&fit=on";
+    return words;
+}
+
+std::string address_of(const std::string& scene, const OptionTexts& deciding, const OptionTexts& all) {
     std::string address = fmt::format("{}#scenes&scene={}", name_of_page, scene);
-    for (const auto& [name, text] : options) address += fmt::format("&{}={}", name, html::link_to(text));
-    return address + fmt::format("&step={}", step);
+    for (const auto& [name, text] : deciding) address += fmt::format("&{}={}", name, html::link_to(text));
+    return address + fmt::format("&step={}", last_step(all)) + shown_by(all);
 }
 
 }  // namespace
@@ -82,16 +95,15 @@ std::vector<LiveLink> live_links(std::string_view command) {
     if (!scene) return {};
     const OptionTexts options = options_among(words);
     const OptionTexts own = deciding(*scene, options);
-    const long step = last_step(options);
     const std::string* const compared = find(options, "compare");
     const auto comparison = compared ? parse_comparison(*compared) : std::nullopt;
-    if (!comparison) return {{address_of(words[2], own, step), ""}};
+    if (!comparison) return {{address_of(words[2], own, options), ""}};
     std::vector<LiveLink> links;
     for (const std::string& value : comparison->values) {
         OptionTexts with = own;
         std::erase_if(with, [&](const auto& option) { return option.first == comparison->option; });
         with.emplace_back(comparison->option, value);
-        links.push_back({address_of(words[2], with, step), comparison->option + " " + value});
+        links.push_back({address_of(words[2], with, options), comparison->option + " " + value});
     }
     return links;
 }

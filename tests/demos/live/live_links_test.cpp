@@ -25,9 +25,11 @@ TEST_CASE("a command on a page leads to the instant that it shows last, with the
     CHECK(addresses("pushfactor run chain --end-mass 1000 --dt 1/240 --seconds 1/2 --timing --threads 2") ==
           List{"live.html#scenes&scene=chain&end-mass=1000&dt=1/240&step=120"});
     const auto compared = live_links(
-        "pushfactor render intersecting-stack --preset paper --compare push=persistent,single-frame --at 0,0.5");
+        "pushfactor render intersecting-stack --preset paper --compare push=persistent,single-frame --at 0,0.5 "
+        "--camera fit --overlay velocities:10,trails");
     REQUIRE(compared.size() == 2);
-    CHECK(compared[0].address == "live.html#scenes&scene=intersecting-stack&preset=paper&push=persistent&step=30");
+    CHECK(compared[0].address ==
+          "live.html#scenes&scene=intersecting-stack&preset=paper&push=persistent&step=30&show=velocities&fit=on");
     CHECK(compared[1].differs == "push single-frame");
     for (const char* const other : {"pushfactor report error", "pushfactor run my.json --seconds 1", "pushfactor",
                                     "", "pushfactor family wall >f.json; pushfactor run f.json"}) {
