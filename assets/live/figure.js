@@ -5,9 +5,9 @@ const pushes = [
     {name: "single-frame", label: "c) single-frame push", heading: "c) Improved method: single-frame push", text: "The push moves the cubes, and is forgotten with the step."},
 ];
 const sliderTable = [
-    {name: "beta", label: "β, share per step", low: 0, high: 1, step: 0.05, value: 0.2},
+    {name: "beta", label: "β, share of the overlap per step", low: 0, high: 1, step: 0.05, value: 0.2},
     {name: "iterations", label: "Iterations", low: 1, high: 100, step: 1, value: 25},
-    {name: "overlap", label: "Overlap", unit: "m", low: -0.2, high: 1, step: 0.05, value: 0.4},
+    {name: "overlap", label: "Overlap of the cubes", unit: "m", low: -0.2, high: 1, step: 0.05, value: 0.4},
     {name: "dt", label: "Step Δt", unit: "s", values: ["1/15", "1/30", "1/60", "1/120", "1/240"], value: "1/60"},
     {name: "count", label: "Cubes", low: 1, high: 10, step: 1, value: 5},
 ];
@@ -70,13 +70,13 @@ class Figure {
         runs.forEach((run, i) => {
             const [, , numbers, verdict] = $("cards").children[i].children;
             const fast = run.measure("upwards"), deep = run.measure("overlap");
-            numbers.innerHTML = `Stored: <b class="velocities"></b> upwards · overlap <b></b>`;
+            numbers.innerHTML = `Speed kept: <b class="velocities"></b> upwards · deepest overlap, in the ground too: <b></b>`;
             const [speed, depth] = numbers.querySelectorAll("b");
             speed.textContent = `${Math.max(fast, 0).toFixed(2)} m/s`;
             depth.textContent = `${deep.toFixed(3)} m`;
             verdict.textContent = run.failed ? `The run stopped: ${run.failed}` : run.step === 0 ? "At the start: at rest, one inside the other."
-                : fast > boxesFly ? deep > stillOverlap ? "They are being parted, and gather speed." : "They are apart, and keep the speed of the push: they fly."
-                : deep > stillOverlap ? i === 0 ? "They stay inside each other, at rest." : "They still overlap, and part."
+                : fast > boxesFly ? deep > stillOverlap ? "They are being parted, at speed." : "They are apart, and keep the speed of the push: they fly."
+                : deep > stillOverlap ? i === 0 ? "They stay inside each other." : "They still overlap, and part."
                 : run.measure("speed") > boxesFly ? "They are apart, and fall." : "They are apart, and at rest.";
         });
     }

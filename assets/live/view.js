@@ -129,7 +129,7 @@ class View {
     label(cells, ratio) {
         const {eye, target, fieldOfView} = this.first(0);
         const pixels = $("view").clientHeight / (2 * norm(minus(eye, target)) * halfTangent(fieldOfView));
-        $("legend").replaceChildren(...legendLines(this.runs.map(({stage}) => stage), this.show, this.legend, (kind) => this.unitsAMetre(kind), pixels));
+        $("legend").replaceChildren(...legendLines(this.runs.map(({stage}) => stage), new Set([...this.show].filter((kind) => kind === "contacts" || this.largest[kind] > 0)), this.legend, (kind) => this.unitsAMetre(kind), pixels));
         const key = JSON.stringify([this.labels, cells, ratio]);
         if ($("labels").dataset.key === key) return;
         $("labels").dataset.key = key;
