@@ -123,7 +123,7 @@ const tick = async (now) => {
         if (playing.now === null) Object.assign(playing, {now, step: runs[0].step});
         const due = playing.step + Math.floor((now - playing.now) / 1000 * speed / dt + 1e-6) - runs[0].step;
         if (due > 0) {
-            const some = Math.min(due, batchOf());
+            const some = Math.min(due, batchOf(), Math.max(1, Math.round(playing.until / dt) - runs[0].step));
             if (some < due) Object.assign(playing, {now, step: runs[0].step + some});  // slower than time
             await advance(some);
             refresh(false);
