@@ -1,17 +1,17 @@
 // Figure 7 with the hands on: the same stack under three pushes.
 const pushes = [
-    {name: "none", label: "a) no push", heading: "a) No push factor", text: "The contacts only forbid that cubes sink deeper."},
+    {name: "none", label: "a) no push", heading: "a) No push factor", text: "The contacts only try to stop cubes from sinking deeper."},
     {name: "persistent", label: "b) persistent push", heading: "b) Original method: persistent push", text: "The forces that part the cubes also set the velocity that they keep."},
-    {name: "single-frame", label: "c) single-frame push", heading: "c) Improved method: single-frame push", text: "The push moves the cubes, and is forgotten with the step."},
+    {name: "single-frame", label: "c) single-frame push", heading: "c) Improved method: single-frame push", text: "The push moves the cubes, and is forgotten after the step."},
 ];
 const sliderTable = [
     {name: "beta", label: "β, share of the overlap per step", low: 0, high: 1, step: 0.05, value: 0.2},
-    {name: "iterations", label: "Iterations", low: 1, high: 100, step: 1, value: 25},
+    {name: "iterations", label: "Sweeps (iterations)", low: 1, high: 100, step: 1, value: 25},
     {name: "overlap", label: "Overlap of the cubes", unit: "m", low: -0.2, high: 1, step: 0.05, value: 0.4},
     {name: "dt", label: "Step Δt", unit: "s", values: ["1/15", "1/30", "1/60", "1/120", "1/240"], value: "1/60"},
     {name: "count", label: "Cubes", low: 1, high: 10, step: 1, value: 5},
 ];
-const boxesFly = 0.3, stillOverlap = 0.05;  // m/s and m, where the words change
+const moves = 0.3, overlaps = 0.05;  // m/s and m, where the words change
 
 // Options of the command line for the values of sliders; what the scene and the preset have anyway is left out.
 const stackOptions = (values, push) => {
@@ -41,7 +41,7 @@ class Figure {
         this.autoplay = {until: 0.5, speed: 1 / 4};  // s, as Figure 7; slow enough to see
         this.shows = ["velocities"];
         this.plots = [
-            {title: "Stored velocity, the largest upwards", unit: "m/s", of: [["", "upwards"]]},
+            {title: "Speed kept, the largest upwards", unit: "m/s", of: [["", "upwards"]]},
             {title: "Deepest overlap", unit: "m", of: [["", "overlap"]]},
         ];
         $("cards").replaceChildren(...pushes.map(({heading, text}, i) => {
@@ -70,14 +70,15 @@ class Figure {
         runs.forEach((run, i) => {
             const [, , numbers, verdict] = $("cards").children[i].children;
             const fast = run.measure("upwards"), deep = run.measure("overlap");
+            const rising = run.stage.recorded.reduce((sum, _, k) => sum + run.velocity(k)[1], 0) / run.stage.recorded.length;
             numbers.innerHTML = `Speed kept: <b class="velocities"></b> upwards · deepest overlap, in the ground too: <b></b>`;
             const [speed, depth] = numbers.querySelectorAll("b");
             speed.textContent = `${Math.max(fast, 0).toFixed(2)} m/s`;
             depth.textContent = `${deep.toFixed(3)} m`;
             verdict.textContent = run.failed ? `The run stopped: ${run.failed}` : run.step === 0 ? "At the start: at rest, one inside the other."
-                : fast > boxesFly ? deep > stillOverlap ? "They are being parted, at speed." : "They are apart, and keep the speed of the push: they fly."
-                : deep > stillOverlap ? i === 0 ? "They stay inside each other." : "They still overlap, and part."
-                : run.measure("speed") > boxesFly ? "They are apart, and fall." : "They are apart, and at rest.";
+                : i === 0 ? "What overlaps is not parted."
+                : rising > moves ? deep > overlaps ? "They are being parted, at speed." : "They are apart, and keep the speed of the push: they fly."
+                : rising < -moves ? "They fall." : deep > overlaps ? "They still overlap, and part." : "They are apart, and at rest.";
         });
     }
 }

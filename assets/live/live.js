@@ -291,15 +291,7 @@ const makeControls = () => {
         event.preventDefault();
         changeMode("rows").then(() => $("modes").scrollIntoView());
     });
-    kinds.forEach((kind) => {
-        const label = document.createElement("label"), box = document.createElement("input"), swatch = document.createElement("i");
-        box.type = "checkbox";
-        box.value = kind;
-        swatch.style.background = css(menu.legend[kind][0].colour);
-        label.append(box, swatch, kind);
-        $("show").append(label);
-        box.addEventListener("change", () => toggle(kind));
-    });
+    kinds.forEach((kind) => kindBox(kind, menu.legend, toggle));
     $("speed").append(...[[1, "× 1"], [1 / 2, "× 1/2"], [1 / 4, "× 1/4"], [1 / 8, "× 1/8"], [1 / 16, "× 1/16"]].map(([value, text]) => new Option(text, String(value))));
     $("speed").addEventListener("change", () => setSpeed(Number($("speed").value)));
     $("play").addEventListener("click", () => setPlaying(!playing));
@@ -465,13 +457,7 @@ const start = async () => {
     view = new View(painter, menu.legend, () => noteAddress());
     modes = {figure: new Figure(), rows: new Rows(), scenes: new Scenes(menu, program)};
     $("version").textContent = menu.version;
-    $("keys").tBodies[0].append(...keyTable.map(([name, text]) => {
-        const row = document.createElement("tr"), head = document.createElement("th");
-        head.scope = "row";
-        head.textContent = name;
-        row.append(head, Object.assign(document.createElement("td"), {textContent: text}));
-        return row;
-    }));
+    fillTable($("keys").tBodies[0], keyTable);
     $("player").hidden = false;
     makeControls();
     const words = await readAddress();

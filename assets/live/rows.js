@@ -5,7 +5,7 @@ const rowTable = [
     {name: "beta", label: "β", low: 0, high: 1, step: 0.05, value: 0.2},
     {name: "overlap", label: "Overlap", unit: "m", low: -0.2, high: 1, step: 0.05, value: 0.4},
     {name: "friction", label: "Friction", values: ["off", "on"], value: "off"},
-    {name: "iterations", label: "Sweeps", low: 1, high: 50, step: 1, value: 25},
+    {name: "iterations", label: "Sweeps (iterations)", low: 1, high: 50, step: 1, value: 25},
     {name: "moment", label: "Step", low: 1, high: 60, step: 1, value: 1},
 ];
 // With a minus that is as wide as a plus; null is no bound.

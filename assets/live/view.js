@@ -29,7 +29,6 @@ class View {
         this.labels = labels;
         this.stages = runs.map((run) => new Stage({stage: run.stage, meshes: run.meshes, poses: () => run.poses()}));
         this.largest = {};
-        $("labels").dataset.key = "";
     }
 
     first(i) {
@@ -57,14 +56,11 @@ class View {
         this.move(() => frameBalls(this.own(), balls, cell.width / cell.height));
     }
 
-    across() { return Math.max(...this.runs.map(({stage: {camera}}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view)))); }
-    cells() {
-        const up = Math.max(...this.runs.map(({stage: {camera}}) => halfTangent(camera.field_of_view)));
-        return cellsOf($("picture"), this.runs.length, up, this.across());
-    }
+    shown() { return this.runs.map(({stage}) => stage); }
+    cells() { return cellsOf($("picture"), this.shown()); }
     cameraOf(i, cell) {
         const camera = this.camera || this.first(i), aspect = cell.width / cell.height;
-        return this.runs.length > 1 || aspect < 1.7 ? shownAcross(camera, this.across(), aspect) : camera;
+        return this.runs.length > 1 || aspect < 1.7 ? shownAcross(camera, acrossOf(this.shown()), aspect) : camera;
     }
 
     // The largest arrow so far has at most a fifth of what is between eye and target.
@@ -96,11 +92,8 @@ class View {
 
     draw() {
         if (!this.runs.length || !this.painter) return;
-        const ratio = Math.min(window.devicePixelRatio || 1, 2);
-        const width = Math.max(16, Math.round($("view").clientWidth * ratio)), height = Math.max(16, Math.round($("view").clientHeight * ratio));
-        for (const canvas of [$("picture"), $("marks")]) {
-            if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-        }
+        fitCanvases();
+        const {width, height} = $("picture");
         this.measure();
         this.painter.clearPage();
         const context = $("marks").getContext("2d");
@@ -123,23 +116,13 @@ class View {
             marks.draw();
             context.restore();
         });
-        this.label(cells, width / Math.max($("view").clientWidth, 1));
+        this.label(cells);
     }
 
-    label(cells, ratio) {
+    label(cells) {
         const {eye, target, fieldOfView} = this.first(0);
         const pixels = $("view").clientHeight / (2 * norm(minus(eye, target)) * halfTangent(fieldOfView));
-        $("legend").replaceChildren(...legendLines(this.runs.map(({stage}) => stage), new Set([...this.show].filter((kind) => kind === "contacts" || this.largest[kind] > 0)), this.legend, (kind) => this.unitsAMetre(kind), pixels));
-        const key = JSON.stringify([this.labels, cells, ratio]);
-        if ($("labels").dataset.key === key) return;
-        $("labels").dataset.key = key;
-        $("labels").replaceChildren(...cells.map((cell, i) => [cell, this.labels[i]]).filter(([, text]) => text).map(([cell, text]) => {
-            const label = document.createElement("span");
-            label.textContent = text;
-            label.style.left = `${cell.x / ratio}px`;
-            label.style.top = `${cell.y / ratio}px`;
-            label.style.maxWidth = `calc(${cell.width / ratio}px - 1.2rem)`;
-            return label;
-        }));
+        $("legend").replaceChildren(...legendLines(this.shown(), new Set([...this.show].filter((kind) => kind === "contacts" || this.largest[kind] > 0)), this.legend, (kind) => this.unitsAMetre(kind), pixels));
+        showLabels(cells, this.labels);
     }
 }

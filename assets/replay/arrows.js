@@ -57,3 +57,15 @@ const legendLines = (stages, show, legend, unitsAMetre, pixels) => {
     }
     return lines;
 };
+
+// A box that shows a kind or hides it, in the fieldset of the page.
+const kindBox = (kind, legend, toggle) => {
+    const label = document.createElement("label"), box = document.createElement("input"), swatch = document.createElement("i");
+    box.type = "checkbox";
+    box.value = kind;
+    swatch.style.background = css(legend[kind][0].colour);
+    label.append(box, swatch, kind);
+    $("show").append(label);
+    box.addEventListener("change", () => toggle(kind));
+    return label;
+};

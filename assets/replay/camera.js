@@ -40,9 +40,13 @@ const shownAcross = (camera, across, aspect) => {
     return {...camera, fieldOfView: clamp(needed, camera.fieldOfView, 120)};
 };
 
-// Cells of a canvas in pixels, y from the top, as demos/pictures/layout.cpp places the panels of a picture. `up` and
-// `across` are what each has to show, as tangents.
-const cellsOf = (canvas, count, up, across) => {
+// What the pictures of runs show to each side (film.cpp), as a tangent.
+const acrossOf = (stages) => Math.max(...stages.map(({camera}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view))));
+
+// Cells of a canvas for so many of the stages, in pixels, y from the top, as demos/pictures/layout.cpp places the panels of
+// a picture.
+const cellsOf = (canvas, stages, count = stages.length) => {
+    const across = acrossOf(stages), up = Math.max(...stages.map(({camera}) => halfTangent(camera.field_of_view)));
     if (count === 1) return [{x: 0, y: 0, width: canvas.width, height: canvas.height}];
     const gap = Math.max(2, Math.floor(Math.min(canvas.width, canvas.height) / 240));
     let best = null;

@@ -30,10 +30,9 @@ const sceneCamera = (run, time) => {
         : [Math.cos(angle) * offset[0] + Math.sin(angle) * offset[2], offset[1], Math.cos(angle) * offset[2] - Math.sin(angle) * offset[0]];
     return {eye: add(target, turned), target, fieldOfView};
 };
-// What the pictures of several runs show to each side (film.cpp), as a tangent.
-const across = () => Math.max(...tracks.map(({stage: {camera}}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view))));
+const stagesShown = () => tracks.map(({stage}) => stage);
 const isNarrow = (aspect) => tracks.length > 1 || aspect < 0.98 * about.width / about.height;
-const widened = (camera, aspect) => isNarrow(aspect) ? shownAcross(camera, across(), aspect) : camera;
+const widened = (camera, aspect) => isNarrow(aspect) ? shownAcross(camera, acrossOf(stagesShown()), aspect) : camera;
 const cameraOf = (run, area) => widened(state.camera || sceneCamera(run, state.frame * seconds), area.width / area.height);
 const ownCamera = () => {
     if (!state.camera) state.camera = sceneCamera(0, state.frame * seconds);
@@ -96,10 +95,7 @@ const followChosen = () => {
 
 // ---- drawing ----
 
-const areas = () => {
-    const up = Math.max(...tracks.map(({stage: {camera}}) => halfTangent(camera.field_of_view)));
-    return cellsOf($("picture"), state.mode === "ghost" ? 1 : tracks.length, up, across());
-};
+const areas = () => cellsOf($("picture"), stagesShown(), state.mode === "ghost" ? 1 : tracks.length);
 
 const wantedParts = () => {
     const names = ["poses"];
@@ -154,21 +150,10 @@ const drawChosen = (context, marks, camera, area) => {
     context.setLineDash([]);
 };
 
-const fitCanvas = () => {
-    const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    const width = Math.max(16, Math.round($("view").clientWidth * ratio)), height = Math.max(16, Math.round($("view").clientHeight * ratio));
-    for (const canvas of [$("picture"), $("marks")]) {
-        if (canvas.width !== width || canvas.height !== height) {
-            canvas.width = width;
-            canvas.height = height;
-        }
-    }
-};
-
 const draw = () => {
     drawWanted = false;
     if (!tracks.length || end.frames === 0) return;
-    fitCanvas();
+    fitCanvases();
     if (!isReady(state.frame)) {
         // What is missing is on its way; what is shown stays until then.
         Promise.all(tracks.map((track) => track.load(state.frame, wantedParts()))).then(wantDraw);
@@ -213,24 +198,13 @@ const showNumbers = () => {
     $("scrub").setAttribute("aria-valuetext", text);
     $("time").textContent = text;
     plots.forEach((plot) => plot.show(frame));
-    showLabels();
+    labelCells();
     showFacts();
 };
 
-const showLabels = () => {
-    const ratio = $("picture").width / Math.max($("view").clientWidth, 1);
+const labelCells = () => {
     const texts = state.mode === "ghost" ? [tracks.map(({stage}, i) => stage.label + (i ? " (ghost)" : "")).join(" · ")] : tracks.map(({stage}) => stage.label);
-    const key = JSON.stringify([texts, ratio, $("picture").width, $("picture").height]);
-    if ($("labels").dataset.key === key) return;
-    $("labels").dataset.key = key;
-    $("labels").replaceChildren(...areas().map((cell, i) => [cell, texts[i]]).filter(([, text]) => text).map(([cell, text]) => {
-        const label = document.createElement("span");
-        label.textContent = text;
-        label.style.left = `${cell.x / ratio}px`;
-        label.style.top = `${cell.y / ratio}px`;
-        label.style.maxWidth = `calc(${cell.width / ratio}px - 1.2rem)`;
-        return label;
-    }));
+    showLabels(areas(), texts);
 };
 
 const showLegend = () => {
@@ -490,17 +464,11 @@ const makeControls = () => {
     $("speed").append(...speeds.map((speed) => new Option(`× ${speedName(speed)}`, String(speed))));
     setSpeed(about.play_speed);
     const changeSpeed = (steps) => setSpeed(speeds[clamp(speeds.indexOf(state.speed) + steps, 0, speeds.length - 1)]);
-    const names = {contacts: "contacts", forces: "forces", push: "push", velocities: "velocities"};
     kinds.forEach((kind) => {
-        const label = document.createElement("label"), box = document.createElement("input"), swatch = document.createElement("i");
-        box.type = "checkbox";
-        box.value = kind;
-        box.disabled = !canShow(kind);
-        swatch.style.background = css(about.legend[kind][0].colour);
-        label.append(box, swatch, names[kind]);
-        if (box.disabled) label.title = "This file has poses only";
-        $("show").append(label);
-        box.addEventListener("change", () => toggle(kind));
+        const label = kindBox(kind, about.legend, toggle);
+        if (canShow(kind)) return;
+        label.querySelector("input").disabled = true;
+        label.title = "This file has poses only";
     });
     $("mode").hidden = tracks.length < 2;
     const options = [new Option("none", "")];
@@ -574,16 +542,8 @@ const makeTexts = () => {
     });
     rows.push(["Frames", `${end.frames}, one per ${shortNumber(seconds)} s`]);
     rows.push(["Accuracy", "positions to 1e-4 of the radius of a body's bounding sphere, orientations to 1e-4 rad" + (about.parts.includes("forces") ? ", forces to 1e-3" : "; the file has poses only")]);
-    const table = (body, pairs) => body.append(...pairs.map(([name, text]) => {
-        const row = document.createElement("tr"), head = document.createElement("th"), cell = document.createElement("td");
-        head.scope = "row";
-        head.textContent = name;
-        cell.textContent = text;
-        row.append(head, cell);
-        return row;
-    }));
-    table($("about").tBodies[0], rows.slice(1));
-    table($("keys").tBodies[0], keyTable);
+    fillTable($("about").tBodies[0], rows.slice(1));
+    fillTable($("keys").tBodies[0], keyTable);
     if (end.note) {
         $("note").textContent = `The run stopped early: ${end.note}`;
         $("note").hidden = false;

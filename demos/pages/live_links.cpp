@@ -4,6 +4,7 @@
 #include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pages/html.h"
+#include "demos/pictures/live/menu.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/shell_words.h"
@@ -44,7 +45,7 @@ const std::string* find(const OptionTexts& options, std::string_view name) {
 // The options that decide the run; the page knows no others.
 OptionTexts deciding(const SceneEntry& scene, const OptionTexts& options) {
     const auto decides = [&](const std::string& name) {
-        if (name == "seconds" || name == "threads") return false;
+        if (!pictures::live::is_on_menu(name)) return false;
         const std::vector<std::string> known = simulation_option_names();
         return std::find(known.begin(), known.end(), name) != known.end() ||
                std::any_of(scene.parameters.begin(), scene.parameters.end(),

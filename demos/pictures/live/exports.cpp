@@ -39,10 +39,6 @@ const char* answer_of(const Work& work) {
     return answer.c_str();
 }
 
-Json state_of(const live::LiveRun& run) {
-    return {{"hash", run.state_hash()}, {"command", run.command()}};
-}
-
 // Bytes for the page: where they are, and how many.
 Json place_of(const std::string& text) {
     return {{"at", reinterpret_cast<std::uintptr_t>(text.data())}, {"size", text.size()}};
@@ -82,7 +78,6 @@ EMSCRIPTEN_KEEPALIVE const char* live_open(int slot, const char* request) {
         Json about = run->about();
         bytes = run->meshes();
         about["meshes"] = place_of(bytes);
-        about["state"] = state_of(*run);
         runs[slot] = std::move(run);
         return about;
     });
@@ -98,10 +93,10 @@ EMSCRIPTEN_KEEPALIVE const char* live_advance(int slot, int steps) {
         live::LiveRun& run = *runs.at(slot);
         run.advance(steps);
         numbers = run.numbers();
-        Json state = state_of(run);
-        state["at"] = reinterpret_cast<std::uintptr_t>(numbers.data());
-        state["size"] = numbers.size();
-        return state;
+        return Json{{"hash", run.state_hash()},
+                    {"command", run.command()},
+                    {"at", reinterpret_cast<std::uintptr_t>(numbers.data())},
+                    {"size", numbers.size()}};
     });
 }
 

@@ -58,7 +58,6 @@ Json LiveRun::about() const {
     about["scene"] = run_.choices.description.name;
     about["camera"] = replay::camera_of(view_of(run_, scene), movable_balls(scene));
     about["seconds_a_step"] = simulation_.settings().dt.value();
-    about["has_contacts"] = scene.contacts != nullptr;
     return about;
 }
 

@@ -27,15 +27,10 @@ Json scenes() {
     return scenes;
 }
 
-// A page steps as long as it is looked at, and on one thread.
-bool makes_sense(std::string_view option) {
-    return option != "seconds" && option != "threads";
-}
-
 Json options() {
     Json options = Json::array();
     for (const SimulationOption& option : simulation_options()) {
-        if (!makes_sense(option.name)) continue;
+        if (!is_on_menu(option.name)) continue;
         Json values = Json::object();
         for (const Preset& preset : presets()) values[std::string(preset.name)] = option.get(preset.settings());
         options.push_back({{"name", option.name},
@@ -47,6 +42,10 @@ Json options() {
 }
 
 }  // namespace
+
+bool is_on_menu(std::string_view option) {
+    return option != "seconds" && option != "threads";
+}
 
 Json menu() {
     Json named = Json::array();

@@ -56,8 +56,6 @@ Json row_as_json(const ConstraintRow& row) {
     return {{"kind", name_of(row.label.kind)},
             {"a", row.body_a},
             {"b", row.body_b},
-            {"point", row.label.point},
-            {"gap", row.label.gap},
             {"jacobian", {list_of(row.jacobian.a), list_of(row.jacobian.b)}},
             {"correcting", row.push.correcting},
             {"lasting", row.push.lasting},

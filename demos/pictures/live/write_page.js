@@ -7,18 +7,12 @@ const zlib = require("zlib");
 const [program, assets, page] = process.argv.slice(2);
 const text = (...names) => fs.readFileSync(path.join(assets, ...names), "utf8");
 
-// As compact() of demos/pictures/replay/page.cpp.
-const compact = (source) => source.split("\n").map((line) => {
-    const comment = line.startsWith("// ") ? 0 : line.indexOf(" // ");
-    return (comment < 0 ? line : line.slice(0, comment)).trim();
-}).filter((line) => line).join("\n") + "\n";
-
 const shared = ["page.js", "space.js", "bytes.js", "camera.js", "scene.js", "draw.js", "marks.js", "arrows.js", "plots.js"];
 const own = ["run.js", "view.js", "figure.js", "rows.js", "scenes.js", "live.js"];
 const shaders = {};
 for (const folder of ["shaders", "replay"]) {
     for (const name of fs.readdirSync(path.join(assets, folder)).sort()) {
-        if (/\.(vert|frag)$/.test(name)) shaders[name] = compact(text(folder, name));
+        if (/\.(vert|frag)$/.test(name)) shaders[name] = text(folder, name);
     }
 }
 // A script element ends at the first "</script".
@@ -27,11 +21,11 @@ const inScript = (source) => {
     return source;
 };
 const parts = {
-    style: compact(text("pages", "page.css")) + compact(text("replay", "replay.css")) + compact(text("live", "live.css")),
+    style: text("pages", "page.css") + text("replay", "replay.css") + text("live", "live.css"),
     shaders: JSON.stringify(shaders).replaceAll("<", "\\u003c"),
-    worker: inScript(fs.readFileSync(program, "utf8") + "\n" + compact(text("live", "worker.js"))),
+    worker: inScript(fs.readFileSync(program, "utf8") + "\n" + text("live", "worker.js")),
     program: zlib.gzipSync(fs.readFileSync(program.replace(/\.js$/, ".wasm")), {level: 9}).toString("base64"),
-    script: inScript(shared.map((name) => compact(text("replay", name))).concat(own.map((name) => compact(text("live", name)))).join("")),
+    script: inScript(shared.map((name) => text("replay", name)).concat(own.map((name) => text("live", name))).join("")),
 };
 let html = text("live", "page.html");
 for (const [name, content] of Object.entries(parts)) {

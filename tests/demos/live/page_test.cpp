@@ -84,7 +84,7 @@ TEST_CASE(
     open(*browser, "figure&step=30");
     CHECK(browser->value_of("pushfactor.steps") == Json{30, 30, 30});
     const auto card = [&](int number) { return text_of(*browser, fmt::format("#cards > :nth-child({})", number)); };
-    CHECK(card(1).find("They stay inside each other") != std::string::npos);
+    CHECK(card(1).find("What overlaps is not parted") != std::string::npos);
     CHECK(card(2).find("keep the speed of the push: they fly") != std::string::npos);
     CHECK(card(3).find("They are apart, and at rest") != std::string::npos);
     // Each command makes the run that is shown.
