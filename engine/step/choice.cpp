@@ -83,16 +83,22 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool standing = stands(dt, bodies, island), limited = island.has(RowDigest::limited);
     const double near_one = near * speed_by_forces(dt, bodies, island);
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
-    const double sweeps = sweeps_of_a_step * division_of(dt, bodies, island).steps * mass_ratio(bodies, island);
+    const int steps = division_of(dt, bodies, island).steps;
+    const double sweeps = sweeps_of_a_step * steps * mass_ratio(bodies, island);
     const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
-    const double of_sweeps = worth * 24.0 * island.columns * island.rows;
+    const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
     const double size = std::max(1.0, island.movable() / bodies_of_limits);
     const double most = size * (has_forces ? most_again : most_at_first);
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const double of_few = standing && island.movable() <= few ? few * of_a_body : 0.0;
     const double least = std::max(of_few, of_body * island.movable());
-    return {std::max(std::min(of_sweeps, most), least), lasts || !limited ? when_near : from_afar};
+    const double multiply_adds = std::max(std::min(of_sweeps, most), least);
+    return {.multiply_adds = multiply_adds,
+            .factorisations = lasts || !limited ? when_near : from_afar,
+            .sweeps = !lasts       ? 0
+                      : has_forces ? steps
+                                   : static_cast<int>(multiply_adds / of_sweep)};
 }
 
 }  // namespace pushfactor::engine::choice

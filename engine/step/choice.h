@@ -3,7 +3,8 @@
 //
 //   - An island whose guess is good enough is not solved (island_solver.h).
 //   - It is solved directly where it stands, if the solution lasts or a few bodies make it cheap; and where nothing
-//     else serves: joints, bars alone, and islands that take no small steps.
+//     else serves: joints, bars alone, and islands that take no small steps. A solution that lasts and costs more
+//     is looked for by sweeps of the whole step.
 //   - Everything else takes small steps: few in a heap in which bodies move, because impacts change it anyway; more
 //     in a structure that stands, because what carries load is compressed by g h^2.
 #pragma once
@@ -37,9 +38,12 @@ double good_residual(double dt, std::span<const Body> bodies, const Island& isla
 
 // Multiply-adds that a direct solution of the island is worth, whose guess has forces or none and these residuals
 // [m/s] in its columns, and the factorisations that it will take. `divided`: small steps are taken instead, else
-// sweeps of the whole step.
+// sweeps of the whole step. `sweeps` are tried before small steps where it costs more, and lasts: in the worth of
+// the first forces, and as many as small steps where these are nearly right. A pyramid that stands on forces that
+// are kept leans three times as far in each step, box by box, and a few sweeps put it straight.
 struct Worth {
     double multiply_adds = 0.0, factorisations = 0.0;
+    int sweeps = 0;
 };
 Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, std::span<const double> residuals,
                bool has_forces, bool divided);

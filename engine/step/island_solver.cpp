@@ -119,13 +119,15 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
             outcome.residuals = measure(system, island, lambda, forces, bench);
         }
         solvers::Termination own = usual;
-        if (divides) own.iterations = 0;
-        if (divides) own.will_do = choice::good_residual(system.dt, bodies, island);
         const std::span<const double> residuals(outcome.residuals.data(), static_cast<std::size_t>(island.columns));
         const choice::Worth worth =
             choice::worth_of(system.dt, bodies, island, residuals, has_forces(island, lambda), divides);
         own.worth = worth.multiply_adds;
         own.factorisations = worth.factorisations;
+        if (divides) {
+            own.iterations = worth.sweeps;
+            own.will_do = choice::good_residual(system.dt, bodies, island);
+        }
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
         if (outcome.method == Method::exact && loops)
             lessen(bench, own, system, island, lambda, forces, outcome, count);
@@ -187,6 +189,11 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
     }
     count.iterations = std::max(1, count.iterations);
     Residuals found = measure(system, island, lambda, forces, bench);
+    const double enough = std::max(termination.tolerance_high, termination.will_do);
+    if (termination.will_do > 0.0 && !count.exact && !count.contradicts && larger(found) > enough) {
+        outcome.unfinished = true;
+        return count;
+    }
     bool refused = false;
     if (larger(found) > termination.tolerance_low) {
         refused = guard(system, island, outcome.residuals, first_guess, lambda, forces, bench, found);

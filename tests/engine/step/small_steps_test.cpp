@@ -62,6 +62,17 @@ void add_wall(ContactScene& scene, int rows, int length) {
     }
 }
 
+// Square layers of touching cubes, each smaller by one; `base` of them along an edge of the lowest.
+void add_pyramid(ContactScene& scene, int base) {
+    scene.add_ground();
+    for (int layer = 0; layer < base; ++layer) {
+        for (int i = 0; i < base - layer; ++i) {
+            for (int k = 0; k < base - layer; ++k)
+                scene.add_box({1, 1, 1}, {i + 0.5 * layer, layer + 0.5, k + 0.5 * layer});
+        }
+    }
+}
+
 // Layers of three planks, each across the one below.
 void add_tower(ContactScene& scene, int layers) {
     scene.add_ground();
@@ -90,6 +101,19 @@ TEST_CASE("a wall stands in small steps without a joule too many, and stiller th
     whole.world.solver = solvers::make_solver("pgs");
     const Standing swept = watch(whole, 120);
     CHECK(swept.speed > 3.0 * stands.speed);
+}
+
+// Beside small steps, as in the preset default. The forces that hold 285 cubes are found directly once, those of
+// 506 by sweeps; kept on, they let the cubes lean, and to find them directly again costs too much.
+TEST_CASE("a pyramid too wide to be solved directly again and again stands as still as one that is not") {
+    const int base = GENERATE(9, 11);
+    CAPTURE(base);
+    ContactScene scene;
+    add_pyramid(scene, base);
+    in_small_steps(scene);
+    const Standing seen = watch(scene, 120);
+    CHECK(seen.moved < 1e-7);  // m; in small steps 2e-4
+    CHECK(seen.speed < 1e-6);  // m/s
 }
 
 TEST_CASE("a tower of 30 layers of planks stands in small steps") {
