@@ -109,11 +109,11 @@ inline constexpr double compressed = 0.01, most_steps = 1000.0;
 // steps, of two solves each, times the ratio of its masses, because sweeps need so many more. Where it has no
 // forces yet or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
 inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
-// Limits on its multiply-adds for so many bodies or fewer, in proportion for more: the first step of a wall of 400
-// bricks takes some 0.2 s, none after it more than some 30 ms. With a quarter of the latter, a heavy ball shakes
-// the cubes on which it has fallen until they are scattered. Had the limits no proportion, towers of 800 planks
-// would sag by 3 cm.
-inline constexpr double most_at_first = 2e8, most_again = 8e7, bodies_of_limits = 200.0;
+// Limit on its multiply-adds for so many bodies or fewer, in proportion for more: the first step of a wall of 400
+// bricks takes some 0.2 s, none after it more than some 30 ms. With a tenth, a heavy ball shakes the cubes on which
+// it has fallen until they are scattered. Had the limit no proportion, towers of 800 planks would sag by 3 cm; with
+// two fifths, a pyramid of 3240 cubes by 2.5 cm in 1000 steps.
+inline constexpr double most_work = 2e8, bodies_of_limits = 200.0;
 // Bodies of a stack of five and one more: so few that stand are worth what so many are.
 inline constexpr int few = 6;
 // What it is always worth per body: of these; of islands that take no small steps; of joints, which forces far from
