@@ -1,4 +1,4 @@
-// Engines of today behind one interface: boxes, balls and level planes of a scene file, without sleep. Each loader takes the
+// Engines of today behind one interface: boxes, balls, convex hulls and level planes of a scene file, without sleep. Each loader takes the
 // folder where the packages are, throws if its own is not there, and gives a class with title, version and settings, of
 // which the first is as shipped and the last the engine's best that was found.
 //   new Engine(scene, setting)   scene: what `pushfactor scene` prints; setting: one of its settings
@@ -33,7 +33,8 @@ const rapier = async (folder) => {
                 const kind = isMovable(body) ? RAPIER.RigidBodyDesc.dynamic().setCanSleep(false) : RAPIER.RigidBodyDesc.fixed();
                 const made = this.world.createRigidBody(kind.setTranslation(...body.position_m).setRotation(turn(body.orientation_wxyz)));
                 const shape = body.shape === "plane" ? new RAPIER.ColliderDesc(new RAPIER.HalfSpace(vector([0, 1, 0])))
-                    : body.shape === "box" ? RAPIER.ColliderDesc.cuboid(...half(body)) : RAPIER.ColliderDesc.ball(body.radius_m);
+                    : body.shape === "box" ? RAPIER.ColliderDesc.cuboid(...half(body))
+                    : body.shape === "polyhedron" ? RAPIER.ColliderDesc.convexHull(new Float32Array(body.points_m.flat())) : RAPIER.ColliderDesc.ball(body.radius_m);
                 shape.setFriction(body.friction).setRestitution(0);
                 if (isMovable(body)) {
                     shape.setMass(body.mass_kg);
@@ -58,6 +59,12 @@ const jolt = async (folder) => {
     const version = "1.1.0";
     const vector = ([x, y, z]) => new Jolt.RVec3(x, y, z);
     const still = 0, moving = 1;
+    const roundest = 0.05;  // m, how far a shape's edges are rounded as it is shipped; not more than a thin box has
+    const hull = (points) => {
+        const settings = new Jolt.ConvexHullShapeSettings();
+        for (const point of points) settings.mPoints.push_back(new Jolt.Vec3(...point));
+        return settings.Create().Get();
+    };
     return class {
         static title = "Jolt";
         static version = version;
@@ -93,9 +100,10 @@ const jolt = async (folder) => {
             }
             this.movable = [];
             for (const body of scene.bodies) {
-                // Shapes have a rounded edge as they are shipped; a plane reaches as far as it has to here.
+                // A plane reaches as far as it has to here.
                 const shape = body.shape === "plane" ? new Jolt.BoxShape(new Jolt.Vec3(1000, 1, 1000))
-                    : body.shape === "box" ? new Jolt.BoxShape(new Jolt.Vec3(...half(body))) : new Jolt.SphereShape(body.radius_m);
+                    : body.shape === "box" ? new Jolt.BoxShape(new Jolt.Vec3(...half(body)), Math.min(roundest, ...half(body)))
+                    : body.shape === "polyhedron" ? hull(body.points_m) : new Jolt.SphereShape(body.radius_m);
                 const [w, x, y, z] = body.orientation_wxyz;
                 const [px, py, pz] = body.position_m;
                 const place = vector([px, body.shape === "plane" ? py - 1 : py, pz]);
@@ -130,14 +138,21 @@ const mujoco = async (folder) => {
     const mj = await (await load(folder, "@mujoco/mujoco", "mujoco.js")).default();
     const xml = (scene, {dt, options, flags}) => {
         const numbers = (list) => list.join(" ");
+        const meshes = new Map();
+        const meshOf = (points) => {
+            const text = numbers(points.flat());
+            if (!meshes.has(text)) meshes.set(text, `hull ${meshes.size}`);
+            return meshes.get(text);
+        };
         const bodies = scene.bodies.map((body) => {
             const shape = body.shape === "plane" ? `type="plane" size="0 0 1" zaxis="0 1 0"`
-                : body.shape === "box" ? `type="box" size="${numbers(half(body))}"` : `type="sphere" size="${body.radius_m}"`;
+                : body.shape === "box" ? `type="box" size="${numbers(half(body))}"`
+                : body.shape === "polyhedron" ? `type="mesh" mesh="${meshOf(body.points_m)}"` : `type="sphere" size="${body.radius_m}"`;
             const geom = `<geom ${shape} friction="${body.friction} 0 0"${isMovable(body) ? ` mass="${body.mass_kg}"` : ""}/>`;
             const place = `pos="${numbers(body.position_m)}"${body.shape === "plane" ? "" : ` quat="${numbers(body.orientation_wxyz)}"`}`;
             return isMovable(body) ? `<body name="${body.name}" ${place}><freejoint/>${geom}</body>` : `<body ${place}>${geom}</body>`;
         });
-        return `<mujoco><option timestep="${dt}" gravity="${numbers(scene.gravity_m_per_s2)}" ${options || ""}>${flags || ""}</option><worldbody>${bodies.join("")}</worldbody></mujoco>`;
+        return `<mujoco><option timestep="${dt}" gravity="${numbers(scene.gravity_m_per_s2)}" ${options || ""}>${flags || ""}</option><asset>${[...meshes].map(([text, name]) => `<mesh name="${name}" vertex="${text}"/>`).join("")}</asset><worldbody>${bodies.join("")}</worldbody></mujoco>`;
     };
     return class {
         static title = "MuJoCo";

@@ -1,14 +1,14 @@
-// Runs of a scene in each engine and here, as trajectories: a list of {time, bodies} with bodies as in engines.mjs.
+// Runs of a scene in each engine and here, as trajectories: a list of {time, bodies} with bodies as in engines.mjs, so many a
+// second.
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
-const frame = 1 / 60;  // s, between the states of a trajectory
-
-export const trajectoryOf = (Engine, setting, scene, seconds) => {
+export const trajectoryOf = (Engine, setting, scene, seconds, perSecond) => {
     const world = new Engine(scene, setting), trajectory = [{time: 0, bodies: world.bodies()}];
     let steps = 0;
-    for (let next = frame; next <= seconds + 1e-9; next += frame) {
+    for (let i = 1; i / perSecond <= seconds + 1e-9; ++i) {
+        const next = i / perSecond;
         while ((steps + 0.5) * setting.dt < next) {
             world.step();
             ++steps;
@@ -21,12 +21,13 @@ export const trajectoryOf = (Engine, setting, scene, seconds) => {
 };
 
 // This engine: the program with these options.
-export const ourTrajectory = (program, options, scene, seconds, folder) => {
+export const ourTrajectory = (program, options, scene, seconds, perSecond, folder) => {
     const file = path.join(folder, "ours.json"), out = path.join(folder, "ours.csv");
     fs.writeFileSync(file, JSON.stringify({...scene, options: undefined}));
-    execFileSync(program, ["run", file, ...options, "--rest", "off", "--seconds", String(seconds), "--trajectory", out], {stdio: "pipe"});
+    execFileSync(program, ["run", file, ...options, "--rest", "off", "--seconds", String(seconds), "--fps", String(perSecond), "--trajectory", out], {stdio: "pipe"});
     const [head, ...lines] = fs.readFileSync(out, "utf8").trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(","));
     const at = Object.fromEntries(head.map((name, i) => [name, i]));
+    for (const name of [file, out]) fs.rmSync(name);
     const movable = new Map(scene.bodies.map((body, i) => [i, body]).filter(([, body]) => body.mass_kg !== undefined));
     const trajectory = [];
     for (const line of lines) {
@@ -38,6 +39,10 @@ export const ourTrajectory = (program, options, scene, seconds, folder) => {
     }
     return trajectory;
 };
+
+// The trajectory in the columns of `pushfactor run --trajectory`, without what engines do not tell; bodies by name.
+export const trajectoryCsv = (trajectory) => ["time_s,name,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s",
+    ...trajectory.flatMap(({time, bodies}) => bodies.map(({name, position, orientation, velocity}) => [time, `"${name}"`, ...position, ...orientation, ...velocity].join(",")))].join("\n") + "\n";
 
 // The trajectory as a scene of moved bodies, which the program then draws and records like any other.
 const colours = ["vermilion", "orange", "blue", "green", "violet"];
@@ -52,8 +57,8 @@ export const movedScene = (scene, trajectory, camera) => {
                 const own = bodies.find(({name}) => name === body.name);
                 return {time_s: time, position_m: own.position, orientation_wxyz: own.orientation};
             }).filter(({position_m: place}) => place.every((x) => Number.isFinite(x) && Math.abs(x) < 1e4));
-            const {name, shape, size_m: size, radius_m: radius, position_m: position, orientation_wxyz: orientation} = body;
-            return {name, shape, static: true, position_m: position, orientation_wxyz: orientation, ...(size ? {size_m: size} : {radius_m: radius}),
+            const {name, shape, size_m: size, radius_m: radius, points_m: points, position_m: position, orientation_wxyz: orientation} = body;
+            return {name, shape, static: true, position_m: position, orientation_wxyz: orientation, ...(size ? {size_m: size} : points ? {points_m: points} : {radius_m: radius}),
                 ...(poses.length ? {motion: {poses}} : {})};
         }),
     };
