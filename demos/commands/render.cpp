@@ -249,6 +249,7 @@ AnyCommand read_render(Words& words) {
     command.files = {.csv = take("csv", one_scene | one_run | simulation),
                      .trajectory = take("trajectory", one_scene | one_run | simulation),
                      .rows = take("rows", one_scene | one_run | simulation),
+                     .errors = take("errors", one_scene | one_run | simulation),
                      .save_state = take("save-state", one_scene | one_run | simulation),
                      .measures = {}};
     if (take("measure", one_scene | simulation)) command.files.measures = words.take_all("measure");

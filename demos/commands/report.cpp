@@ -130,13 +130,13 @@ std::vector<Option> report_options() {
         {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
         {"only", "PART,...",
          "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
-         "atlas: maps [all]",
+         "atlas: maps; reality: its sections [all]",
          group, OptionKind::list},
         {"problems", "FILE|DIR", "error: contact problems of FCLib (.hdf5) instead of our own frozen ones", group,
          OptionKind::reads},
         {"beside", "FILE",
          "error: results of other programs, as a CSV file with the columns of error.csv; with --problems those of "
-         "problems.csv",
+         "problems.csv; reality: tosses of other engines, as tests/compare reality writes them",
          group, OptionKind::reads},
         {"export", "DIR", "error: write the frozen problems there as JSON, and those of contacts for FCLib too"},
         {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
@@ -204,7 +204,10 @@ Report read_report(Words& words, const std::string& name) {
                                             std::ranges::find(command.parts, "frozen") != command.parts.end());
     const char* const of_error = "with report error, the only one that has problems";
     command.problems = take("problems", frozen, of_error);
-    command.beside = take("beside", name == "error", of_error);
+    const bool tosses = name == "reality" && (command.parts.empty() ||
+                                              std::ranges::find(command.parts, "tosses") != command.parts.end());
+    command.beside =
+        take("beside", name == "error" || tosses, "with report error, or the tosses of report reality");
     take("export", page, "without --shard");
     command.exported = take("export", frozen, of_error);
     for (const auto& [option, value] :
@@ -226,8 +229,9 @@ Entry report_entry() {
     return {"report", "REPORT",
             "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work "
             "and run time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: "
-            "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `merge DIR...`: "
-            "the page of the shards in these folders",
+            "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `reality`: "
+            "tosses, dice, heaps as they were measured, and as they are computed; `merge DIR...`: the page of the "
+            "shards in these folders",
             report_options, read_any_report};
 }
 

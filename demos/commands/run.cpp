@@ -19,7 +19,7 @@ namespace {
 
 std::vector<std::optional<std::string>> data_files(const Run& request) {
     const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.save_state, request.glb, request.replay};
+    return {files.csv, files.trajectory, files.rows, files.errors, files.save_state, request.glb, request.replay};
 }
 
 // Folder of the first output file; the working folder without one.

@@ -41,7 +41,8 @@ std::vector<Option> simulation_option_table() {
     const std::string group = "Simulation";
     std::vector<Option> table{{"preset", "NAME", preset_help(), group}};
     for (const SimulationOption& option : simulation_options()) {
-        table.push_back({std::string(option.name), std::string(option.placeholder), option.help, group});
+        table.push_back({std::string(option.name), std::string(option.placeholder), option.help, group,
+                         option.name == "measured" ? OptionKind::reads : OptionKind::value});
     }
     table.push_back({"config", "FILE", "read options from this JSON file; the command line takes precedence", group,
                      OptionKind::reads});
@@ -57,6 +58,7 @@ std::vector<Option> output_option_table() {
         file("csv", "one line per step: energies, speeds, penetration, residual, counts"),
         file("trajectory", "one line per body and step (per body and frame with --fps)"),
         file("rows", "one line per constraint row and step, with its force"),
+        file("errors", "one line per body with measured motion and step: its distance from that"),
         file("summary", "the summary as JSON [run: standard output]"),
         file("replay", "an HTML page that plays the run in a browser; at most 60 frames per second, or --fps"),
         {"replay-data", "all|poses", "poses: a smaller replay without velocities and forces [all]", output_group},
@@ -131,6 +133,7 @@ RunFiles take_files(Words& words) {
     return {.csv = words.take("csv"),
             .trajectory = words.take("trajectory"),
             .rows = words.take("rows"),
+            .errors = words.take("errors"),
             .save_state = words.take("save-state"),
             .measures = words.take_all("measure")};
 }

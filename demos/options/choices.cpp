@@ -1,6 +1,7 @@
 #include "demos/options/choices.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json_file.h"
@@ -181,9 +182,12 @@ Choices understand(const std::string& scene, GivenOptions given) {
         // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
         if (above.preset_decides(name) && !is_over) continue;
-        given.add(name, text, field);
+        // Like the other files of a scene file, beside it.
+        const bool beside = name == "measured" && !find_scene(scene);
+        given.add(name, beside ? (std::filesystem::path(scene).parent_path() / text).string() : text, field);
     }
     choices.settings = understand_settings(given);
+    if (!choices.settings.measured.empty()) add_measured(choices.description, choices.settings.measured);
     choices.frames = understand_frames(given);
     return choices;
 }
@@ -196,7 +200,9 @@ void require_parameters(const std::string& scene, const GivenOptions& given) {
 SceneDescription spelled_out(const Choices& choices) {
     SceneDescription description = choices.description;
     description.options["preset"] = choices.settings.preset;
+    description.options.erase("measured");  // its bodies are there
     for (const SimulationOption& option : simulation_options()) {
+        if (option.name == "measured") continue;
         const std::string text = option.get(choices.settings);
         if (!text.empty()) description.options[std::string(option.name)] = text;
     }

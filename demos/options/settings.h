@@ -58,6 +58,8 @@ struct Settings {
     StartKick start_kick = StartKick::where_it_fits;
     Rotation rotation = Rotation::splitting;
 
+    std::string measured{};  // file of measured poses beside the scene (measured_motion.h); none when empty
+
     int threads = 0;    // per step, with bit-identical results; 0: all hardware threads
     bool rest = false;  // sleeping islands are skipped (engine/step/rest.h); never in RATTLE steps
 };

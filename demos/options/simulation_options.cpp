@@ -265,6 +265,16 @@ const std::array simulation_table{
                      "one of paper, exponential, splitting",
                      [](Settings& s, std::string_view t) { return take_name(s.rotation, rotation_names, t); },
                      [](const Settings& s) { return name_of(s.rotation, rotation_names); }},
+    SimulationOption{"measured", "FILE",
+                     "poses that were measured, as --trajectory writes them: their bodies are drawn too, in ivory, "
+                     "and the distance from them is in the summary and --errors",
+                     "a file that ends in .csv",
+                     [](Settings& s, std::string_view t) {
+                         if (!t.ends_with(".csv")) return false;
+                         s.measured = t;
+                         return true;
+                     },
+                     [](const Settings& s) { return s.measured; }},
     SimulationOption{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
                      "all or an integer from 1 to 256", set_threads,
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
@@ -283,7 +293,8 @@ std::string scheme_name(const Settings& settings) {
 }
 
 bool is_of_preset(std::string_view option) {
-    static constexpr std::array<std::string_view, 5> of_run{"seconds", "dt", "friction", "restitution", "threads"};
+    static constexpr std::array<std::string_view, 6> of_run{"seconds",     "dt",      "friction",
+                                                            "restitution", "threads", "measured"};
     if (std::find(of_run.begin(), of_run.end(), option) != of_run.end()) return false;
     return std::any_of(simulation_table.begin(), simulation_table.end(),
                        [&](const auto& known) { return known.name == option; });

@@ -133,7 +133,7 @@ StudyRun::Count make_study(const Study& study, const StudyRequest& request) {
 }
 
 std::vector<Study> all_studies() {
-    return {error_study(), stability_study(), cost_study(), atlas_study()};
+    return {error_study(), stability_study(), cost_study(), atlas_study(), reality_study()};
 }
 
 }  // namespace pushfactor::demos::reports

@@ -48,7 +48,7 @@ struct StudyRequest {
     std::filesystem::path folder;
     bool quick = false;                               // few and short runs
     std::vector<std::filesystem::path> problems{};    // of others, for the error report
-    std::optional<std::filesystem::path> beside{};    // points of other solvers on these, or else of other engines
+    std::optional<std::filesystem::path> beside{};    // points of other solvers on these, or of other engines
     std::optional<std::filesystem::path> exported{};  // folder for frozen problems
     std::vector<std::string> parts{};                 // all when empty
     std::optional<std::string> junit{}, markdown{};   // paths, for the verdicts of a study that judges
@@ -141,6 +141,7 @@ Study error_study();      // errors of methods against their work
 Study stability_study();  // judged extreme cases
 Study cost_study();       // work and time per step
 Study atlas_study();      // outcomes over two parameters
+Study reality_study();    // measured motion beside computed motion
 std::vector<Study> all_studies();
 
 inline bool before_end(const Simulation& run) {

@@ -157,7 +157,9 @@ Measurements::Measurements(const Simulation& simulation, const std::vector<std::
       corners_(corners_of(simulation.scene())),
       held_(held_in(simulation.scene())),
       obstacles_(simulation.scene()),
-      stretch_(simulation.scene()) {
+      stretch_(simulation.scene()),
+      measured_errors_(simulation.scene()) {
+    if (!measured_errors_.empty()) measured_.emplace();
     if (wanted) {
         std::vector<std::string> names;
         if (scene_measure_) {
@@ -213,6 +215,7 @@ void AtRest::add(const Sample& sample, bool all) {
 }
 
 void Measurements::observe(const Simulation& simulation) {
+    if (measured_) measured_->add(measured_errors_.at(simulation));
     const Sample& sample = simulation.sample();
     const Positions before = std::exchange(latest_, positions_of(simulation.scene().world));
     obstacles_.follow(simulation.scene());

@@ -1,6 +1,7 @@
 // Measurements of a whole run, collected step by step: the numbers of the summary.
 #pragma once
 
+#include "demos/runs/measured_errors.h"
 #include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
 #include "demos/runs/stretch.h"
@@ -121,7 +122,8 @@ class Measurements {
     const AtRest& at_rest() const { return at_rest_; }
     // The scene's own measures; none where it was not made.
     std::vector<std::pair<std::string, std::optional<double>>> of_scene() const;
-    std::vector<double> heights() const;  // m, movable bodies at the end
+    const std::optional<MeasuredSum>& measured() const { return measured_; }  // of a scene with measured motion
+    std::vector<double> heights() const;                                      // m, movable bodies at the end
 
   private:
     using Positions = std::vector<engine::Vector3>;  // movable bodies
@@ -172,6 +174,8 @@ class Measurements {
     IslandCount islands_;
     ImpactCount impacts_;
     AtRest at_rest_;
+    MeasuredErrors measured_errors_;
+    std::optional<MeasuredSum> measured_;
 };
 
 }  // namespace pushfactor::demos

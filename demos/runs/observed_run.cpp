@@ -32,6 +32,13 @@ ObservedRun::ObservedRun(const Choices& choices, const RunFiles& files, bool tim
         records_.push_back(trajectory_record(*files.trajectory, every, simulation_));
     }
     if (files.rows) records_.push_back(rows_record(*files.rows));
+    if (files.errors) {
+        if (MeasuredErrors(simulation_.scene()).empty()) {
+            throw UsageError(fmt::format(
+                "--errors {}: must be of a scene with measured motion, as --measured gives", *files.errors));
+        }
+        records_.push_back(errors_record(*files.errors, simulation_));
+    }
 }
 
 void ObservedRun::advance() {

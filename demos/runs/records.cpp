@@ -1,7 +1,8 @@
 #include "demos/runs/records.h"
 
-#include "demos/runs/pose_reader.h"
+#include "demos/runs/measured_errors.h"
 #include "demos/runs/trajectory.h"
+#include "demos/scenes/motions/pose_reader.h"
 
 #include <fmt/format.h>
 
@@ -133,6 +134,23 @@ class RowsRecord : public CsvRecord {
     }
 };
 
+class ErrorsRecord : public CsvRecord {
+  public:
+    ErrorsRecord(const std::filesystem::path& path, const Simulation& start)
+        : CsvRecord(path, "time_s,body,distance_m,angle_deg"), errors_(start.scene()) {
+        observe(start);
+    }
+
+    void observe(const Simulation& simulation) override {
+        for (const MeasuredError& error : errors_.at(simulation)) {
+            line("{},{},{},{}\n", simulation.sample().time, error.body, error.distance, error.angle);
+        }
+    }
+
+  private:
+    MeasuredErrors errors_;
+};
+
 }  // namespace
 
 std::unique_ptr<Record> steps_record(const std::filesystem::path& path, bool timing) {
@@ -145,6 +163,10 @@ std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, lon
 
 std::unique_ptr<Record> rows_record(const std::filesystem::path& path) {
     return std::make_unique<RowsRecord>(path);
+}
+
+std::unique_ptr<Record> errors_record(const std::filesystem::path& path, const Simulation& start) {
+    return std::make_unique<ErrorsRecord>(path, start);
 }
 
 }  // namespace pushfactor::demos

@@ -25,4 +25,7 @@ std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, lon
 // One line per row and step; with substeps those of the last engine step.
 std::unique_ptr<Record> rows_record(const std::filesystem::path& path);
 
+// One line per step and body with measured motion: its distance from that.
+std::unique_ptr<Record> errors_record(const std::filesystem::path& path, const Simulation& start);
+
 }  // namespace pushfactor::demos

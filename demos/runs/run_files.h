@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 // Paths; "-" is standard output.
 struct RunFiles {
-    std::optional<std::string> csv, trajectory, rows, save_state;
+    std::optional<std::string> csv, trajectory, rows, errors, save_state;
     std::vector<std::string> measures;  // of the scene, which the summary is to have although they cost time
 
     bool operator==(const RunFiles&) const = default;

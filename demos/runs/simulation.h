@@ -5,6 +5,7 @@
 #include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 #include "demos/runs/worst_row.h"
+#include "demos/scenes/motions/pose_reader.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/energy_account.h"
 #include "engine/measures/penetration.h"
@@ -37,13 +38,6 @@ struct Sample {
     // Bodies of the worst row; searched only in an unsolved step with the largest residual so far, and in the first
     // step with rows that contradict each other.
     std::optional<BodyPair> worst_unsolved, contradicting;
-};
-
-// Where a body of the world is.
-struct BodyPose {
-    std::size_t body = 0;
-    engine::Vector3 position = engine::Vector3::Zero();
-    engine::Quaternion orientation = engine::Quaternion::Identity();
 };
 
 // Number of whole steps in settings.seconds.

@@ -59,6 +59,15 @@ double mean(const std::vector<double>& values) {
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+Json measured_of(const MeasuredSum& sum) {
+    const auto count = static_cast<double>(std::max(sum.count, 1L));
+    return {{"compared", sum.count},
+            {"distance_m_mean", sum.distance / count},
+            {"distance_m_largest", sum.largest_distance},
+            {"angle_deg_mean", sum.angle / count},
+            {"angle_deg_largest", sum.largest_angle}};
+}
+
 }  // namespace
 
 bool gives_listed_bits() {
@@ -108,6 +117,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
         summary["cpu_us_per_step_mean"] = mean(measured.cpu_us());
     }
     if (!choices.settings.substeps) summary["substeps"] = substeps_of(measured.substeps());
+    if (measured.measured()) summary["measured"] = measured_of(*measured.measured());
     for (const auto& [name, value] : measured.of_scene()) summary[name] = number_or_null(value);
     if (scene.standing) summary["heights_m"] = measured.heights();
     return json_text(summary);

@@ -1,8 +1,8 @@
 // Poses of a run as `--trajectory` wrote them, for pictures of a run without running it again.
 #pragma once
 
-#include "demos/runs/pose_reader.h"
 #include "demos/runs/simulation.h"
+#include "demos/scenes/motions/pose_reader.h"
 
 #include <filesystem>
 #include <optional>

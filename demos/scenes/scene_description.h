@@ -61,7 +61,9 @@ struct MotionDescription {
 struct BodyDescription {
     std::string name{};
     std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
-    std::optional<double> mass{};                        // kg; static without
+    std::optional<double> mass{};  // kg; static without
+    // kg m^2, about the axes of the body frame; those of the uniform solid without.
+    std::optional<engine::Vector3> moments{};
     std::optional<MotionDescription> motion{};           // of a static body
     engine::Vector3 position = engine::Vector3::Zero();  // m
     engine::Quaternion orientation = engine::Quaternion::Identity();
@@ -76,6 +78,7 @@ struct BodyDescription {
     engine::Vector3 surface_velocity = engine::Vector3::Zero();  // m/s, body frame: a conveyor
     double surface_from = 0.0;                                   // s, from when on it runs
     std::optional<std::string> colour{};                         // name in the palette
+    std::string measured_of{};  // the body whose measured motion this is: it touches nothing (measured_motion.h)
 };
 
 // Radius [m] of the bounding sphere around the body's centre; 0 for a plane.

@@ -1,7 +1,7 @@
 #include "demos/scenes/scene_file.h"
 
 #include "demos/scenes/camera_file.h"
-#include "demos/scenes/motion_file.h"
+#include "demos/scenes/motions/motion_file.h"
 #include "demos/scenes/reading/bodies.h"
 #include "demos/scenes/reading/connections.h"
 #include "demos/scenes/reading/fields.h"

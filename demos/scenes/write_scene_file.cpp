@@ -1,5 +1,5 @@
 #include "demos/scenes/camera_file.h"
-#include "demos/scenes/motion_file.h"
+#include "demos/scenes/motions/motion_file.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/scenes/scene_file_words.h"
 #include "demos/scenes/state_file.h"
@@ -36,6 +36,7 @@ Json to_json(const BodyDescription& body) {
                body.shape);
     if (body.mass) {
         json["mass_kg"] = *body.mass;
+        if (body.moments) json["moments_of_inertia_kg_m2"] = to_json(*body.moments);
     } else if (!std::holds_alternative<PlaneShape>(body.shape)) {
         json["static"] = true;
     }
@@ -53,6 +54,7 @@ Json to_json(const BodyDescription& body) {
     if (!body.group.empty()) json["group"] = body.group;
     if (!body.surface_velocity.isZero(0.0)) json["surface_velocity_m_per_s"] = to_json(body.surface_velocity);
     if (body.surface_from != 0.0) json["surface_from_s"] = body.surface_from;
+    if (!body.measured_of.empty()) json["measured_of"] = body.measured_of;
     return json;
 }
 

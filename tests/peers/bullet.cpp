@@ -55,6 +55,7 @@ class BulletWorld : public World {
   public:
     BulletWorld(const Scene& scene, const BulletOptions& options)
         : options_(options),
+          step_(scene.step),
           dispatcher_(&configuration_),
           solver_(solver(options.direct ? &direct_ : nullptr)),
           world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_) {
@@ -82,7 +83,7 @@ class BulletWorld : public World {
     BulletWorld& operator=(const BulletWorld&) = delete;
 
     void step() override {
-        for (int i = 0; i < options_.substeps; ++i) world_.stepSimulation(step_length / options_.substeps, 0);
+        for (int i = 0; i < options_.substeps; ++i) world_.stepSimulation(step_ / options_.substeps, 0);
     }
 
     std::vector<State> states() const override {
@@ -101,10 +102,11 @@ class BulletWorld : public World {
     void add(const Body& body, double mass, bool collides) {
         shapes_.push_back(shape_of(body));
         btVector3 moments(0, 0, 0);
-        if (mass > 0.0) shapes_.back()->calculateLocalInertia(mass, moments);
+        if (mass > 0.0) moments = to_bullet(inertia(body));
         btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shapes_.back().get(), moments);
         info.m_startWorldTransform = place(body.start);
         info.m_friction = std::sqrt(body.friction);  // Bullet multiplies
+        info.m_restitution = std::sqrt(body.restitution);
         bodies_.push_back(std::make_unique<btRigidBody>(info));
         btRigidBody& added = *bodies_.back();
         added.setLinearVelocity(to_bullet(body.start.velocity));
@@ -140,6 +142,7 @@ class BulletWorld : public World {
     }
 
     BulletOptions options_;
+    double step_;  // s
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
     btDbvtBroadphase broadphase_;
@@ -177,6 +180,7 @@ Setting reference_for_piles(int iterations) {
 
 std::vector<Setting> bullet_settings() {
     return {
+        setting("multipoint", {"tosses"}, {}),
         setting("as shipped, sleeps", {}, {.sleeping = true, .multipoint = false}),
         setting("multipoint, never sleeps",
                 {"stack", "tower", "heavy", "chain", "chain-light", "wave", "parting", "funnel"}, {}),
@@ -189,6 +193,7 @@ std::vector<Setting> bullet_settings() {
                 {"stack", "tower", "heavy", "chain", "chain-light", "wave", "funnel", "free-box", "free-rod",
                  "parting"},
                 {.substeps = 4}),
+        setting("multipoint, 4 substeps", {"tosses"}, {.substeps = 4}),
         setting("continuous collision detection", {"plate-50", "plate-200"}, {.swept = true}),
         reference_for_piles(25),
         reference_for_piles(10),

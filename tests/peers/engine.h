@@ -14,7 +14,7 @@ class World {
   public:
     virtual ~World() = default;
 
-    virtual void step() = 0;  // by step_length, divided as the setting says
+    virtual void step() = 0;  // by the step of the scene, divided as the setting says
 
     // Of the movable bodies, in the scene's order; NaN where the engine gave up.
     virtual std::vector<State> states() const = 0;

@@ -4,6 +4,7 @@
 #include "tests/peers/ratios.h"
 #include "tests/peers/run.h"
 #include "tests/peers/sweeps.h"
+#include "tests/peers/tosses.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -85,6 +86,13 @@ int run(const std::vector<std::string>& arguments) {
     if (arguments.size() < 3) throw std::invalid_argument("usage: peers PROGRAM SCENES OUT [CASE...]");
     const std::string& out = arguments[2];
     std::filesystem::create_directories(out);
+    if (arguments.size() == 4 && arguments[3] == "tosses") {
+        std::ofstream csv(out + "/others.csv");
+        write_tosses("assets/measured", csv);
+        csv.close();
+        if (!csv) throw std::runtime_error(out + "/others.csv: cannot be written");
+        return 0;
+    }
     const Program program = find_program(arguments[0], out);
     if (arguments.size() == 4 && arguments[3] == "error") {
         std::ofstream csv(out + "/others.csv");

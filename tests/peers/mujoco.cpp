@@ -30,6 +30,14 @@ std::string numbers(const Quaternion& q) {
     return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}", q.w(), q.x(), q.y(), q.z());
 }
 
+// It has no restitution, but springs with dampers: that part of critical damping with which a spring that is let
+// go of once gives the speed back times the restitution.
+std::string spring_of(const Body& body) {
+    if (body.restitution <= 0.0) return "";
+    const double decay = -std::log(body.restitution);
+    return fmt::format(R"( solref="0.02 {:.17g}")", decay / std::hypot(std::numbers::pi, decay));
+}
+
 std::string geometry(const Body& body, bool collides) {
     std::string shape;
     switch (body.shape) {
@@ -44,7 +52,7 @@ std::string geometry(const Body& body, bool collides) {
             break;
     }
     const std::string mass = body.mass > 0.0 ? fmt::format(R"( mass="{:.17g}")", body.mass) : std::string();
-    return shape + mass + fmt::format(R"( friction="{:.17g} 0.005 0.0001")", body.friction) +
+    return shape + mass + fmt::format(R"( friction="{:.17g} 0.005 0.0001")", body.friction) + spring_of(body) +
            (collides ? "" : R"( contype="0" conaffinity="0")");
 }
 
@@ -52,9 +60,11 @@ std::string geometry(const Body& body, bool collides) {
 class Model {
   public:
     Model(const Scene& scene, const MujocoOptions& options) : scene_(scene), states_(starts(scene)) {
-        text_ = fmt::format(R"(<mujoco><size njmax="6000" nconmax="1500"/>)"
+        // It keeps memory for all of them.
+        const std::size_t rows = std::min<std::size_t>(6000, 200 * (1 + scene.movable.size()));
+        text_ = fmt::format(R"(<mujoco><size njmax="{}" nconmax="{}"/>)"
                             R"(<option timestep="{:.17g}" gravity="{}" {}/><worldbody>)",
-                            step_length / options.substeps, numbers(scene.gravity), options.options);
+                            rows, rows / 4, scene.step / options.substeps, numbers(scene.gravity), options.options);
         const Quaternion up(
             Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitX()));  // its planes look along z
         for (const Body& body : scene.fixed) {
@@ -92,9 +102,17 @@ class Model {
     void open_body(int place, const State& frame, const std::string& joint) {
         const Body& body = scene_.movable[static_cast<std::size_t>(place)];
         const Quaternion back = frame.orientation.conjugate();
-        text_ += fmt::format(R"(<body name="b{}" pos="{}" quat="{}">{}<geom {}/>)", place,
+        text_ += fmt::format(R"(<body name="b{}" pos="{}" quat="{}">{}{}<geom {}/>)", place,
                              numbers(back * (body.start.position - frame.position)),
-                             numbers(back * body.start.orientation), joint, geometry(body, scene_.contacts));
+                             numbers(back * body.start.orientation), joint, mass_of(body),
+                             geometry(body, scene_.contacts));
+    }
+
+    // Instead of what it would compute of the shape.
+    static std::string mass_of(const Body& body) {
+        if (body.moments.isZero()) return "";
+        return fmt::format(R"(<inertial pos="0 0 0" mass="{:.17g}" diaginertia="{}"/>)", body.mass,
+                           numbers(body.moments));
     }
 
     const Scene& scene_;
@@ -207,6 +225,9 @@ Setting setting(const std::string& name, const std::vector<std::string>& cases, 
 std::vector<Setting> mujoco_settings() {
     return {
         setting("as shipped, but 60 Hz", {}, {}),
+        setting("4 substeps", {"tosses"}, {.substeps = 4}),
+        setting("4 substeps, elliptic cones, impratio 10", {"tosses"},
+                {.substeps = 4, .options = R"(cone="elliptic" impratio="10")"}),
         // Its own default is 500 Hz: contacts as stiff as it ships them.
         setting("8 substeps", {}, {.substeps = 8}),
         setting("8 substeps, elliptic cones, impratio 10", {"stack", "tower", "heavy", "funnel"},

@@ -28,9 +28,14 @@ void start_quietly() {
     dSetErrorHandler(quiet);
 }
 
+// Of a geometry.
+struct Surface {
+    double friction = 0.0, restitution = 0.0;
+};
+
 class OdeWorld : public World {
   public:
-    OdeWorld(const Scene& scene, const OdeOptions& options) : options_(options) {
+    OdeWorld(const Scene& scene, const OdeOptions& options) : options_(options), step_(scene.step) {
         world_ = dWorldCreate();
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
@@ -39,7 +44,7 @@ class OdeWorld : public World {
         dWorldSetCFM(world_, options.cfm);
         dWorldSetContactSurfaceLayer(world_, options.surface_layer);
         dWorldSetContactMaxCorrectingVel(world_, options.correcting_velocity);
-        frictions_.reserve(scene.fixed.size() + scene.movable.size());
+        surfaces_.reserve(scene.fixed.size() + scene.movable.size());
         if (scene.contacts) {
             for (const Body& body : scene.fixed) add_fixed(body);
         }
@@ -60,9 +65,9 @@ class OdeWorld : public World {
         for (int i = 0; i < options_.substeps; ++i) {
             dSpaceCollide(space_, this, &OdeWorld::near);
             if (options_.quick) {
-                dWorldQuickStep(world_, step_length / options_.substeps);
+                dWorldQuickStep(world_, step_ / options_.substeps);
             } else {
-                dWorldStep(world_, step_length / options_.substeps);
+                dWorldStep(world_, step_ / options_.substeps);
             }
             dJointGroupEmpty(contacts_);
         }
@@ -96,11 +101,8 @@ class OdeWorld : public World {
 
     void add_movable(const Body& body, bool collides) {
         dMass mass;
-        if (body.shape == Shape::box) {
-            dMassSetBoxTotal(&mass, body.mass, body.size.x(), body.size.y(), body.size.z());
-        } else {
-            dMassSetSphereTotal(&mass, body.mass, body.radius);
-        }
+        const Vector3 moments = inertia(body);
+        dMassSetParameters(&mass, body.mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
         const dBodyID id = dBodyCreate(world_);
         dBodySetMass(id, &mass);
         const State& s = body.start;
@@ -122,8 +124,8 @@ class OdeWorld : public World {
     }
 
     void remember(dGeomID geom, const Body& body) {
-        frictions_.push_back(body.friction);
-        dGeomSetData(geom, &frictions_.back());
+        surfaces_.push_back({body.friction, body.restitution});
+        dGeomSetData(geom, &surfaces_.back());
     }
 
     void add_link(const Link& link, const std::vector<State>& states) {
@@ -144,22 +146,26 @@ class OdeWorld : public World {
         const auto* world = static_cast<OdeWorld*>(self);
         std::array<dContact, 8> contacts;
         const int count = dCollide(a, b, static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
-        const double mu =
-            std::sqrt(*static_cast<double*>(dGeomGetData(a)) * *static_cast<double*>(dGeomGetData(b)));
+        const auto &of_a = *static_cast<Surface*>(dGeomGetData(a)), &of_b = *static_cast<Surface*>(dGeomGetData(b));
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
             contacts[i].surface = {};
             contacts[i].surface.mode = dContactApprox1;  // else mu is a force in N
-            contacts[i].surface.mu = mu;
+            contacts[i].surface.mu = std::sqrt(of_a.friction * of_b.friction);
+            if (of_a.restitution > 0.0) {
+                contacts[i].surface.mode |= dContactBounce;
+                contacts[i].surface.bounce = of_a.restitution;
+            }
             dJointAttach(dJointCreateContact(world->world_, world->contacts_, &contacts[i]), body_a, body_b);
         }
     }
 
     OdeOptions options_;
+    double step_;  // s
     dWorldID world_ = nullptr;
     dSpaceID space_ = nullptr;
     dJointGroupID contacts_ = nullptr;
     std::vector<dBodyID> bodies_;
-    std::vector<double> frictions_;  // never grows beyond what was reserved: the geometries point into it
+    std::vector<Surface> surfaces_;  // never grows beyond what was reserved: the geometries point into it
 };
 
 Setting setting(const std::string& name, const std::vector<std::string>& cases, const OdeOptions& options) {
@@ -197,6 +203,8 @@ std::vector<Setting> ode_settings() {
     start_quietly();
     return {
         setting("dWorldStep", {}, {}),
+        setting("dWorldStep", {"tosses"}, {}),
+        setting("dWorldStep, 4 substeps", {"tosses"}, {.substeps = 4}),
         setting("dWorldQuickStep, 20 iterations",
                 {"stack", "tower", "heavy", "chain", "chain-light", "wave", "parting", "funnel"}, {.quick = true}),
         setting("dWorldStep, surface layer 1 mm, correction up to 1 m/s", {"stack", "tower", "heavy", "parting"},

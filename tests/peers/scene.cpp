@@ -88,6 +88,7 @@ Scene read_scene(const std::string& file) {
 }
 
 Vector3 inertia(const Body& body) {
+    if (!body.moments.isZero()) return body.moments;
     if (body.shape == Shape::sphere) return Vector3::Constant(0.4 * body.mass * body.radius * body.radius);
     const Vector3 squares = body.size.cwiseAbs2();
     return body.mass / 12.0 * (Vector3::Constant(squares.sum()) - squares);

@@ -12,7 +12,7 @@ namespace pushfactor::tests::peers {
 using Vector3 = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 
-inline constexpr double step_length = 1.0 / 60.0;  // s
+inline constexpr double step_length = 1.0 / 60.0;  // s, of scenes of files
 
 // World frame, SI units.
 struct State {
@@ -26,10 +26,12 @@ enum class Shape { plane, box, sphere };  // a plane's normal is the body's y ax
 
 struct Body {
     Shape shape = Shape::sphere;
-    Vector3 size = Vector3::Zero();  // edges of a box, m
-    double radius = 0.0;             // of a sphere, m
-    double mass = 0.0;               // kg, of a movable body
-    double friction = 0.0;           // of a pair: the root of the product
+    Vector3 size = Vector3::Zero();     // edges of a box, m
+    double radius = 0.0;                // of a sphere, m
+    double mass = 0.0;                  // kg, of a movable body
+    Vector3 moments = Vector3::Zero();  // kg m^2, about the body's axes; zero: those of the uniform solid
+    double friction = 0.0;              // of a pair: the root of the product
+    double restitution = 0.0;           // the same for both of a pair
     State start;
 };
 
@@ -47,12 +49,13 @@ struct Scene {
     std::vector<Body> fixed, movable;
     std::vector<Link> links;
     bool contacts = false;
+    double step = step_length;  // s
 };
 
 // Throws std::runtime_error with the file's name when it cannot be read.
 Scene read_scene(const std::string& file);
 
-// Principal moments of a box or sphere in the body's axes, kg m^2.
+// Its own, or those of a uniform box or sphere, in the body's axes, kg m^2.
 Vector3 inertia(const Body& body);
 
 // World positions of a link's two ends, m.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/reports/check/verdict.h"
-#include "demos/runs/pose_reader.h"
+#include "demos/scenes/motions/pose_reader.h"
 
 #include <filesystem>
 #include <optional>

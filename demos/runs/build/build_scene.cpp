@@ -19,26 +19,32 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-Body make_body(const BodyDescription& described) {
-    const auto& orientation = described.orientation;
-    if (!described.mass) return engine::static_body(described.position, orientation);
-
-    Body body = std::visit(
+// With a mass, of the shape's own moments of inertia.
+Body uniform_body(const BodyDescription& described) {
+    const double mass = *described.mass;
+    const Vector3& position = described.position;
+    const engine::Quaternion& orientation = described.orientation;
+    return std::visit(
         engine::Overloaded{
-            [&](const BoxShape& box) {
-                return engine::box_body(*described.mass, box.size, described.position, orientation);
-            },
+            [&](const BoxShape& box) { return engine::box_body(mass, box.size, position, orientation); },
             [&](const SphereShape& sphere) {
-                return engine::ball_body(*described.mass, sphere.radius, described.position, orientation);
+                return engine::ball_body(mass, sphere.radius, position, orientation);
             },
             [&](const PlaneShape&) -> Body {
-                throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(*described.mass),
+                throw engine::InvalidInput("mass_kg of " + described.name, std::to_string(mass),
                                            "left out: a plane is static");
             },
             [&](const PolyhedronShape& polyhedron) {
-                return engine::solid_body(*described.mass, polyhedron.moments, described.position, orientation);
+                return engine::solid_body(mass, polyhedron.moments, position, orientation);
             }},
         described.shape);
+}
+
+Body make_body(const BodyDescription& described) {
+    if (!described.mass) return engine::static_body(described.position, described.orientation);
+    Body body = described.moments ? engine::solid_body(*described.mass, *described.moments / *described.mass,
+                                                       described.position, described.orientation)
+                                  : uniform_body(described);
     body.linear_momentum = described.linear_momentum.value_or(described.velocity / body.inverse_mass);
     const engine::Matrix3 inertia = world_inverse_inertia(body).inverse();
     body.angular_momentum = described.angular_momentum.value_or(inertia * described.angular_velocity);

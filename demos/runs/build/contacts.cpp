@@ -96,6 +96,7 @@ std::vector<collision::Collider> make_colliders(const SceneDescription& descript
     std::vector<collision::Collider> colliders;
     for (int i = 0; i < static_cast<int>(description.bodies.size()); ++i) {
         const BodyDescription& body = description.bodies[static_cast<std::size_t>(i)];
+        if (!body.measured_of.empty()) continue;
         colliders.push_back({.body = i,
                              .shape = make_shape(body),
                              .friction = settings.friction.value_or(body.friction),

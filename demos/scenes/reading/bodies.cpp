@@ -1,6 +1,6 @@
 #include "demos/scenes/reading/bodies.h"
 
-#include "demos/scenes/motion_file.h"
+#include "demos/scenes/motions/motion_file.h"
 #include "demos/scenes/reading/fields.h"
 
 #include <fmt/format.h>
@@ -57,10 +57,11 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
         refuse_if_given(json, {"density_kg_per_m3"}, "left out where mass_kg is given");
     }
     if (plane || fixed) {
-        refuse_if_given(json,
-                        {"mass_kg", "density_kg_per_m3", "velocity_m_per_s", "angular_velocity_rad_per_s",
-                         "linear_momentum_kg_m_per_s", "angular_momentum_kg_m2_per_s"},
-                        "left out of a static body");
+        refuse_if_given(
+            json,
+            {"mass_kg", "density_kg_per_m3", "moments_of_inertia_kg_m2", "velocity_m_per_s",
+             "angular_velocity_rad_per_s", "linear_momentum_kg_m_per_s", "angular_momentum_kg_m2_per_s"},
+            "left out of a static body");
     }
     if (json.has("linear_momentum_kg_m_per_s")) {
         refuse_if_given(json, {"velocity_m_per_s"}, "left out where the momentum is given");
@@ -90,6 +91,21 @@ double read_mass(const JsonReader& json, const BodyDescription& body) {
     return mass;
 }
 
+// Of a box or a ball, whose axes are principal ones.
+Vector3 read_moments(const JsonReader& json, const BodyDescription& body) {
+    if (std::holds_alternative<PolyhedronShape>(body.shape)) {
+        json.refuse("left out of a polyhedron, which is uniform");
+    }
+    const Vector3 moments = json.vector();
+    const double smallest = engine::least_length * engine::least_length * *body.mass,
+                 largest = engine::greatest_length * engine::greatest_length * *body.mass;
+    const bool is_of_a_body = moments.maxCoeff() <= 0.5 * moments.sum() * (1.0 + 1e-9);
+    if (!(moments.minCoeff() >= smallest && moments.maxCoeff() <= largest && is_of_a_body)) {
+        json.refuse("three numbers above 0, none larger than the sum of the others");
+    }
+    return moments;
+}
+
 BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
     json.require_object(body_keys());
     BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
@@ -103,6 +119,9 @@ BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
     }
     if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
 
+    if (json.has("moments_of_inertia_kg_m2")) {
+        body.moments = read_moments(json.at("moments_of_inertia_kg_m2"), body);
+    }
     if (json.has("motion")) {
         if (body.mass)
             json.at("motion").refuse("left out of a body with a mass; \"static\": true makes it one without");
@@ -126,6 +145,7 @@ BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
     if (json.has("restitution")) body.restitution = json.at("restitution").number(0.0, 1.0);
     if (json.has("material")) body.material = read_name(json.at("material"));
     if (json.has("group")) body.group = read_name(json.at("group"));
+    if (json.has("measured_of")) body.measured_of = read_name(json.at("measured_of"));
     if (is_polyhedron) {
         give_polyhedron(body, polyhedron);
         polyhedra.by_body[body.name] = polyhedron;
@@ -145,6 +165,15 @@ void read_bodies(const JsonReader& json, SceneDescription& scene, BodyNames& nam
         if (!names.emplace(name, !scene.bodies.back().mass).second)
             body.at("name").refuse("a name that no other body has");
     }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        if (body.measured_of.empty()) continue;
+        if (!body.motion) bodies[i].at("measured_of").refuse("left out of a body without a motion");
+        const auto measured = names.find(body.measured_of);
+        if (measured == names.end() || measured->second) {
+            bodies[i].at("measured_of").refuse("the name of a body with a mass");
+        }
+    }
 }
 
 const std::vector<std::string>& body_keys() {
@@ -156,6 +185,7 @@ const std::vector<std::string>& body_keys() {
                            "obj_file",
                            "mass_kg",
                            "density_kg_per_m3",
+                           "moments_of_inertia_kg_m2",
                            "static",
                            "motion",
                            "position_m",
@@ -169,7 +199,8 @@ const std::vector<std::string>& body_keys() {
                            "material",
                            "group",
                            "surface_velocity_m_per_s",
-                           "surface_from_s"};
+                           "surface_from_s",
+                           "measured_of"};
     return keys;
 }
 

@@ -31,6 +31,7 @@ const char* const everything = R"({
     "bodies": [
         {"name": "ground", "shape": "plane", "friction": 0.5},
         {"name": "box", "shape": "box", "size_m": [1, 1, 1], "mass_kg": 1, "position_m": [0, 2, 0],
+         "moments_of_inertia_kg_m2": [1, 1, 1],
          "orientation_wxyz": [1, 0, 0, 0], "velocity_m_per_s": [0, 0, 0], "angular_velocity_rad_per_s": [0, 0, 0],
          "friction": 0.5, "restitution": 0.5, "material": "oak", "group": "pile", "surface_velocity_m_per_s": [0, 0, 0],
          "surface_from_s": 0},
@@ -44,7 +45,7 @@ const char* const everything = R"({
          "position_m": [-9, 9, 9], "motion": {"amplitude_m": 0.1, "direction": [0, 1, 0], "frequency_hz": 2,
          "phase_deg": -90}},
         {"name": "lift", "shape": "sphere", "radius_m": 0.5, "static": true, "position_m": [-9, 9, -9],
-         "motion": {"poses": [{"time_s": 1, "position_m": [-9, 8, -9], "orientation_wxyz": [1, 0, 0, 0]}]}}],
+         "measured_of": "ball", "motion": {"poses": [{"time_s": 1, "position_m": [-9, 8, -9], "orientation_wxyz": [1, 0, 0, 0]}]}}],
     "distance_constraints": [
         {"a": {"body": "box", "point_m": [0, 0, 0]}, "b": {"body": "ball", "point_m": [0, 0, 0]}, "length_m": 3,
          "acts": "pulls", "max_force_n": 100},
@@ -153,6 +154,9 @@ const std::vector<Field> fields{
     {"body", "material", "/bodies/1/material", {"1", "\"\"", "null"}},
     {"body", "group", "/bodies/1/group", {"1", "\"\"", "null"}},
     {"body", "surface_velocity_m_per_s", "/bodies/1/surface_velocity_m_per_s", no_vectors},
+    {"body", "moments_of_inertia_kg_m2", "/bodies/1/moments_of_inertia_kg_m2",
+     both(no_vectors, {"[1, 1, 2.1]", "[0, 1, 1]", "[1, 1, -1]"})},
+    {"body", "measured_of", "/bodies/6/measured_of", both(no_words, {"\"ground\""})},
     {"body", "surface_from_s", "/bodies/1/surface_from_s", both(no_numbers, {"-1"})},
     {"distance_constraint", "a", "/distance_constraints/0/a", no_objects},
     {"distance_constraint", "b", "/distance_constraints/0/b", no_objects},

@@ -49,11 +49,14 @@ void understand(const demos::commands::Render& render) {
 // Empty when the program accepts the command; with `values` off only its options are looked at, not what they say
 // (N, NAME). Files of the pages do not exist: a scene file of the project stands for them.
 std::string refusal(Words words, bool values) {
-    const auto config = std::ranges::find(words, "--config");
-    if (config != words.end() && config + 1 != words.end()) {
-        words.erase(config, config + 2);
-        words.emplace_back("stack");
-    }
+    const auto leave_out = [&words](const char* option) {
+        const auto found = std::ranges::find(words, option);
+        if (found == words.end() || found + 1 == words.end()) return false;
+        words.erase(found, found + 2);
+        return true;
+    };
+    if (leave_out("--config")) words.emplace_back("stack");
+    leave_out("--measured");
     try {
         const auto entries = demos::command_entries();
         const auto entry =

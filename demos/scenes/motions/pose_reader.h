@@ -1,7 +1,7 @@
 // The lines of a trajectory as `--trajectory` writes them, one after the other.
 #pragma once
 
-#include "demos/runs/simulation.h"
+#include "engine/base/math.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,8 +10,15 @@
 
 namespace pushfactor::demos {
 
-// First columns of the file; the others are velocities.
+// First columns of the file; others may follow, such as velocities.
 inline constexpr const char* pose_columns = "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz";
+
+// Where a body of the world is.
+struct BodyPose {
+    std::size_t body = 0;
+    engine::Vector3 position = engine::Vector3::Zero();
+    engine::Quaternion orientation = engine::Quaternion::Identity();
+};
 
 struct PoseLine {
     double time = 0.0;  // s

@@ -1,4 +1,4 @@
-#include "demos/runs/pose_reader.h"
+#include "demos/scenes/motions/pose_reader.h"
 
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
@@ -38,14 +38,13 @@ std::optional<PoseLine> PoseReader::next() {
     ++line_;
     std::array<double, 9> values;
     std::string_view rest = text_;
+    if (rest.ends_with('\r')) rest.remove_suffix(1);
     for (double& value : values) {
-        const std::size_t comma = rest.find(',');
+        const std::size_t comma = std::min(rest.find(','), rest.size());
         const auto number = parse_number(rest.substr(0, comma));
-        if (!number || comma == std::string_view::npos) {
-            refuse(fmt::format("line {}: must be numbers, as `--trajectory` writes them", line_));
-        }
+        if (!number) refuse(fmt::format("line {}: must be numbers, as `--trajectory` writes them", line_));
         value = *number;
-        rest.remove_prefix(comma + 1);
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
     if (values[1] < 0.0 || values[1] != std::floor(values[1])) {
         refuse(fmt::format("line {}: body {} must be a whole number from 0", line_, values[1]));

@@ -1,4 +1,4 @@
-#include "demos/scenes/motion_file.h"
+#include "demos/scenes/motions/motion_file.h"
 
 #include "demos/scenes/vector_json.h"
 

@@ -1,0 +1,184 @@
+#include "demos/reports/reality/closed_forms.h"
+
+#include "demos/runs/scene.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pushfactor::demos::reports::reality {
+
+namespace {
+
+using engine::Vector3;
+
+constexpr double g = 9.81;    // m/s^2
+constexpr double dt = 0.001;  // s
+
+// One body of 1 kg on a level plane; `more` completes it.
+struct Trial {
+    explicit Trial(FrictionModel model, BodyDescription body, double friction,
+                   const Vector3& gravity = {0, -g, 0}) {
+        SceneDescription scene;
+        scene.name = "closed form";
+        scene.gravity = gravity;
+        scene.contacts = true;
+        scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
+        body.name = "body";
+        body.mass = 1.0;
+        scene.bodies.push_back(std::move(body));
+        build(std::move(scene), model, friction);
+    }
+    Trial(FrictionModel model, SceneDescription scene, double friction) {
+        build(std::move(scene), model, friction);
+    }
+
+    void build(SceneDescription scene, FrictionModel model, double friction) {
+        Settings settings = preset_settings("default");
+        settings.friction_model = model;
+        settings.friction = friction;
+        settings.threads = 1;
+        for (BodyDescription& body : scene.bodies) body.friction = friction;
+        built = build_scene(scene, settings);
+    }
+    void run(double seconds) {
+        for (long step = std::lround(seconds / dt); step > 0; --step) built.step(built.world, dt);
+    }
+    const engine::Body& body() const { return built.world.bodies.at(1); }
+    Vector3 velocity() const { return body().inverse_mass * body().linear_momentum; }
+
+    BuiltScene built;
+};
+
+// A box 0.3 m wide and 0.6 m high that slides along its width: the friction below its centre tips it forwards.
+BodyDescription tall_box(double speed) {
+    return {.shape = BoxShape{Vector3(0.3, 0.6, 0.3)},
+            .position = Vector3(0, 0.3, 0),
+            .velocity = Vector3(speed, 0, 0)};
+}
+
+// Share of the weight on the rear edge while it slides.
+double rear_share(FrictionModel model, double friction) {
+    Trial trial(model, tall_box(3.0), friction);
+    trial.run(0.1);
+    double rear = 0.0, all = 0.0;
+    const auto rows = trial.built.world.rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].label.kind != engine::RowKind::contact) continue;
+        // The angular part of the axis is r x n; its z component is the offset along x of an upward normal.
+        const auto& part = rows[i].body_a == 1 ? rows[i].jacobian.a : rows[i].jacobian.b;
+        const double force =
+            trial.built.world.lambda()(static_cast<Eigen::Index>(i), trial.built.world.lambda().cols() - 1);
+        all += force;
+        if (part[5] * part[1] < 0.0) rear += force;
+    }
+    return rear / all;
+}
+
+double way_to_stop(FrictionModel model) {
+    Trial trial(model, tall_box(3.0), 0.4);
+    trial.run(1.5);
+    return trial.body().position.x();
+}
+
+double rolling_speed(FrictionModel model) {
+    constexpr double radius = 0.1;
+    Trial trial(model,
+                {.shape = SphereShape{radius},
+                 .position = Vector3(0, radius, 0),
+                 .velocity = Vector3(2, 0, 0),
+                 .angular_velocity = Vector3(0, 0, 30)},
+                0.3);
+    trial.run(2.0);
+    return trial.velocity().x();
+}
+
+// Diagonally, where the square is widest.
+double sliding_down(FrictionModel model) {
+    constexpr double angle = 0.5;
+    const Vector3 along = g * std::sin(angle) * Vector3(std::sqrt(0.5), 0, std::sqrt(0.5));
+    Trial trial(model, {.shape = BoxShape{Vector3(1, 0.2, 1)}, .position = Vector3(0, 0.1, 0)}, 0.3,
+                along - g * std::cos(angle) * Vector3::UnitY());
+    trial.run(1.0);
+    return trial.velocity().norm();
+}
+
+// Whether a flat box 1 m from the axis leaves its place on a turntable.
+bool leaves(FrictionModel model, double friction, double rate) {
+    SceneDescription scene;
+    scene.name = "turntable";
+    scene.gravity = Vector3(0, -g, 0);
+    scene.contacts = true;
+    scene.bodies.push_back(
+        {.name = "table",
+         .shape = BoxShape{Vector3(6, 0.2, 6)},
+         .motion = MotionDescription{.kind = SteadyMotion{.angular_velocity = Vector3(0, rate, 0)}},
+         .position = Vector3(0, -0.1, 0)});
+    scene.bodies.push_back({.name = "body",
+                            .shape = BoxShape{Vector3(0.05, 0.01, 0.05)},
+                            .mass = 1.0,
+                            .position = Vector3(1, 0.005, 0),
+                            .velocity = Vector3(0, 0, -rate),
+                            .angular_velocity = Vector3(0, rate, 0)});
+    Trial trial(model, std::move(scene), friction);
+    trial.run(4.0);
+    return std::hypot(trial.body().position.x(), trial.body().position.z()) > 1.01;
+}
+
+double rate_that_slides(FrictionModel model) {
+    double holds = 0.5, slides = 4.0;
+    while (slides - holds > 2e-4) {
+        const double middle = 0.5 * (holds + slides);
+        (leaves(model, 0.4, middle) ? slides : holds) = middle;
+    }
+    return 0.5 * (slides + holds);
+}
+
+constexpr double slender = 0.4;  // rad, between the diagonal of the rocking block and its height
+
+// Rate of turning after the impact over that before it.
+double rocking_ratio(FrictionModel model) {
+    constexpr double tilt = 0.1;
+    const double half_width = 0.5 * std::sin(slender), half_height = 0.5 * std::cos(slender);
+    const engine::Quaternion turned(Eigen::AngleAxisd(-tilt, Vector3::UnitZ()));
+    const Vector3 corner(half_width, 0, 0), centre(0, half_height, 0);
+    BodyDescription body{.shape = BoxShape{Vector3(2 * half_width, 2 * half_height, 0.5)}, .orientation = turned};
+    body.position = corner + turned * (centre - corner);
+    Trial trial(model, std::move(body), 2.0);
+    // In short steps, because gravity acts on both sides of the impact, which takes two steps: the last in which
+    // the gap closes, and the next.
+    constexpr double short_dt = 1e-4;
+    std::vector<double> rates;
+    for (int step = 0; step < 4000; ++step) {
+        trial.built.step(trial.built.world, short_dt);
+        rates.push_back(engine::angular_velocity(trial.body()).z());
+    }
+    std::size_t at = 2;
+    for (std::size_t i = 2; i + 2 < rates.size(); ++i) {
+        if (rates[i - 1] - rates[i] > rates[at - 1] - rates[at]) at = i;
+    }
+    return rates[at + 1] / rates[at - 2];
+}
+
+}  // namespace
+
+const std::vector<ClosedForm>& closed_forms() {
+    static const std::vector<ClosedForm> all{
+        {"tall box that slides, friction 0.4: share of its weight on the rear edge", "1/2 - mu h / w", 0.1,
+         [](FrictionModel model) { return rear_share(model, 0.4); }},
+        {"the same with friction 0.5", "1/2 - mu h / w", 0.0,
+         [](FrictionModel model) { return rear_share(model, 0.5); }},
+        {"way until it stops from 3 m/s, friction 0.4, m", "v^2 / (2 mu g) - v dt / 2", 9.0 / (0.8 * g) - 1.5 * dt,
+         way_to_stop},
+        {"ball of 0.1 m with backspin of 30 rad/s at 2 m/s: speed once it rolls, m/s", "(5 v - 2 r w) / 7",
+         (10.0 - 6.0) / 7.0, rolling_speed},
+        {"slab on a slope of 0.5 rad, friction 0.3: speed after 1 s, m/s", "g (sin a - mu cos a)",
+         g * (std::sin(0.5) - 0.3 * std::cos(0.5)), sliding_down},
+        {"turntable, friction 0.4, 1 m from its axis: rate that slides, rad/s", "sqrt(mu g / r)",
+         std::sqrt(0.4 * g), rate_that_slides},
+        {"rocking block of slenderness 0.4 rad: rate after its impact over that before",
+         "1 - 1.5 sin^2 a (Housner)", 1.0 - 1.5 * std::sin(slender) * std::sin(slender), rocking_ratio},
+    };
+    return all;
+}
+
+}  // namespace pushfactor::demos::reports::reality

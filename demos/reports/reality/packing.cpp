@@ -1,0 +1,206 @@
+#include "demos/reports/reality/packing.h"
+
+#include "demos/runs/simulation.h"
+#include "demos/scenes/named/platonic.h"
+#include "demos/scenes/random.h"
+#include "engine/collision/polyhedron.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pushfactor::demos::reports::reality {
+
+namespace {
+
+using engine::Vector3;
+
+constexpr double radius = 0.5;                        // m, of the ball with the volume of a body
+constexpr double volume = std::numbers::pi / 6.0;     // m^3
+constexpr double height = 60.0, thickness = 2.0;      // m, of the walls
+constexpr double away = 2.0;                          // m, from walls, floor and surface: two diameters
+constexpr int across = 5, a_layer = across * across;  // bodies that are poured at once
+constexpr double frequency = 3.0, amplitude = 0.1;    // 1/s, m: 3.6 g, so that bodies leave the floor
+
+// The body at the origin; all solids have the same volume.
+BodyDescription body_of(const std::string& solid) {
+    BodyDescription body{.mass = 1.0};
+    if (solid == "sphere") {
+        body.shape = SphereShape{radius};
+        return body;
+    }
+    if (solid == "cube") {
+        body.shape = BoxShape{Vector3::Constant(std::cbrt(volume))};
+        return body;
+    }
+    const auto found = std::ranges::find(scenes::regular_solids(), solid, &scenes::RegularSolid::name);
+    std::vector<Vector3> points(found->points.begin(), found->points.end());
+    const double scale = std::cbrt(volume / make_polyhedron(points).shape.volume);
+    for (Vector3& point : points) point *= scale;
+    give_polyhedron(body, make_polyhedron(points));
+    return body;
+}
+
+bool is_inside(const BodyDescription& body, const Vector3& point) {
+    const Vector3 own = body.orientation.conjugate() * (point - body.position);
+    if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
+        return (own.cwiseAbs() - 0.5 * box->size).maxCoeff() <= 0.0;
+    }
+    if (const auto* polyhedron = std::get_if<PolyhedronShape>(&body.shape)) {
+        const auto faces = polyhedron->mesh->hull().faces;
+        return std::ranges::all_of(
+            faces, [&own](const engine::collision::HullFace& face) { return face.normal.dot(own) <= face.offset; });
+    }
+    return own.squaredNorm() <= radius * radius;
+}
+
+class Filling {
+  public:
+    Filling(const std::string& solid, const Container& container)
+        : kind_(body_of(solid)), container_(container), random_(1) {
+        scene_.name = "packing of " + solid;
+        scene_.contacts = true;
+        settings_.threads = 1;
+        settings_.friction = container.friction;
+        settings_.rest = false;
+        const double width = container.width, far = 0.5 * (width + thickness);
+        add_wall({0, -0.5 * thickness, 0}, {width + 2 * thickness, thickness, width + 2 * thickness});
+        for (const double side : {-far, far}) {
+            add_wall({side, 0.5 * height, 0}, {thickness, height, width + 2 * thickness});
+            add_wall({0, 0.5 * height, side}, {width, height, thickness});
+        }
+    }
+
+    // Layer by layer, each from just above what lies there.
+    void pour(const std::function<void()>& check) {
+        for (int done = 0; done < container_.bodies; done += a_layer) {
+            add_layer(std::min(a_layer, container_.bodies - done));
+            run(1.0, check);
+        }
+        run(3.0, check);
+    }
+
+    void shake(const std::function<void()>& check) {
+        for (BodyDescription& body : scene_.bodies) {
+            if (!body.mass)
+                body.motion = MotionDescription{.kind = ShakingMotion{amplitude, Vector3::UnitY(), frequency}};
+        }
+        run(container_.shakes / frequency, check);
+        for (BodyDescription& body : scene_.bodies) body.motion.reset();
+        run(3.0, check);
+    }
+
+    // Mean and its standard deviation over eight parts of the region.
+    std::pair<double, double> share() const {
+        constexpr int samples = 20000;
+        const double side = 0.5 * container_.width - away, top = surface() - away;
+        scenes::Random random(2);
+        std::vector<double> parts;
+        for (int part = 0; part < 8; ++part) {
+            int inside = 0;
+            for (int i = 0; i < samples; ++i) {
+                Vector3 point(random.in(0, side), 0, 0);
+                point.z() = random.in(0, side);
+                point.y() = random.in(0, 0.5 * (top - away));
+                if (part & 1) point.x() -= side;
+                if (part & 2) point.z() -= side;
+                point.y() += away + (part & 4 ? 0.5 * (top - away) : 0.0);
+                inside += std::ranges::any_of(scene_.bodies, [&](const BodyDescription& body) {
+                    return body.mass && (body.position - point).squaredNorm() < 1.0 && is_inside(body, point);
+                });
+            }
+            parts.push_back(static_cast<double>(inside) / samples);
+        }
+        double mean = 0.0, squares = 0.0;
+        for (const double part : parts) mean += part / 8.0;
+        for (const double part : parts) squares += (part - mean) * (part - mean);
+        return {mean, std::sqrt(squares / (8.0 * 7.0))};
+    }
+
+    double deepest() const { return deepest_; }
+
+  private:
+    void add_wall(const Vector3& position, const Vector3& size) {
+        scene_.bodies.push_back(
+            {.name = fmt::format("wall {}", scene_.bodies.size()), .shape = BoxShape{size}, .position = position});
+    }
+
+    // Height below which nine of ten bodies are.
+    double surface() const {
+        std::vector<double> heights;
+        for (const BodyDescription& body : scene_.bodies) {
+            if (body.mass) heights.push_back(body.position.y());
+        }
+        if (heights.empty()) return 0.0;
+        std::ranges::sort(heights);
+        return heights[heights.size() * 9 / 10] + radius;
+    }
+
+    void add_layer(int count) {
+        double top = 0.0;
+        for (const BodyDescription& body : scene_.bodies) {
+            if (body.mass) top = std::max(top, body.position.y());
+        }
+        const double spacing = container_.width / across;
+        for (int i = 0; i < count; ++i) {
+            BodyDescription body = kind_;
+            body.name = fmt::format("body {}", scene_.bodies.size());
+            body.orientation = scenes::random_orientation(random_);
+            // Off the grid, or balls would make columns.
+            const double x = random_.in(-0.2, 0.2), z = random_.in(-0.2, 0.2);
+            body.position = Vector3((i % across - 0.5 * (across - 1)) * spacing + x, top + 2.0,
+                                    (i / across - 0.5 * (across - 1)) * spacing + z);
+            scene_.bodies.push_back(body);
+        }
+    }
+
+    void run(double seconds, const std::function<void()>& check) {
+        Simulation simulation(build_scene(scene_, settings_), settings_);
+        const long steps = std::lround(seconds / settings_.dt.value());
+        for (long step = 0; step < steps; ++step) {
+            check();
+            simulation.advance();
+        }
+        deepest_ = simulation.sample().penetration.max;
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+            const engine::Body& now = simulation.scene().world.bodies[i];
+            BodyDescription& body = scene_.bodies[i];
+            body.position = now.position;
+            body.orientation = now.orientation;
+            if (!body.mass) continue;
+            body.linear_momentum = now.linear_momentum;
+            body.angular_momentum = now.angular_momentum;
+        }
+    }
+
+    BodyDescription kind_;
+    Container container_;
+    scenes::Random random_;
+    SceneDescription scene_;
+    Settings settings_ = preset_settings("default");
+    double deepest_ = 0.0;
+};
+
+}  // namespace
+
+const std::vector<MeasuredPacking>& measured_packings() {
+    static const std::vector<MeasuredPacking> all{{"sphere", 0.0, 0.6366},      {"tetrahedron", 0.51, 0.64},
+                                                  {"cube", 0.54, 0.67},         {"octahedron", 0.52, 0.64},
+                                                  {"dodecahedron", 0.51, 0.63}, {"icosahedron", 0.50, 0.59}};
+    return all;
+}
+
+Packing packed(const std::string& solid, const Container& container, const std::function<void()>& check) {
+    Filling filling(solid, container);
+    filling.pour(check);
+    Packing packing;
+    std::tie(packing.loose, packing.loose_error) = filling.share();
+    filling.shake(check);
+    std::tie(packing.dense, packing.dense_error) = filling.share();
+    packing.deepest = filling.deepest();
+    return packing;
+}
+
+}  // namespace pushfactor::demos::reports::reality

@@ -1,0 +1,219 @@
+#include "demos/reports/reality/toss_fit.h"
+
+#include "demos/reports/reality/statistics.h"
+#include "demos/scenes/random.h"
+#include "demos/text/median.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pushfactor::demos::reports::reality {
+
+namespace {
+
+std::vector<double> values(double from, double step, int count) {
+    std::vector<double> all;
+    for (int i = 0; i < count; ++i) all.push_back(from + step * i);
+    return all;
+}
+
+constexpr std::size_t fewest = 10;  // tosses, of a mean
+
+void add_error(ErrorsAt& errors, const Toss& toss, const std::vector<Pose>& poses, std::size_t frame) {
+    const PoseError error = between(toss.frames[frame], poses[frame]);
+    errors.position.push_back(error.position);
+    errors.angle.push_back(error.angle);
+}
+
+// Errors after 0.1 s from measured poses, with and without contact: so far chaos has no say.
+struct Windows {
+    ErrorsAt flight, contact;
+};
+Windows windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
+    constexpr std::size_t length = frames_per_second / 10;
+    Windows found;
+    for (const Toss& toss : tosses) {
+        const std::vector<std::size_t> contacts = bounces(toss, law.board);
+        const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
+        for (std::size_t from = 2; from + length < toss.frames.size(); from += length) {
+            const PoseError error =
+                between(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back());
+            ErrorsAt& errors = from + length < first ? found.flight : found.contact;
+            errors.position.push_back(error.position);
+            errors.angle.push_back(error.angle);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+Tosses half_of(const Tosses& all, std::size_t first, bool quick) {
+    Tosses some;
+    for (std::size_t i = first; i < all.size(); i += quick ? 10 : 2) some.push_back(all[i]);
+    return some;
+}
+
+BoardHeight board_of(const Tosses& tosses) {
+    std::vector<double> heights;
+    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
+    const Mean mean = mean_of(heights);
+    return {mean.value, mean.error};
+}
+
+LawGrid law_grid(const Tosses& tosses, bool quick) {
+    if (quick) return {values(0.14, 0.02, 5), values(0.0, 0.1, 4), board_of(tosses)};
+    return {values(0.12, 0.01, 13), values(0.0, 0.05, 9), board_of(tosses)};
+}
+
+std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, const LawGrid& grid, double friction,
+                                const std::function<void()>& check) {
+    std::vector<double> errors;
+    for (const double restitution : grid.restitutions) {
+        check();
+        const Law law{friction, restitution, grid.board.value};
+        for (const Toss& toss : tosses) {
+            errors.push_back(mean_error(toss, engine(start_of(toss), law, toss.frames.size())).position);
+        }
+    }
+    return errors;
+}
+
+LawFit::LawFit(LawGrid grid, std::vector<std::vector<double>> errors)
+    : grid_(std::move(grid)), errors_(std::move(errors)) {
+    whole_.resize(errors_.front().size() / grid_.restitutions.size());
+    for (std::size_t i = 0; i < whole_.size(); ++i) whole_[i] = i;
+}
+
+double LawFit::error(std::array<std::size_t, 2> at, const std::vector<std::size_t>& of) const {
+    const double* const all = errors_[at[0]].data() + at[1] * whole_.size();
+    double sum = 0.0;
+    for (const std::size_t toss : of) sum += all[toss];
+    return sum / static_cast<double>(of.size());
+}
+
+Law LawFit::best(const std::vector<std::size_t>& of) const {
+    const std::array<const std::vector<double>*, 2> axes{&grid_.frictions, &grid_.restitutions};
+    std::array<std::size_t, 2> least{}, at{};
+    double lowest = std::numeric_limits<double>::infinity();
+    for (at[0] = 0; at[0] < axes[0]->size(); ++at[0]) {
+        for (at[1] = 0; at[1] < axes[1]->size(); ++at[1]) {
+            const double here = error(at, of);
+            if (!(here < lowest)) continue;  // nor where an engine gave up
+            lowest = here;
+            least = at;
+        }
+    }
+    std::array<double, 2> found{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::vector<double>& value = *axes[axis];
+        found[axis] = value[least[axis]];
+        if (least[axis] == 0 || least[axis] + 1 >= value.size()) continue;
+        auto below = least, above = least;
+        --below[axis];
+        ++above[axis];
+        const double low = error(below, of), high = error(above, of), bend = low - 2.0 * lowest + high;
+        if (bend > 0.0) found[axis] += 0.5 * (low - high) / bend * (value[1] - value[0]);
+    }
+    return {found[0], found[1], grid_.board.value};
+}
+
+Law LawFit::spread() const {
+    constexpr int draws = 200;
+    scenes::Random random(1);
+    std::vector<double> frictions, restitutions;
+    for (int draw = 0; draw < draws; ++draw) {
+        std::vector<std::size_t> of(whole_.size());
+        for (std::size_t& one : of) {
+            one = static_cast<std::size_t>(random.in(0.0, static_cast<double>(whole_.size())));
+        }
+        const Law law = best(of);
+        frictions.push_back(law.friction);
+        restitutions.push_back(law.restitution);
+    }
+    const auto deviation = [](const std::vector<double>& all) { return mean_of(all).error * std::sqrt(draws); };
+    return {deviation(frictions), deviation(restitutions), grid_.board.error};
+}
+
+Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
+    Judged judged;
+    for (const Toss& toss : tosses) {
+        judged.poses.push_back(engine(start_of(toss), law, toss.frames.size()));
+        const PoseError error = mean_error(toss, judged.poses.back());
+        judged.position.push_back(error.position);
+        judged.angle.push_back(error.angle);
+        judged.right.push_back(upper_face(judged.poses.back().back().orientation) ==
+                               upper_face(toss.frames.back().orientation));
+    }
+    return judged;
+}
+
+std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
+    std::vector<ErrorsAt> all;
+    for (std::size_t frame = 0; frame <= static_cast<std::size_t>(0.6 * frames_per_second); ++frame) {
+        ErrorsAt errors{.at = static_cast<double>(frame) / frames_per_second, .position = {}, .angle = {}};
+        for (std::size_t t = 0; t < tosses.size(); ++t) {
+            const std::vector<std::size_t> contacts = bounces(tosses[t], law.board);
+            if (contacts.empty() || contacts.front() + frame >= tosses[t].frames.size()) continue;
+            add_error(errors, tosses[t], judged.poses[t], contacts.front() + frame);
+        }
+        if (errors.position.size() < fewest) break;
+        all.push_back(std::move(errors));
+    }
+    return all;
+}
+
+std::vector<ErrorsAt> errors_by_bounce(const Tosses& tosses, const Judged& judged, const Law& law) {
+    std::vector<ErrorsAt> all;
+    for (std::size_t bounce = 0;; ++bounce) {
+        ErrorsAt errors{.at = static_cast<double>(bounce + 1), .position = {}, .angle = {}};
+        for (std::size_t t = 0; t < tosses.size(); ++t) {
+            const std::vector<std::size_t> contacts = bounces(tosses[t], law.board);
+            if (bounce >= contacts.size()) continue;
+            const bool last = bounce + 1 == contacts.size();
+            add_error(errors, tosses[t], judged.poses[t],
+                      last ? tosses[t].frames.size() - 1 : contacts[bounce + 1] - 1);
+        }
+        if (errors.position.size() < fewest) break;
+        all.push_back(std::move(errors));
+    }
+    return all;
+}
+
+std::vector<Result> results_of(const Engine& engine, const LawFit& fit, const Tosses& tosses,
+                               const Judged& judged) {
+    const Law law = fit.best(), spread = fit.spread();
+    std::vector<Result> results;
+    const auto add = [&results](const std::string& what, const std::vector<double>& all, double scale) {
+        const Mean mean = mean_of(all);
+        results.push_back({what, scale * mean.value, scale * mean.error});
+    };
+    results.push_back({"fitted friction", law.friction, spread.friction});
+    results.push_back({"fitted restitution", law.restitution, spread.restitution});
+    results.push_back({"height of the board, mm", 1000.0 * law.board, 1000.0 * spread.board});
+    add("position, mean over whole tosses, % of an edge", judged.position, 100.0);
+    results.push_back({"position, median toss, % of an edge", 100.0 * median(judged.position)});
+    add("orientation, mean over whole tosses, degrees", judged.angle, 1.0);
+    results.push_back({"orientation, median toss, degrees", median(judged.angle)});
+    const auto after = errors_by_bounce(tosses, judged, law);
+    if (!after.empty()) {
+        add("after the first bounce: position, % of an edge", after.front().position, 100.0);
+        add("after the first bounce: orientation, degrees", after.front().angle, 1.0);
+    }
+    const auto count = static_cast<double>(tosses.size());
+    const double share = static_cast<double>(std::ranges::count(judged.right, true)) / count;
+    const auto [low, high] = confidence(share, static_cast<int>(tosses.size()));
+    results.push_back({"the measured face ends on top, % of tosses", 100.0 * share, 50.0 * (high - low) / 1.96});
+    const Windows windows = windows_of(engine, tosses, law);
+    add("restarted in flight: position after 0.1 s, % of an edge", windows.flight.position, 100.0);
+    add("restarted in flight: orientation, degrees", windows.flight.angle, 1.0);
+    add("restarted with contacts: position after 0.1 s, % of an edge", windows.contact.position, 100.0);
+    add("restarted with contacts: orientation, degrees", windows.contact.angle, 1.0);
+    return results;
+}
+
+}  // namespace pushfactor::demos::reports::reality
