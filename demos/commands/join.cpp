@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
-#include <iterator>
 #include <span>
 
 namespace pushfactor::demos::commands {
@@ -19,11 +17,6 @@ namespace pushfactor::demos::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 // The film that all folders have frames of, and the mark of its frames.
 pictures::Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
@@ -33,7 +26,7 @@ pictures::Sequence film_of(const std::vector<std::string>& folders, std::string&
         if (!fs::exists(config)) {
             throw UsageError(fmt::format("--join {}: must have a config.json, as `render` writes it", folder));
         }
-        if (bytes_of(config) != bytes_of(first)) {
+        if (read_bytes_of(config) != read_bytes_of(first)) {
             throw UsageError(
                 fmt::format("--join: must be of one film: {} differs from {}", config.string(), first.string()));
         }
@@ -71,7 +64,7 @@ std::vector<fs::path> files_of(const pictures::Sequence& film, const std::vector
 }
 
 renderer::Image picture_in(const fs::path& file, const std::string& mark) {
-    const std::string bytes = bytes_of(file);
+    const std::string bytes = read_bytes_of(file).value_or("");
     const std::span png(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     try {
         renderer::Image image = renderer::decode_png(png);

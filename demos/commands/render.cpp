@@ -93,10 +93,11 @@ void make_frames(const Job& job, const Render& request, std::vector<ObservedRun>
 void render_trajectory(Job& job, const Render& request, pictures::Studio& studio, pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
     const pictures::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
-    pictures::add_overview(job.sequence.panels, job.sequence.frames, go_to);
+    pictures::SurveyOnce survey(job.sequence.frames, go_to);
+    pictures::add_overview(job.sequence.panels, survey);
     const Choices& choices = job.sequence.panels.front().choices;
     Simulation simulation(choices);
-    const pictures::Film film(studio, job.sequence.panels, {&simulation}, job.sequence.frames, go_to);
+    const pictures::Film film(studio, job.sequence.panels, {&simulation}, survey);
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);
     pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
@@ -110,12 +111,13 @@ void render_trajectory(Job& job, const Render& request, pictures::Studio& studio
 
 void render_job(Job& job, const Render& request, std::optional<pictures::Studio>& studio,
                 pictures::StageTimes* times) {
-    pictures::add_overview(job.sequence.panels, job.sequence.frames);
+    pictures::SurveyOnce survey(job.sequence.frames);
+    pictures::add_overview(job.sequence.panels, survey);
     std::vector<ObservedRun> runs = start_runs(job, request);
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
     pictures::Takers takers;
-    if (studio) takers.film.emplace(*studio, job.sequence.panels, simulations, job.sequence.frames);
+    if (studio) takers.film.emplace(*studio, job.sequence.panels, simulations, survey);
     if (request.replay) {
         takers.replay.emplace(
             pictures::ReplayChoices{
@@ -126,12 +128,8 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Studio>
             job.sequence.panels, simulations);
     }
     if (request.glb) {
-        const pictures::Survey survey = takers.film ? takers.film->survey()
-                                        : pictures::needs_survey(job.sequence.panels.front().choices.frames)
-                                            ? pictures::survey(job.sequence.panels, job.sequence.frames)
-                                            : pictures::Survey{};
-        runs.front().add(pictures::glb_record(*request.glb, job.sequence.panels.front().choices, survey,
-                                              runs.front().simulation()));
+        runs.front().add(
+            pictures::glb_record(*request.glb, job.sequence.panels, survey, runs.front().simulation()));
     }
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);

@@ -89,17 +89,14 @@ void carry_out(const Run& request) {
     note_cut_time(choices);
     const long every = request.replay ? pictures::steps_a_replay_frame(choices) : 1;
     std::vector<Frames> frames;
+    pictures::SurveyOnce survey(frames);
     if (request.glb) {
         pictures::check_glb(*request.glb, choices);
         frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
-        pictures::add_overview(runs, frames);
+        pictures::add_overview(runs, survey);
     }
     ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
-    if (request.glb) {
-        const bool needed = pictures::needs_survey(choices.frames);
-        const pictures::Survey survey = needed ? pictures::survey(runs, frames) : pictures::Survey{};
-        observed.add(pictures::glb_record(*request.glb, choices, survey, observed.simulation()));
-    }
+    if (request.glb) observed.add(pictures::glb_record(*request.glb, runs, survey, observed.simulation()));
     std::optional<pictures::Replay> replay;
     if (request.replay) {
         replay.emplace(pictures::ReplayChoices{.file = *request.replay,

@@ -7,18 +7,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 namespace pushfactor::demos {
 
 namespace {
 
 std::string asset(const std::string& name) {
-    const std::filesystem::path file = asset_folder("pages") / name;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw OutputError("cannot read " + file.string());
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return asset_text(asset_folder("pages") / name);
 }
 
 }  // namespace

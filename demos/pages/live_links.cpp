@@ -15,8 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 namespace pushfactor::demos {
@@ -115,9 +113,7 @@ bool has_live_page() {
 
 void write_index(const std::filesystem::path& folder, const std::string& page) {
     if (page.find(fmt::format("href=\"{}#", name_of_page)) != std::string::npos) {
-        std::ifstream stream(live_page(), std::ios::binary);
-        if (!stream) throw OutputError("cannot read " + live_page().string());
-        write_file(folder / name_of_page, std::string{std::istreambuf_iterator<char>(stream), {}});
+        write_file(folder / name_of_page, asset_text(live_page()));
     }
     write_file(folder / "index.html", page);
 }

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -36,5 +37,23 @@ using GoTo = std::function<void(Simulation& run, long step)>;
 
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
+
+// The same, made when it is first asked for: an overview and a camera that fits need one run, not two.
+class SurveyOnce {
+  public:
+    // `frames` must outlive it.
+    explicit SurveyOnce(const std::vector<Frames>& frames, GoTo go_to = {})
+        : frames_(frames), go_to_(std::move(go_to)) {}
+
+    const Survey& of(const std::vector<ComparedRun>& panels) {
+        if (!made_) made_ = survey(panels, frames_, go_to_);
+        return *made_;
+    }
+
+  private:
+    const std::vector<Frames>& frames_;
+    GoTo go_to_;
+    std::optional<Survey> made_;
+};
 
 }  // namespace pushfactor::demos::pictures

@@ -1,5 +1,8 @@
 #include "demos/platform/assets.h"
 
+#include "demos/platform/output_file.h"
+#include "demos/text/errors.h"
+
 namespace pushfactor::demos {
 
 namespace fs = std::filesystem;
@@ -17,6 +20,11 @@ fs::path installed_assets() {
 fs::path asset_folder(const std::string& name) {
     const fs::path installed = installed_assets();
     return (fs::is_directory(installed) ? installed : fs::path(PUSHFACTOR_ASSET_DIR)) / name;
+}
+
+std::string asset_text(const fs::path& file) {
+    if (auto text = read_bytes_of(file)) return std::move(*text);
+    throw OutputError("cannot read " + file.string());
 }
 
 fs::path live_page() {

@@ -19,13 +19,13 @@ constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' vie
 }  // namespace
 
 Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-           const std::vector<Frames>& frames, const GoTo& go_to)
+           SurveyOnce& survey)
     : studio_(studio),
       choices_(panels.front().choices.frames),
       runs_(std::move(runs)),
       caption_(caption_of(panels.front().choices)) {
     for (const Simulation* run : runs_) require_shown(run->scene(), choices_.overlay);
-    if (needs_survey(choices_)) survey_ = pictures::survey(panels, frames, go_to);
+    if (needs_survey(choices_)) survey_ = survey.of(panels);
 
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -20,19 +20,17 @@ struct Snapshot {
 
 class Film {
   public:
-    // `runs` are those of the panels, in the same order, at their start; they must outlive the film. `frames` are
-    // the frames of each; `go_to` as for survey(). Throws UsageError for an overlay of parts that the scene lacks.
+    // `runs` are those of the panels, in the same order, at their start; they must outlive the film. The survey of
+    // the panels is made if the frame options need it. Throws UsageError for an overlay of parts that the scene
+    // lacks.
     Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-         const std::vector<Frames>& frames, const GoTo& go_to = {});
+         SurveyOnce& survey);
 
     // Called after each step of a run, and before the first.
     void note(std::size_t panel);
 
     // The current state of the runs. Drawing uses only this snapshot, so that the runs may go on meanwhile.
     Snapshot look(const std::string& name) const;
-
-    // Made if the frame options need it.
-    const Survey& survey() const { return survey_; }
 
     // Draws a snapshot and its captions into `sheet`, whose memory is reused. Throws renderer::RendererError for
     // what cannot be drawn.

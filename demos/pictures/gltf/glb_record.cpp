@@ -170,11 +170,13 @@ void check_glb(const std::filesystem::path& file, const Choices& choices) {
     }
 }
 
-std::unique_ptr<Record> glb_record(const std::filesystem::path& file, const Choices& choices, const Survey& survey,
-                                   const Simulation& start) {
+std::unique_ptr<Record> glb_record(const std::filesystem::path& file, const std::vector<ComparedRun>& run,
+                                   SurveyOnce& survey, const Simulation& start) {
+    const Choices& choices = run.front().choices;
     check_glb(file, choices);
     require_shown(start.scene(), choices.frames.overlay);
-    return std::make_unique<GlbRecord>(file, choices, survey, start);
+    const Survey found = needs_survey(choices.frames) ? survey.of(run) : Survey{};
+    return std::make_unique<GlbRecord>(file, choices, found, start);
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -22,9 +22,9 @@ void check_glb(const std::filesystem::path& file, const Choices& choices);
 // Numbers are floats, so that a coordinate below 32 m is exact to 1e-6 m. Memory per frame: 28 bytes for each body
 // that can move, 24 for each bar and mark.
 //
-// `survey` is used where needs_survey() asks for one. Throws UsageError as check_glb() and require_shown() do, and
-// OutputError if the file cannot be created.
-std::unique_ptr<Record> glb_record(const std::filesystem::path& file, const Choices& choices, const Survey& survey,
-                                   const Simulation& start);
+// `run` is one; the survey is made where needs_survey() asks for one. Throws UsageError as check_glb() and
+// require_shown() do, and OutputError if the file cannot be created.
+std::unique_ptr<Record> glb_record(const std::filesystem::path& file, const std::vector<ComparedRun>& run,
+                                   SurveyOnce& survey, const Simulation& start);
 
 }  // namespace pushfactor::demos::pictures

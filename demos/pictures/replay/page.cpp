@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace pushfactor::demos::pictures::replay {
@@ -18,12 +16,6 @@ namespace pushfactor::demos::pictures::replay {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw OutputError("cannot read " + file.string());
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // Without indentation, blank lines and comments, which are a third of a file and of no use in the page. A comment
 // begins with "// " at the start of a line or after a space, which no string of these files contains.
@@ -41,7 +33,7 @@ std::string compact(const std::string& text) {
 }
 
 std::string asset(const char* name) {
-    return text_of(asset_folder("replay") / name);
+    return asset_text(asset_folder("replay") / name);
 }
 
 // In the order in which they need each other.
@@ -64,7 +56,7 @@ Json shaders() {
     }
     std::ranges::sort(files);
     Json texts = Json::object();
-    for (const fs::path& file : files) texts[file.filename().string()] = compact(text_of(file));
+    for (const fs::path& file : files) texts[file.filename().string()] = compact(asset_text(file));
     return texts;
 }
 
@@ -92,7 +84,7 @@ Page page_about(const Json& about) {
     if (at == std::string::npos) throw OutputError("page.html of the replays has no @data@");
     Page page{.before = text.substr(0, at), .after = text.substr(at + data.size())};
     fill_in(page.before, "@style@",
-            compact(text_of(asset_folder("pages") / "page.css")) + compact(asset("replay.css")));
+            compact(asset_text(asset_folder("pages") / "page.css")) + compact(asset("replay.css")));
     fill_in(page.before, "@about@", inline_json(about));
     fill_in(page.after, "@meshes@", base64(deflated(common_meshes())));
     fill_in(page.after, "@shaders@", inline_json(shaders()));

@@ -90,7 +90,8 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
                            pictures::Studio& studio, Update* update) {
     const Stopwatch stopwatch;
     Sequence sequence = expected.sequence;
-    pictures::add_overview(sequence.panels, sequence.frames);
+    pictures::SurveyOnce survey(sequence.frames);
+    pictures::add_overview(sequence.panels, survey);
     std::vector<ObservedRun> runs = start_runs(sequence, job, rules, update);
     std::shared_ptr<TrajectoryCheck> trajectory;
     const bool has_trajectory = fs::exists(expected.folder / "trajectory.csv");
@@ -102,7 +103,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     std::vector<const Simulation*> simulations;
     for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
     pictures::Takers takers;
-    takers.film.emplace(studio, sequence.panels, simulations, sequence.frames);
+    takers.film.emplace(studio, sequence.panels, simulations, survey);
 
     const bool same = expected.was_made_with(studio.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());

@@ -4,8 +4,6 @@
 #include "demos/reports/study.h"
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 namespace pushfactor::demos::reports {
 
@@ -58,8 +56,7 @@ std::string replay_of(const std::string& scene, const OptionTexts& options, cons
     } catch (const NonFiniteError& error) {
         replay.finish(error.what());
     }
-    std::ifstream stream(file, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
+    return read_bytes_of(file).value_or("");
 }
 
 }  // namespace pushfactor::demos::reports

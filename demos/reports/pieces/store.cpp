@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace pushfactor::demos::reports {
 
@@ -18,15 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* note_name = "report.json";
 
-std::optional<std::string> text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 // Content, because another build of modified sources has the same version.
 std::string own_file_hash() {
-    const auto text = text_of("/proc/self/exe");
+    const auto text = read_bytes_of("/proc/self/exe");
     return fmt::format("{:016x}", text ? text_hash(*text) : 0);
 }
 
@@ -67,7 +59,7 @@ fs::path PieceStore::place_of(const fs::path& folder, const std::string& key) co
 
 std::optional<StoredPiece> PieceStore::find(const std::string& key) const {
     for (const fs::path& folder : folders_) {
-        const auto text = text_of(place_of(folder, key));
+        const auto text = read_bytes_of(place_of(folder, key));
         if (!text) continue;
         Json json = Json::parse(*text, nullptr, false);
         const bool whole = json.is_object() && json.value("key", "") == key && json.contains("result") &&
@@ -88,7 +80,7 @@ void PieceStore::put(const std::string& key, const Json& result) const {
 
 void PieceStore::put_note(const std::string& text) const {
     const fs::path path = folder_of_version(folders_.front()) / note_name;
-    if (text_of(path) == text) return;
+    if (read_bytes_of(path) == text) return;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
@@ -96,7 +88,7 @@ void PieceStore::put_note(const std::string& text) const {
 }
 
 std::optional<std::string> PieceStore::note_of(const fs::path& folder) {
-    return text_of(folder_of_version(folder) / note_name);
+    return read_bytes_of(folder_of_version(folder) / note_name);
 }
 
 std::string PieceStore::version_folder() {

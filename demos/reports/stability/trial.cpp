@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 namespace pushfactor::demos::reports::stability {
@@ -25,11 +23,6 @@ namespace fs = std::filesystem;
 
 fs::path scene_file(const Case& one, const fs::path& folder) {
     return folder / "scenes" / (one.name + ".json");
-}
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 bool better_or_equal(double value, double bar, bool at_least) {
@@ -99,7 +92,7 @@ Json Trial::run(const fs::path& program, const std::function<void()>& check) con
         result["failed"] = ending.words;
     }
     for (const std::string& name : kept) {
-        if (fs::is_regular_file(folder_ / name)) result["files"][name] = text_of(folder_ / name);
+        if (const auto text = read_bytes_of(folder_ / name)) result["files"][name] = *text;
     }
     for (const std::string& output : outputs_) fs::remove(file("." + output + ".csv"));
     return result;

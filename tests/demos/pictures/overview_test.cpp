@@ -1,6 +1,7 @@
 // The default camera of scene files.
 #include "demos/pictures/overview.h"
 
+#include "demos/options/camera_choice.h"
 #include "demos/pictures/framing.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
@@ -54,6 +55,11 @@ bool is_seen(const Choices& choices, double aspect) {
     return true;
 }
 
+void give_overview(Shown& all) {
+    SurveyOnce survey(all.frames);
+    add_overview(all.panels, survey);
+}
+
 }  // namespace
 
 TEST_CASE("a scene file without a camera gets one that sees the whole motion, in every panel") {
@@ -61,7 +67,7 @@ TEST_CASE("a scene file without a camera gets one that sees the whole motion, in
         Shown all = shown(thrown(), compare);
         const double aspect = 1280.0 / 720.0 / static_cast<double>(all.panels.size());
         CHECK(!is_seen(all.panels.front().choices, aspect));
-        add_overview(all.panels, all.frames);
+        give_overview(all);
         for (const ComparedRun& panel : all.panels) {
             INFO(panel.label);
             CHECK(is_seen(panel.choices, aspect));
@@ -73,7 +79,7 @@ TEST_CASE(
     "a camera that a scene file names stays, and one that it does not name is not made up in what is written") {
     const std::string camera = R"(, "camera": {"eye_m": [1, 2, 30], "target_m": [0, 1, 0]})";
     Shown all = shown(thrown(camera));
-    add_overview(all.panels, all.frames);
+    give_overview(all);
     const SceneDescription& with = all.panels.front().choices.description;
     CHECK(with.view.eye == engine::Vector3(1, 2, 30));
     CHECK(with.view.target == engine::Vector3(0, 1, 0));
@@ -83,7 +89,22 @@ TEST_CASE(
 
 TEST_CASE("what leaves for good does not make all else invisible") {
     Shown all = shown(thrown("", "[1e5, 1e5, 0]"));
-    add_overview(all.panels, all.frames);
+    give_overview(all);
     const View& view = all.panels.front().choices.description.view;
     CHECK((view.eye - view.target).norm() < 1000.0);  // a ball of 0.5 m is a pixel there
+}
+
+TEST_CASE("an overview and a camera that fits are found by one run, which does not feel the overview") {
+    Shown all = shown(thrown());
+    all.panels.front().choices.frames.camera = *parse_camera("fit");
+    std::vector<long> steps;
+    SurveyOnce survey(all.frames, [&steps](Simulation& run, long step) {
+        while (run.sample().step < step) run.advance();
+        steps.push_back(step);
+    });
+    add_overview(all.panels, survey);
+    const std::vector<engine::Vector3> points = survey.of(all.panels).subject.points;
+    CHECK(steps.size() == all.frames.front().size());
+    CHECK(!points.empty());
+    CHECK(points == pictures::survey(all.panels, all.frames).subject.points);
 }

@@ -31,11 +31,9 @@ Glb recorded(const Choices& choices, const std::function<void(const Simulation&)
     Simulation run(choices);
     const std::vector<ComparedRun> runs{{.label = "", .choices = choices}};
     const long steps = whole_steps(choices.settings);
-    pictures::Survey survey;
-    if (pictures::needs_survey(choices.frames)) {
-        survey = pictures::survey(runs, {plan_frames(choices.frames, choices.settings.dt, steps)});
-    }
-    const auto record = pictures::glb_record(folder / "a.glb", choices, survey, run);
+    const std::vector<Frames> frames{plan_frames(choices.frames, choices.settings.dt, steps)};
+    pictures::SurveyOnce survey(frames);
+    const auto record = pictures::glb_record(folder / "a.glb", runs, survey, run);
     if (observe) observe(run);
     while (run.sample().step < steps) {
         run.advance();
