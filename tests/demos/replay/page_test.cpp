@@ -200,7 +200,10 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
     browser->press("g");
     CHECK(becomes("location.hash.includes('mode=ghost')"));
     const std::string hash = browser->value_of("location.hash");
-    const char* const settled = "new Promise((done) => setTimeout(done, 300))";
+    // Observers of sizes are called between the frames of the page; then it is drawn to the end.
+    const char* const settled =
+        "(async () => { const frame = () => new Promise((done) => requestAnimationFrame(done));"
+        "for (let i = 0; i < 3; ++i) await frame(); pushfactor.timeDrawing(1); await frame(); })()";
     browser->value_of("document.body.classList.add('bare')");
     browser->value_of(settled);
     const Json camera = browser->value_of("pushfactor.camera()");
