@@ -383,7 +383,10 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
         const double correcting = own.open_side * step.system.dt * source.push.correcting;
         double want = -error;
         if (error <= 0.0) {
-            want = std::clamp(correcting, 0.0, std::max(0.0, -before)) - std::max(0.0, own.open_side * moved);
+            // By what its force compresses it, it would be compressed again, and what it carries would creep.
+            const double pressed = std::abs(row.y) * row.scale * step.h / constants::small_steps::stiffness;
+            want = std::clamp(correcting, 0.0, std::max(0.0, -before - pressed)) -
+                   std::max(0.0, own.open_side * moved);
             want = std::max(0.0, want);
         }
         row.t = own.open_side * want / row.scale;
