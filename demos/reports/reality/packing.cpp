@@ -1,8 +1,11 @@
 #include "demos/reports/reality/packing.h"
 
+#include "demos/platform/assets.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/named/platonic.h"
 #include "demos/scenes/random.h"
+#include "demos/text/csv.h"
+#include "demos/text/numbers.h"
 #include "engine/collision/polyhedron.h"
 
 #include <fmt/format.h>
@@ -185,11 +188,13 @@ class Filling {
 
 }  // namespace
 
-const std::vector<MeasuredPacking>& measured_packings() {
-    static const std::vector<MeasuredPacking> all{{"sphere", 0.0, 0.6366},      {"tetrahedron", 0.51, 0.64},
-                                                  {"cube", 0.54, 0.67},         {"octahedron", 0.52, 0.64},
-                                                  {"dodecahedron", 0.51, 0.63}, {"icosahedron", 0.50, 0.59}};
-    return all;
+std::vector<MeasuredPacking> read_packings() {
+    std::vector<MeasuredPacking> packings;
+    const auto file = asset_folder("measured") / "packings.csv";
+    for (const auto& cells : read_csv("packings", file, {"solid", "loose", "dense"})) {
+        packings.push_back({cells[0], parse_number(cells[1]), parse_number(cells[2])});
+    }
+    return packings;
 }
 
 Packing packed(const std::string& solid, const Container& container, const std::function<void()>& check) {

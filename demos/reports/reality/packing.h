@@ -2,17 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports::reality {
 
-// Baker & Kudrolli 2010 (arXiv 1008.1728): share of the volume, +-0.01; none where they have no number.
+// Those of assets/measured/packings.csv, shares of the volume, +-0.01: regular solids by Baker and Kudrolli (2010,
+// arXiv 1008.1728); none where nothing was measured.
 struct MeasuredPacking {
     std::string solid;
-    double loose = 0.0, dense = 0.0;  // 0: not measured
+    std::optional<double> loose{}, dense{};
 };
-const std::vector<MeasuredPacking>& measured_packings();
+// Throws UsageError for a missing or damaged file.
+std::vector<MeasuredPacking> read_packings();
 
 // A box with a square floor.
 struct Container {

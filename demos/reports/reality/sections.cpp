@@ -137,11 +137,11 @@ namespace {
 struct Met {
     int met = 0, all = 0;
 
-    void add(double measured, const std::vector<double>& computed) {
-        if (measured <= 0.0) return;
+    void add(const std::optional<double>& measured, const std::vector<double>& computed) {
+        if (!measured) return;
         const auto [low, high] = std::ranges::minmax(computed);
         ++all;
-        met += measured > low - 0.02 && measured < high + 0.02 ? 1 : 0;
+        met += *measured > low - 0.02 && *measured < high + 0.02 ? 1 : 0;
     }
 };
 
@@ -155,7 +155,7 @@ void add_packings(StudyRun& run) {
         return fmt::format("reality: {} of {} with friction {}, shaken {} times", bodies, solid, friction, shakes);
     };
     Pieces pieces;
-    std::vector<MeasuredPacking> wanted = measured_packings();
+    std::vector<MeasuredPacking> wanted = read_packings();
     if (run.quick()) wanted = {wanted[0], wanted[2]};
     for (const MeasuredPacking& one : wanted) {
         for (const double friction : frictions) {
@@ -170,14 +170,13 @@ void add_packings(StudyRun& run) {
     run.gather(pieces);
     Table table{{"solid", "friction", "poured", "poured_error", "measured_loose", "shaken", "shaken_error",
                  "measured_dense", "deepest_overlap_m"}};
-    const auto measured = [](double value) { return value > 0.0 ? Cell(value) : Cell(); };
     Met loose, dense;
     for (const MeasuredPacking& one : wanted) {
         std::vector<double> poured, shaken;
         for (const double friction : frictions) {
             const std::vector<double> found = numbers_in(run.result(key(one.solid, friction)));
-            table.rows.push_back({one.solid, friction, found[0], found[1], measured(one.loose), found[2], found[3],
-                                  measured(one.dense), found[4]});
+            table.rows.push_back(
+                {one.solid, friction, found[0], found[1], one.loose, found[2], found[3], one.dense, found[4]});
             poured.push_back(found[0]);
             shaken.push_back(found[2]);
         }

@@ -13,7 +13,7 @@ namespace pushfactor::demos::reports::reality {
 
 using Tosses = std::vector<Toss>;
 
-// Poses of a toss that starts like this under a law, one a frame, the start first.
+// Poses of a toss that starts like this under a law, one per frame, the start first.
 using Engine = std::function<std::vector<Pose>(const Restart& start, const Law& law, std::size_t frames)>;
 
 // Every other toss is fitted (`first` 0), the others are judged (1); of each half one of five for the quick report.

@@ -6,7 +6,7 @@
 
 namespace pushfactor::demos::reports::reality {
 
-// One pose a frame, the start first.
+// One pose per frame, the start first.
 std::vector<Pose> computed(const Restart& start, const Law& law, std::size_t frames);
 
 // The scene that gives the poses of computed(), with the measured motion of the cube.

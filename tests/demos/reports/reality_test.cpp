@@ -107,6 +107,15 @@ TEST_CASE("a cube shows each pair of faces as often, a plate and a rod hardly ev
     CHECK(share(5.0) < 0.02);
 }
 
+TEST_CASE("measured packings are those of spheres and the five regular solids") {
+    const std::vector<MeasuredPacking> packings = read_packings();
+    REQUIRE(packings.size() == 6);
+    CHECK(!packings.front().loose);
+    CHECK(packings[2].solid == "cube");
+    CHECK(packings[2].loose == 0.54);
+    for (const MeasuredPacking& packing : packings) CHECK(packing.dense > packing.loose.value_or(0.5));
+}
+
 TEST_CASE("shaking packs spheres closer than pouring, and neither more than any packing can") {
     const Packing spheres = packed("sphere", {.width = 6.0, .bodies = 300, .friction = 0.5, .shakes = 20}, [] {});
     CHECK(spheres.loose > 0.5);
