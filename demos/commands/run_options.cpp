@@ -42,7 +42,7 @@ std::vector<Option> simulation_option_table() {
     std::vector<Option> table{{"preset", "NAME", preset_help(), group}};
     for (const SimulationOption& option : simulation_options()) {
         table.push_back({std::string(option.name), std::string(option.placeholder), option.help, group,
-                         option.name == "measured" ? OptionKind::reads : OptionKind::value});
+                         option.reads_file ? OptionKind::reads : OptionKind::value});
     }
     table.push_back({"config", "FILE", "read options from this JSON file; the command line takes precedence", group,
                      OptionKind::reads});

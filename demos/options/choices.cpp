@@ -43,6 +43,12 @@ Settings understand_settings(const GivenOptions& given) {
     return settings;
 }
 
+bool reads_file(std::string_view name) {
+    return std::ranges::any_of(simulation_options(), [name](const SimulationOption& option) {
+        return option.name == name && option.reads_file;
+    });
+}
+
 bool is_parameter_of(const SceneEntry& scene, std::string_view name) {
     return std::any_of(scene.parameters.begin(), scene.parameters.end(),
                        [name](const Parameter& parameter) { return parameter.name == name; });
@@ -182,8 +188,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
         // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
         if (above.preset_decides(name) && !is_over) continue;
-        // Like the other files of a scene file, beside it.
-        const bool beside = name == "measured" && !find_scene(scene);
+        const bool beside = reads_file(name) && !find_scene(scene);
         given.add(name, beside ? (std::filesystem::path(scene).parent_path() / text).string() : text, field);
     }
     choices.settings = understand_settings(given);
@@ -200,9 +205,11 @@ void require_parameters(const std::string& scene, const GivenOptions& given) {
 SceneDescription spelled_out(const Choices& choices) {
     SceneDescription description = choices.description;
     description.options["preset"] = choices.settings.preset;
-    description.options.erase("measured");  // its bodies are there
     for (const SimulationOption& option : simulation_options()) {
-        if (option.name == "measured") continue;
+        if (option.reads_file) {
+            description.options.erase(std::string(option.name));
+            continue;
+        }
         const std::string text = option.get(choices.settings);
         if (!text.empty()) description.options[std::string(option.name)] = text;
     }

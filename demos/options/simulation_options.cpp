@@ -274,7 +274,7 @@ const std::array simulation_table{
                          s.measured = t;
                          return true;
                      },
-                     [](const Settings& s) { return s.measured; }},
+                     [](const Settings& s) { return s.measured; }, true},
     SimulationOption{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
                      "all or an integer from 1 to 256", set_threads,
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},

@@ -17,6 +17,8 @@ struct SimulationOption {
     std::string allowed;                                     // completes "must be ..."
     bool (*set)(Settings& settings, std::string_view text);  // false and no change if the text is not allowed
     std::string (*get)(const Settings& settings);  // a text that `set` accepts; empty if the scene decides
+    // A file that is read: in a scene file it is beside that, and what it adds is written as bodies.
+    bool reads_file = false;
 };
 
 // In display order, without `preset`, which the others start from.
