@@ -83,17 +83,16 @@ double ActiveSet::factor_of(const UnitRow& row, State state) const {
 void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Effort& effort, SolveCount& count) {
     if (states_ == factored_ && slides_.empty()) return;
     matrix_.begin(order);
-    pushed_.resize(problem.rows.size());
-    bool any_follows = false;
+    pushed_.assign(problem.units, problem.units + problem.rows.size());
+    leads_.assign(problem.rows.size(), 0);
     const auto follow_leader = [&](const UnitRow& row, double factor, const Jacobian& unit) {
         Jacobian& pushed = pushed_[static_cast<std::size_t>(row.leader)];
         pushed.a += factor * unit.a;
         pushed.b += factor * unit.b;
-        any_follows = true;
+        leads_[static_cast<std::size_t>(row.leader)] = 1;
     };
     for (std::size_t j = 0; j < states_.size(); ++j) {
         const UnitRow& row = problem.rows[j];
-        if (states_[j] == State::free) pushed_[j] = *row.unit;
         if (states_[j] != State::follows_low && states_[j] != State::follows_high) continue;
         follow_leader(row, factor_of(row, states_[j]), *row.unit);
     }
@@ -106,12 +105,12 @@ void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Eff
         if (states_[j] != State::free) continue;
         const UnitRow& row = problem.rows[j];
         const double rho = rhos_[j];
-        if (any_follows) {
-            matrix_.add_product(row.a, rho * pushed_[j].a, row.unit->a, row.b, rho * pushed_[j].b, row.unit->b);
+        if (leads_[j]) {
+            matrix_.add_product(row.a, pushed_[j].a, row.unit->a, row.b, pushed_[j].b, row.unit->b, rho);
         } else {
             matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho);
         }
-        work += any_follows ? 180.0 : 108.0;
+        work += leads_[j] ? 180.0 : 108.0;
     }
     for (const Slide& slide : slides_) {
         const UnitRow& row = problem.rows[slide.second];
@@ -135,15 +134,12 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
 
     // New values of the rows that are not solved for; with the leader's old value for those that follow.
     moved_.resize(y.size());
-    d_.assign(problem.bodies, Vector6::Zero());
+    pushes_.resize(y.size());
     for (std::size_t j = 0; j < y.size(); ++j) {
         const UnitRow& row = problem.rows[j];
         switch (states_[j]) {
             case State::free:
-                for (const auto& [body, axis] :
-                     {std::pair{row.a, &pushed_[j].a}, std::pair{row.b, &pushed_[j].b}}) {
-                    d_[static_cast<std::size_t>(body)].noalias() += *axis * (rhos_[j] * r_[j]);
-                }
+                pushes_[j] = rhos_[j] * r_[j];
                 continue;
             case State::slides:
                 continue;
@@ -154,13 +150,15 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
             default:
                 moved_[j] = factor_of(row, states_[j]) * bound_scale(row, y);
         }
-        push(row, moved_[j] - y[j], d_);
+        pushes_[j] = moved_[j] - y[j];
     }
     for (const Slide& slide : slides_) start_slide(problem, slide, y);
+    d_.assign(problem.bodies, Vector6::Zero());
+    push(problem, pushed_.data(), pushes_, d_);
     matrix_.solve(d_);
+    find_speeds(problem, d_, speeds_);
     for (std::size_t j = 0; j < y.size(); ++j) {
-        const UnitRow& row = problem.rows[j];
-        if (states_[j] == State::free) moved_[j] = y[j] + rhos_[j] * (r_[j] - along(row, d_));
+        if (states_[j] == State::free) moved_[j] = y[j] + rhos_[j] * (r_[j] - speeds_[j]);
     }
     auto slide = slides_.begin();
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -180,14 +178,15 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     return stayed;
 }
 
-// Applies to the bodies the change of a sliding point's force for unchanged leader and velocities.
+// The change of a sliding point's force for unchanged leader and velocities.
 void ActiveSet::start_slide(const UnitProblem& problem, const Slide& slide, const std::vector<double>& y) {
     const UnitRow& row = problem.rows[slide.second];
     const double y_1 = y[slide.second - 1], y_2 = y[slide.second];
     const double along = slide.d_1 * y_1 + slide.d_2 * y_2, across = slide.d_1 * y_2 - slide.d_2 * y_1;
     const double radius = row.high * bound_scale(row, slide.follows || row.leader < 0 ? y : moved_);
-    push(row, slide.along, radius - along, d_);
-    push(row, slide.across, -(1.0 + slide.own * slide.k) * across, d_);
+    const double more_along = radius - along, more_across = -(1.0 + slide.own * slide.k) * across;
+    pushes_[slide.second - 1] = slide.d_1 * more_along - slide.d_2 * more_across;
+    pushes_[slide.second] = slide.d_2 * more_along + slide.d_1 * more_across;
 }
 
 // Writes the forces of a sliding point, on the circle.
@@ -196,7 +195,8 @@ void ActiveSet::end_slide(const UnitProblem& problem, const Slide& slide, std::v
     double &y_1 = y[slide.second - 1], &y_2 = y[slide.second];
     const double radius = row.high * bound_scale(row, y);
     const double before = slide.d_1 * y_2 - slide.d_2 * y_1;
-    const double across = -slide.k * (slide.own * before + along(row, slide.across, d_));
+    const double speed = slide.d_1 * speeds_[slide.second] - slide.d_2 * speeds_[slide.second - 1];
+    const double across = -slide.k * (slide.own * before + speed);
     const double length = std::sqrt(radius * radius + across * across);
     const double share = length > 0.0 ? radius / length : 0.0;
     y_1 = share * (radius * slide.d_1 - across * slide.d_2);

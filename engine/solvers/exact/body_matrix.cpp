@@ -1,58 +1,10 @@
 #include "engine/solvers/exact/body_matrix.h"
 
+#include "engine/solvers/exact/blocks.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace pushfactor::engine::solvers {
-
-namespace {
-
-// Replaces the lower triangle of a symmetric positive definite matrix by the inverse of its Cholesky factor, and
-// the rest by zeros. With the inverse all further steps are products, without dependent divisions.
-void invert_factor(Matrix6& matrix) {
-    Matrix6 inverse = Matrix6::Zero();
-    for (int column = 0; column < 6; ++column) {
-        for (int k = 0; k < column; ++k) {
-            for (int row = column; row < 6; ++row) matrix(row, column) -= matrix(row, k) * matrix(column, k);
-        }
-        const double to_unit = 1.0 / std::sqrt(matrix(column, column));
-        for (int row = column; row < 6; ++row) matrix(row, column) *= to_unit;
-        inverse(column, column) = to_unit;
-        for (int k = 0; k < column; ++k) {
-            double sum = 0.0;
-            for (int i = k; i < column; ++i) sum += matrix(column, i) * inverse(i, k);
-            inverse(column, k) = -to_unit * sum;
-        }
-    }
-    matrix = inverse;
-}
-
-// Inverts a general matrix in place: Gauss-Jordan with row pivoting. Non-finite if singular.
-void invert(Matrix6& matrix) {
-    Matrix6 inverse = Matrix6::Identity();
-    for (int column = 0; column < 6; ++column) {
-        int pivot = column;
-        for (int row = column + 1; row < 6; ++row) {
-            if (std::abs(matrix(row, column)) > std::abs(matrix(pivot, column))) pivot = row;
-        }
-        if (pivot != column) {
-            matrix.row(pivot).swap(matrix.row(column));
-            inverse.row(pivot).swap(inverse.row(column));
-        }
-        const double to_unit = 1.0 / matrix(column, column);
-        matrix.row(column) *= to_unit;
-        inverse.row(column) *= to_unit;
-        for (int row = 0; row < 6; ++row) {
-            if (row == column) continue;
-            const double share = matrix(row, column);
-            matrix.row(row) -= share * matrix.row(column);
-            inverse.row(row) -= share * inverse.row(column);
-        }
-    }
-    matrix = inverse;
-}
-
-}  // namespace
 
 void BodyMatrix::begin(const Elimination& order) {
     order_ = &order;
@@ -82,36 +34,34 @@ const BodyMatrix::Between& BodyMatrix::between(int a, int b) {
 
 void BodyMatrix::add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight) {
     const int node_a = node_of(a), node_b = node_of(b);
-    const Vector6 weighted_a = weight * u_a;
-    if (node_a >= 0) block(node_a).noalias() += weighted_a * u_a.transpose();
-    if (node_b < 0) return;
-    const Vector6 weighted_b = weight * u_b;
-    block(node_b).noalias() += weighted_b * u_b.transpose();
-    if (node_a < 0 || node_a == node_b) return;
+    if (node_a >= 0) blocks::add_outer(at(node_a), weight, u_a.data(), u_a.data());
+    if (node_b >= 0) blocks::add_outer(at(node_b), weight, u_b.data(), u_b.data());
+    if (node_a < 0 || node_b < 0 || node_a == node_b) return;
     const Between& pair = between(a, b);
-    if (pair.a_first) {
-        block(pair.block).noalias() += weighted_b * u_a.transpose();
-    } else {
-        block(pair.block).noalias() += weighted_a * u_b.transpose();
-    }
+    const Vector6 &earlier = pair.a_first ? u_a : u_b, &later = pair.a_first ? u_b : u_a;
+    blocks::add_outer(at(pair.block), weight, later.data(), earlier.data());
 }
 
 void BodyMatrix::add_product(int a, const Vector6& v_a, const Vector6& u_a, int b, const Vector6& v_b,
-                             const Vector6& u_b) {
+                             const Vector6& u_b, double weight) {
     if (symmetric_) {
         symmetric_ = false;
         above_.assign(blocks_.size(), Matrix6::Zero());
     }
     const int node_a = node_of(a), node_b = node_of(b);
-    if (node_a >= 0) block(node_a).noalias() += v_a * u_a.transpose();
-    if (node_b >= 0) block(node_b).noalias() += v_b * u_b.transpose();
+    if (node_a >= 0) blocks::add_outer(at(node_a), weight, v_a.data(), u_a.data());
+    if (node_b >= 0) blocks::add_outer(at(node_b), weight, v_b.data(), u_b.data());
     if (node_a < 0 || node_b < 0 || node_a == node_b) return;
     const Between& pair = between(a, b);
-    const Matrix6 b_by_a = v_b * u_a.transpose(), a_by_b = v_a * u_b.transpose();
-    const Matrix6& below = pair.a_first ? b_by_a : a_by_b;
-    const Matrix6& over = pair.a_first ? a_by_b : b_by_a;
-    block(pair.block) += below;
-    above_[static_cast<std::size_t>(pair.block)] += over - below.transpose();
+    const auto add_pair = [&](const Vector6& v_1, const Vector6& u_1, const Vector6& v_2, const Vector6& u_2) {
+        blocks::add_outer(at(pair.block), weight, v_2.data(), u_1.data());
+        blocks::add_difference(above(pair.block), weight, v_1.data(), u_2.data(), u_1.data(), v_2.data());
+    };
+    if (pair.a_first) {
+        add_pair(v_a, u_a, v_b, u_b);
+    } else {
+        add_pair(v_b, u_b, v_a, u_a);
+    }
 }
 
 void BodyMatrix::factor() {
@@ -123,13 +73,13 @@ void BodyMatrix::factor() {
 }
 
 void BodyMatrix::factor_symmetric() {
-    const auto& nodes = order_->nodes();
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Elimination::Node& node = nodes[k];
-        invert_factor(blocks_[k]);
-        for (const int index : node.blocks) block(index) = (block(index) * blocks_[k].transpose()).eval();
+    int k = 0;
+    for (const Elimination::Node& node : order_->nodes()) {
+        double* const own = at(k++);
+        blocks::invert_factor(own);
+        for (const int index : node.blocks) blocks::multiply_with_transposed(at(index), own);
         for (const Elimination::Update& update : node.updates) {
-            block(update.target).noalias() -= block(update.left) * block(update.right).transpose();
+            blocks::subtract_product_with_transposed(at(update.target), at(update.left), at(update.right));
         }
     }
 }
@@ -137,44 +87,50 @@ void BodyMatrix::factor_symmetric() {
 // Column k then holds L_ik unchanged and D_k^-1 U_kj.
 void BodyMatrix::factor_general() {
     const auto& nodes = order_->nodes();
-    for (std::size_t i = nodes.size(); i < blocks_.size(); ++i) above_[i] += blocks_[i].transpose();
-    const auto above = [this](int index) -> Matrix6& { return above_[static_cast<std::size_t>(index)]; };
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Elimination::Node& node = nodes[k];
-        invert(blocks_[k]);
-        for (const int index : node.blocks) above(index) = (blocks_[k] * above(index)).eval();
+    const int count = static_cast<int>(blocks_.size());
+    for (int index = static_cast<int>(nodes.size()); index < count; ++index) {
+        blocks::add_transposed(above(index), at(index));
+    }
+    int k = 0;
+    for (const Elimination::Node& node : nodes) {
+        double* const own = at(k++);
+        blocks::invert(own);
+        for (const int index : node.blocks) blocks::multiply(above(index), own);
         for (const Elimination::Update& update : node.updates) {
-            block(update.target).noalias() -= block(update.left) * above(update.right);
+            blocks::subtract_product(at(update.target), at(update.left), above(update.right));
             if (update.left == update.right) continue;
-            above(update.target).noalias() -= block(update.right) * above(update.left);
+            blocks::subtract_product(above(update.target), at(update.right), above(update.left));
         }
     }
 }
 
 void BodyMatrix::solve(std::vector<Vector6>& x) const {
     const auto& nodes = order_->nodes();
-    const auto below = [&](const Elimination::Node& node, std::size_t i) -> Vector6& {
-        return x[static_cast<std::size_t>(nodes[static_cast<std::size_t>(node.below[i])].body)];
+    const auto of_body = [&x](const Elimination::Node& node) -> Vector6& {
+        return x[static_cast<std::size_t>(node.body)];
     };
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Elimination::Node& node = nodes[k];
-        Vector6& own = x[static_cast<std::size_t>(node.body)];
-        own = (blocks_[k] * own).eval();
-        for (std::size_t i = 0; i < node.below.size(); ++i) {
-            below(node, i).noalias() -= blocks_[static_cast<std::size_t>(node.blocks[i])] * own;
-        }
-    }
-    for (std::size_t k = nodes.size(); k-- > 0;) {
-        const Elimination::Node& node = nodes[k];
-        Vector6& own = x[static_cast<std::size_t>(node.body)];
+    const auto each_below = [&](const Elimination::Node& node, const auto& visit) {
         for (std::size_t i = 0; i < node.below.size(); ++i) {
             const auto index = static_cast<std::size_t>(node.blocks[i]);
-            if (symmetric_) {
-                own.noalias() -= blocks_[index].transpose() * below(node, i);
-            } else {
-                own.noalias() -= above_[index] * below(node, i);
-            }
+            visit(index, of_body(nodes[static_cast<std::size_t>(node.below[i])]).data());
         }
+    };
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        Vector6& own = of_body(nodes[k]);
+        own = (blocks_[k] * own).eval();
+        each_below(nodes[k], [&](std::size_t index, double* below) {
+            blocks::subtract_times(below, blocks_[index].data(), own.data());
+        });
+    }
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+        Vector6& own = of_body(nodes[k]);
+        each_below(nodes[k], [&](std::size_t index, const double* below) {
+            if (symmetric_) {
+                blocks::subtract_transposed_times(own.data(), blocks_[index].data(), below);
+            } else {
+                blocks::subtract_times(own.data(), above_[index].data(), below);
+            }
+        });
         if (symmetric_) own = (blocks_[k].transpose() * own).eval();
     }
 }

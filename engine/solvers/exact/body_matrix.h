@@ -24,8 +24,9 @@ class BodyMatrix {
     // blocks must be connected.
     void add(int a, const Vector6& u_a, int b, const Vector6& u_b, double weight);
 
-    // Adds v u^T for v = (v_a at body a, v_b at body b) and u likewise.
-    void add_product(int a, const Vector6& v_a, const Vector6& u_a, int b, const Vector6& v_b, const Vector6& u_b);
+    // Adds weight v u^T for v = (v_a at body a, v_b at body b) and u likewise.
+    void add_product(int a, const Vector6& v_a, const Vector6& u_a, int b, const Vector6& v_b, const Vector6& u_b,
+                     double weight);
 
     // Replaces the matrix by its factors, with inverted diagonal blocks.
     void factor();
@@ -45,7 +46,8 @@ class BodyMatrix {
         bool a_first = true;
     };
     int node_of(int body) const { return order_->node_of(body); }
-    Matrix6& block(int index) { return blocks_[static_cast<std::size_t>(index)]; }
+    double* at(int index) { return blocks_[static_cast<std::size_t>(index)].data(); }
+    double* above(int index) { return above_[static_cast<std::size_t>(index)].data(); }
     const Between& between(int a, int b);
     void factor_symmetric();
     void factor_general();

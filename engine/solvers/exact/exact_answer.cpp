@@ -56,12 +56,10 @@ bool ExactAnswer::contradicts() {
         asked += change.squared();
         if (row.leader >= 0) by_followers += change.squared();
         p_[j] = change.of_row;
-        push(row, p_[j], x_);
         yielded += row.soft * change.squared();
-        if (row.disc == Disc::none) continue;
-        p_[j - 1] = change.of_first;
-        push(problem_.rows[j - 1], p_[j - 1], x_);
+        if (row.disc == Disc::second) p_[j - 1] = change.of_first;
     }
+    push(problem_, p_, x_);
     double moved = by_followers + yielded;  // a soft row gives way to p even where no body does
     for (int i = 0; i < structure_->movable; ++i) moved += x_[static_cast<std::size_t>(i)].squaredNorm();
     return moved <= cancelled * cancelled * asked;
@@ -95,7 +93,7 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
 }
 
 bool ExactAnswer::solve(UnitRows& rows, double tolerance, double will_do, Effort& effort, SolveCount& count) {
-    problem_.rows = rows.rows;
+    problem_.take(rows.rows);
     problem_.bodies = rows.velocity.size();
     problem_.bounds_follow = rows.bounds_follow();
     problem_.has_discs = rows.has_discs();

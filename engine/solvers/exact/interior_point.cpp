@@ -205,11 +205,17 @@ double InteriorPoint::longest_step() const {
 
 void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem) {
     matrix_.begin(order);
-    pushed_.resize(problem.rows.size());
+    leads_.assign(problem.rows.size(), 0);
+    const auto follow_leader = [this](int leader, double factor, const Jacobian& unit) {
+        const auto number = static_cast<std::size_t>(leader);
+        pushed_[number].a += factor * unit.a;
+        pushed_[number].b += factor * unit.b;
+        leads_[number] = 1;
+    };
+    if (problem.bounds_follow) pushed_.assign(problem.units, problem.units + problem.rows.size());
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
-        if (problem.bounds_follow) pushed_[j] = *row.unit;
         if (point.w == 0.0) continue;
         const bool in_discs = problem.has_discs && (point.low.is || point.high.is);
         const double delta = in_discs ? delta_discs : problem.bounds_follow ? delta_general : delta_symmetric;
@@ -217,11 +223,9 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         point.w = 1.0 / ((delta + row.soft) + (point.low.ratio() + point.high.ratio()));
         point.c = 0.0;
         if (point.leader < 0) continue;
-        const auto leader = static_cast<std::size_t>(point.leader);
-        if (!act_on_the_same(problem.rows[leader], row)) continue;
+        if (!act_on_the_same(problem.rows[static_cast<std::size_t>(point.leader)], row)) continue;
         point.c = row.low * point.low.ratio() + row.high * point.high.ratio();
-        pushed_[leader].a += (point.w * point.c) * row.unit->a;
-        pushed_[leader].b += (point.w * point.c) * row.unit->b;
+        follow_leader(point.leader, point.w * point.c, *row.unit);
     }
     for (DiscPoint& disc : discs_) {
         const double damper = disc.z / disc.radius, free = disc.free();
@@ -229,9 +233,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         disc.w_along = 1.0 / (delta_discs + damper * (1.0 + disc.filled()) / free);
         disc.c = disc.follows ? disc.per_leader * damper * 2.0 * std::sqrt(disc.filled()) / free : 0.0;
         if (!disc.follows) continue;
-        Jacobian& pushed = pushed_[static_cast<std::size_t>(problem.rows[disc.second].leader)];
-        pushed.a += (disc.w_along * disc.c) * disc.along.a;
-        pushed.b += (disc.w_along * disc.c) * disc.along.b;
+        follow_leader(problem.rows[disc.second].leader, disc.w_along * disc.c, disc.along);
     }
     for (const DiscPoint& disc : discs_) {
         const UnitRow& row = problem.rows[disc.second];
@@ -242,9 +244,8 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         const UnitRow& row = problem.rows[j];
         const Point& point = points_[j];
         if (point.w == 0.0) continue;
-        if (problem.bounds_follow && row.leader < 0) {
-            matrix_.add_product(row.a, point.w * pushed_[j].a, row.unit->a, row.b, point.w * pushed_[j].b,
-                                row.unit->b);
+        if (leads_[j]) {
+            matrix_.add_product(row.a, pushed_[j].a, row.unit->a, row.b, pushed_[j].b, row.unit->b, point.w);
         } else {
             matrix_.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
         }
@@ -255,9 +256,8 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
 // Newton step towards a complementarity of `target`, with `second_order` times the products of the last step's
 // changes (Mehrotra corrector).
 void InteriorPoint::aim(const UnitProblem& problem, double target, double second_order) {
-    d_.assign(problem.bodies, Vector6::Zero());
+    pushes_.resize(points_.size());
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
         const auto aim_at = [&](Bound& bound) {
             if (!bound.is) return;
@@ -268,7 +268,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         aim_at(point.high);
         point.own = point.w * (r_[j] + (point.low.dz - point.high.dz));
         if (point.c != 0.0) point.own += point.w * point.c * points_[static_cast<std::size_t>(point.leader)].own;
-        push(row, point.own, d_);
+        pushes_[j] = point.own;
     }
     for (DiscPoint& disc : discs_) {
         // dz holds the multiplier for fixed forces here, as above.
@@ -282,15 +282,18 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
         if (disc.follows) {
             disc.own_along += disc.w_along * disc.c * points_[static_cast<std::size_t>(row.leader)].own;
         }
-        push(row, disc.along, disc.own_along, d_);
-        push(row, disc.across, disc.own_across, d_);
+        pushes_[disc.second - 1] = disc.d_1 * disc.own_along - disc.d_2 * disc.own_across;
+        pushes_[disc.second] = disc.d_2 * disc.own_along + disc.d_1 * disc.own_across;
     }
+    d_.assign(problem.bodies, Vector6::Zero());
+    push(problem, pushes_, d_);
     matrix_.solve(d_);
     find_steps(problem);
     // One step of iterative refinement: the velocities due to the steps differ from d by rounding errors, because
     // the weights differ by many decades.
     missed_.assign(problem.bodies, Vector6::Zero());
-    for (std::size_t j = 0; j < points_.size(); ++j) push(problem.rows[j], points_[j].dy, missed_);
+    for (std::size_t j = 0; j < points_.size(); ++j) pushes_[j] = points_[j].dy;
+    push(problem, pushes_, missed_);
     for (std::size_t i = 0; i < missed_.size(); ++i) missed_[i] -= d_[i];
     matrix_.solve(missed_);
     for (std::size_t i = 0; i < missed_.size(); ++i) d_[i] += missed_[i];
@@ -321,6 +324,7 @@ void InteriorPoint::aim(const UnitProblem& problem, double target, double second
 
 // Steps of the forces that follow from d.
 void InteriorPoint::find_steps(const UnitProblem& problem) {
+    find_speeds(problem, d_, speeds_);
     for (std::size_t j = 0; j < points_.size(); ++j) {
         Point& point = points_[j];
         if (point.w == 0.0) continue;
@@ -329,7 +333,7 @@ void InteriorPoint::find_steps(const UnitProblem& problem) {
             const Point& leader = points_[static_cast<std::size_t>(point.leader)];
             of_leader = point.c * (leader.dy - leader.own);
         }
-        point.dy = point.own + point.w * (of_leader - along(problem.rows[j], d_));
+        point.dy = point.own + point.w * (of_leader - speeds_[j]);
     }
     for (const DiscPoint& disc : discs_) {
         const UnitRow& row = problem.rows[disc.second];
@@ -338,8 +342,10 @@ void InteriorPoint::find_steps(const UnitProblem& problem) {
             const Point& leader = points_[static_cast<std::size_t>(row.leader)];
             of_leader = disc.c * (leader.dy - leader.own);
         }
-        const double step_along = disc.own_along + disc.w_along * (of_leader - along(row, disc.along, d_));
-        const double step_across = disc.own_across - disc.w_across * along(row, disc.across, d_);
+        const double first = speeds_[disc.second - 1], second = speeds_[disc.second];
+        const double step_along =
+            disc.own_along + disc.w_along * (of_leader - (disc.d_1 * first + disc.d_2 * second));
+        const double step_across = disc.own_across - disc.w_across * (disc.d_1 * second - disc.d_2 * first);
         points_[disc.second - 1].dy = disc.d_1 * step_along - disc.d_2 * step_across;
         points_[disc.second].dy = disc.d_2 * step_along + disc.d_1 * step_across;
     }

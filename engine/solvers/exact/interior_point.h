@@ -114,8 +114,10 @@ class InteriorPoint {
     BodyMatrix matrix_;
     std::vector<Point> points_;
     std::vector<DiscPoint> discs_;
-    std::vector<Jacobian> pushed_;  // by row that others follow: u_i + sum_j W_j c_j u_j
+    std::vector<Jacobian> pushed_;  // by row: u_i + sum_j W_j c_j u_j of those that follow it
+    std::vector<char> leads_;       // by row, whether any does
     std::vector<double> y_, r_;
+    std::vector<double> pushes_, speeds_;  // by row
     BodyVelocities x_, d_, missed_;
     BestForces best_;
 };

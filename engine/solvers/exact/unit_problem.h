@@ -4,6 +4,7 @@
 // the residual of the rows; of soft rows r = t - U x - soft y.
 #pragma once
 
+#include "engine/solvers/exact/row_passes.h"
 #include "engine/solvers/unit_row.h"
 #include "engine/system/system_equation.h"
 
@@ -15,10 +16,25 @@ namespace pushfactor::engine::solvers {
 
 struct UnitProblem {
     std::vector<UnitRow> rows;  // their y are not read
+    std::vector<RowSpan> spans;
+    const Jacobian* units = nullptr;  // by row
     std::size_t bodies = 0;
     bool bounds_follow = false;  // some row has a leader
     bool has_discs = false;
     bool has_soft = false;
+
+    void take(const std::vector<UnitRow>& unit_rows) {
+        rows = unit_rows;
+        units = rows.front().unit;
+        spans.clear();
+        for (int j = 0; j < static_cast<int>(rows.size()); ++j) {
+            const UnitRow& row = rows[static_cast<std::size_t>(j)];
+            if (spans.empty() || spans.back().a != row.a || spans.back().b != row.b) {
+                spans.push_back({.begin = j, .a = row.a, .b = row.b});
+            }
+            spans.back().end = j + 1;
+        }
+    }
 
     // Multiply-adds of a pass over the rows that only reads, of one that also writes, and of adding all rows to a
     // matrix to be factorised.
@@ -68,30 +84,30 @@ inline Jacobian between(const UnitRow& first, double share_1, const UnitRow& sec
     return {share_1 * first.unit->a + share_2 * second.unit->a, share_1 * first.unit->b + share_2 * second.unit->b};
 }
 
-// u . v for an axis u between the bodies of the row; and for the row's own axis.
-inline double along(const UnitRow& row, const Jacobian& u, const BodyVelocities& v) {
-    return u.a.dot(v[static_cast<std::size_t>(row.a)]) + u.b.dot(v[static_cast<std::size_t>(row.b)]);
+// v += sum of u_j y_j, for axes u_j of all rows; and for the rows' own axes.
+inline void push(const UnitProblem& problem, const Jacobian* units, const std::vector<double>& y,
+                 BodyVelocities& v) {
+    push_rows(problem.spans.data(), static_cast<int>(problem.spans.size()), units->a.data(), y.data(),
+              v.front().data());
 }
-inline double along(const UnitRow& row, const BodyVelocities& v) {
-    return along(row, *row.unit, v);
+inline void push(const UnitProblem& problem, const std::vector<double>& y, BodyVelocities& v) {
+    push(problem, problem.units, y, v);
 }
 
-// v += u y, likewise.
-inline void push(const UnitRow& row, const Jacobian& u, double y, BodyVelocities& v) {
-    v[static_cast<std::size_t>(row.a)].noalias() += u.a * y;
-    v[static_cast<std::size_t>(row.b)].noalias() += u.b * y;
-}
-inline void push(const UnitRow& row, double y, BodyVelocities& v) {
-    push(row, *row.unit, y, v);
+// u_j . v of all rows.
+inline void find_speeds(const UnitProblem& problem, const BodyVelocities& v, std::vector<double>& speeds) {
+    speeds.resize(problem.rows.size());
+    find_speeds(problem.spans.data(), static_cast<int>(problem.spans.size()), problem.units->a.data(),
+                v.front().data(), speeds.data());
 }
 
 // Computes x and r.
 inline void follow(const UnitProblem& problem, const std::vector<double>& y, BodyVelocities& x,
                    std::vector<double>& r) {
     x.assign(problem.bodies, Vector6::Zero());
-    for (std::size_t j = 0; j < y.size(); ++j) push(problem.rows[j], y[j], x);
-    r.resize(y.size());
-    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - along(problem.rows[j], x);
+    push(problem, y, x);
+    find_speeds(problem, x, r);
+    for (std::size_t j = 0; j < y.size(); ++j) r[j] = problem.rows[j].t - r[j];
     if (!problem.has_soft) return;
     for (std::size_t j = 0; j < y.size(); ++j) r[j] -= problem.rows[j].soft * y[j];
 }

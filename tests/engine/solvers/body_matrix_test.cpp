@@ -44,7 +44,7 @@ double difference_from_dense(int bodies, const Pairs& pairs, bool symmetric, std
             dense += weight * u * u.transpose();
             if (symmetric || repeat == 2) continue;
             const Vector6 v_a = random_axis(random), v_b = random_axis(random);
-            matrix.add_product(a, v_a, u_a, b, v_b, u_b);
+            matrix.add_product(a, v_a / weight, u_a, b, v_b / weight, u_b, weight);
             dense += stacked_at(a, v_a, b, v_b) * u.transpose();
         }
     }

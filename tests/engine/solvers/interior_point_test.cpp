@@ -20,6 +20,7 @@ struct UnitColumn {
         const int movable = static_cast<int>(problem.bodies) - 1;
         const auto number_of = [movable](int body) { return body == 0 ? movable : body - 1; };
         std::vector<std::pair<int, int>> pairs;
+        std::vector<UnitRow> rows;
         for (std::size_t j = 0; j < frozen.rows.size(); ++j) {
             const auto row = static_cast<Eigen::Index>(j);
             units.push_back(
@@ -31,19 +32,20 @@ struct UnitColumn {
             const double scale = std::sqrt(system.diagonal[index]);
             const int leader = row.bounds.of_row;
             const double bound = leader < 0 ? system.dt * scale : scale / std::sqrt(system.diagonal[leader]);
-            problem.rows.push_back({.unit = &units[j],
-                                    .a = number_of(row.body_a),
-                                    .b = number_of(row.body_b),
-                                    .t = system.b(index, 0) * system.dt / scale,
-                                    .low = row.bounds.c_min * bound,
-                                    .high = row.bounds.c_max * bound,
-                                    .leader = leader,
-                                    .scale = scale});
+            rows.push_back({.unit = &units[j],
+                            .a = number_of(row.body_a),
+                            .b = number_of(row.body_b),
+                            .t = system.b(index, 0) * system.dt / scale,
+                            .low = row.bounds.c_min * bound,
+                            .high = row.bounds.c_max * bound,
+                            .leader = leader,
+                            .scale = scale});
             problem.bounds_follow = problem.bounds_follow || leader >= 0;
             if (row.body_a > 0 && row.body_b > 0) {
                 pairs.emplace_back(number_of(row.body_a), number_of(row.body_b));
             }
         }
+        problem.take(rows);
         order.find(movable, pairs);
     }
 
