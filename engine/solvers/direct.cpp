@@ -71,10 +71,11 @@ class Direct : public Solver {
     // Returns whether nothing is left to do in this column; otherwise the forces are the better ones of guess and
     // result.
     bool solve_exactly(const Termination& termination, double of_one, Effort& effort, SolveCount& count) {
-        if (exact_.step_work(rows_) > of_one) return false;
+        const double step_work = exact_.step_work(rows_);
+        if (step_work > of_one) return false;
         const double guessed = rows_.residual();
         guess_ = rows_.rows;
-        effort.begin_column();
+        effort.begin_column(termination.at_least * step_work);
         const double will_do = at_any_cost_ ? termination.tolerance_low : termination.tolerance_high;
         count.exact = exact_.solve(rows_, termination.tolerance_low, will_do, effort, count);
         // Sweeps cannot lower the residual of contradicting rows either.

@@ -26,9 +26,10 @@ struct Termination {
     double tolerance_high = 0.0;  // m/s
     double tolerance_low = 0.0;   // m/s, at most tolerance_high
     // For a solver that has other ways: what an exact solution is worth in multiply-adds, how many factorisations
-    // it is expected to take, and the residual [m/s] up to which it is better than what would be done instead.
+    // it is expected to take and may take in any case once it is begun, and the residual [m/s] up to which it is
+    // better than what would be done instead.
     double worth = most_exact_work;
-    double factorisations = 1.0;
+    double factorisations = 1.0, at_least = 0.0;
     double will_do = 0.0;
 };
 

@@ -95,6 +95,7 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double multiply_adds = std::max(std::min(of_sweeps, most), least);
     return {.multiply_adds = multiply_adds,
             .factorisations = lasts || !limited ? when_near : from_afar,
+            .at_least = lasts ? at_worst : 0.0,
             .sweeps = !lasts       ? 0
                       : has_forces ? steps
                                    : static_cast<int>(multiply_adds / of_sweep)};

@@ -37,12 +37,13 @@ bool will_do(double residual, const solvers::Termination& usual, std::span<const
 double good_residual(double dt, std::span<const Body> bodies, const Island& island);
 
 // Multiply-adds that a direct solution of the island is worth, whose guess has forces or none and these residuals
-// [m/s] in its columns, and the factorisations that it will take. `divided`: small steps are taken instead, else
-// sweeps of the whole step. `sweeps` are tried before small steps where it costs more, and lasts: in the worth of
-// the first forces, and as many as small steps where these are nearly right. A pyramid that stands on forces that
-// are kept leans three times as far in each step, box by box, and a few sweeps put it straight.
+// [m/s] in its columns, the factorisations that it is expected to take, and those that it may take in any case once
+// it is begun. `divided`: small steps are taken instead, else sweeps of the whole step. `sweeps` are tried before
+// small steps where it costs more, and lasts: in the worth of the first forces, and as many as small steps where
+// these are nearly right. A pyramid that stands on forces that are kept leans three times as far in each step, box
+// by box, and a few sweeps put it straight.
 struct Worth {
-    double multiply_adds = 0.0, factorisations = 0.0;
+    double multiply_adds = 0.0, factorisations = 0.0, at_least = 0.0;
     int sweeps = 0;
 };
 Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, std::span<const double> residuals,

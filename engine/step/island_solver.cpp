@@ -124,6 +124,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
             choice::worth_of(system.dt, bodies, island, residuals, has_forces(island, lambda), divides);
         own.worth = worth.multiply_adds;
         own.factorisations = worth.factorisations;
+        own.at_least = worth.at_least;
         if (divides) {
             own.iterations = worth.sweeps;
             own.will_do = choice::good_residual(system.dt, bodies, island);

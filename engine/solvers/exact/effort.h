@@ -1,19 +1,20 @@
 // Remaining budget of an exact solve, over all columns and methods. Internal to the solvers.
 #pragma once
 
+#include <algorithm>
+
 namespace pushfactor::engine::solvers {
 
 class Effort {
   public:
     // Limits on multiply-adds in total and on factorisations per column.
-    explicit Effort(double work, int columns = 1, double factorisations = infinity)
-        : left_(work), columns_(columns), of_a_column_(factorisations) {
-        if (columns == 1) begin_column();
-    }
+    Effort(double work, int columns, double factorisations)
+        : left_(work), columns_(columns), of_a_column_(factorisations) {}
 
-    // Gives the next column its share of the rest.
-    void begin_column() {
-        work_ = left_ / columns_--;
+    // Gives the next column its share of the rest, but at least so many multiply-adds; to be called for the first
+    // one too.
+    void begin_column(double at_least = 0.0) {
+        work_ = std::max(left_ / columns_--, at_least);
         factorisations_ = of_a_column_;
     }
 

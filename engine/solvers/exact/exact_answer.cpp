@@ -21,7 +21,7 @@ constexpr int first_changes = 6;
 constexpr int later_changes = 10;
 // Proximal points replace a second start of the interior point method if the effort covers so many changes, with
 // which most heaps are solved; limit on their changes.
-constexpr int usual_proximal_changes = 200;
+constexpr int usual_proximal_changes = 100;
 constexpr int most_proximal_changes = 1000;
 // Limit on interior point steps.
 constexpr int most_steps = 60;

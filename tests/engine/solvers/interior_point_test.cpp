@@ -12,6 +12,12 @@ using namespace pushfactor::engine::solvers;
 
 namespace {
 
+Effort effort_of(double factorisations = infinity) {
+    Effort effort(1e12, 1, factorisations);
+    effort.begin_column();
+    return effort;
+}
+
 // A frozen problem in its first column, and the order of elimination for it; its static body becomes the last one.
 struct UnitColumn {
     explicit UnitColumn(const tests::Frozen& frozen) {
@@ -50,11 +56,11 @@ struct UnitColumn {
     }
 
     double solve_by_interior_point(double tolerance, std::vector<double>& y) {
-        Effort effort(1e12);
+        Effort effort = effort_of();
         return InteriorPoint().solve(order, problem, tolerance, 1000, y, effort, count);
     }
     double solve_by_changes(double tolerance, std::vector<double>& y) {
-        Effort effort(1e12);
+        Effort effort = effort_of();
         return ActiveSet().solve(order, problem, tolerance, 1000, y, effort, count);
     }
     double residual_of(const std::vector<double>& y) const {
@@ -148,7 +154,7 @@ TEST_CASE("an effort that is used up ends a solve with the best that was found")
     for (const double factorisations : {0.0, 5.0, 10.0, 20.0, 40.0}) {
         UnitColumn column(frozen);
         std::vector<double> y(frozen.rows.size(), 0.0);
-        Effort effort(1e12, 1, factorisations);
+        Effort effort = effort_of(factorisations);
         const double reached =
             InteriorPoint().solve(column.order, column.problem, 1e-9, 1000, y, effort, column.count);
         CHECK(column.count.iterations <= factorisations);

@@ -54,6 +54,23 @@ TEST_CASE("every random problem with fixed bounds is solved to 1e-10 m/s within 
     WARN(family_size() << " problems: at most " << most << " factorisations, residual at most " << worst << " m/s");
 }
 
+TEST_CASE("a direct solution takes the work that it is worth at most, unless it may go on once it is begun") {
+    double most = 0.0, most_of_begun = 0.0;
+    for (int seed = 1; seed <= 30; ++seed) {
+        const Frozen frozen = tests::random_contacts(static_cast<std::uint64_t>(seed), RandomFriction::cone, 1.5);
+        solvers::Termination termination = to_1e10;
+        termination.iterations = 0;
+        termination.worth = 3e6;
+        termination.factorisations = 2.0;
+        most = std::max(most, solve("auto", frozen, termination).count.multiply_adds);
+        termination.at_least = 200.0;
+        most_of_begun = std::max(most_of_begun, solve("auto", frozen, termination).count.multiply_adds);
+    }
+    CHECK(most > 3e6);
+    CHECK(most < 7e6);  // seed 8 has two islands
+    CHECK(most_of_begun > 1e8);
+}
+
 TEST_CASE(
     "of problems with Coulomb friction four in five are solved on the square, nine in ten on the cone, and the "
     "others are reported") {
