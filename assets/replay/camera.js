@@ -43,7 +43,7 @@ const shownAcross = (camera, across, aspect) => {
 // What the pictures of runs show to each side (film.cpp), as a tangent.
 const acrossOf = (stages) => Math.max(...stages.map(({camera}) => clamp(camera.across, 0.1, 16 / 9 * halfTangent(camera.field_of_view))));
 
-// Cells of a canvas for so many of the stages, in pixels, y from the top, as demos/pictures/layout.cpp places the panels of
+// Cells of a canvas for so many of the stages, in pixels, y from the top, as demos/pictures/camera/layout.cpp places the panels of
 // a picture.
 const cellsOf = (canvas, stages, count = stages.length) => {
     const across = acrossOf(stages), up = Math.max(...stages.map(({camera}) => halfTangent(camera.field_of_view)));

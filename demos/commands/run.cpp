@@ -1,7 +1,7 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/gltf/glb_record.h"
-#include "demos/pictures/overview.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"

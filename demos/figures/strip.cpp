@@ -1,9 +1,10 @@
 #include "demos/figures/strip.h"
 
 #include "demos/options/simulation_options.h"
-#include "demos/pictures/composition.h"
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/composition.h"
+#include "demos/pictures/camera/layout.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/overlays/scale.h"
 #include "demos/pictures/replay/replay.h"
@@ -49,7 +50,7 @@ View camera_of(const Strip& strip, double aspect, double label) {
     pictures::Outline outline;
     Eigen::AlignedBox3d near;
     play(strip, [&](std::size_t, const Simulation& run) {
-        if (near.isEmpty()) near = pictures::surroundings(run.scene());
+        if (near.isEmpty()) near = pictures::surroundings(pictures::movable_balls(run.scene()));
         pictures::add_moving(run.scene(), near, outline);
     });
     const BuiltScene scene = build_scene(strip.runs.front());

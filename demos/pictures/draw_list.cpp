@@ -1,6 +1,6 @@
 #include "demos/pictures/draw_list.h"
 
-#include "demos/pictures/plane_outline.h"
+#include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/to_glm.h"
 #include "engine/collision/polyhedron.h"
 
@@ -22,11 +22,7 @@ glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
 }
 
 void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Picture& picture) {
-    const Vector3 up = body.orientation * Vector3::UnitY();
-    if (up.y() > 0.9999) {
-        picture.ground = renderer::Ground{.height = static_cast<float>(body.position.y())};
-        return;
-    }
+    if (is_level(body)) return;
     renderer::Panel panel;
     for (const Vector3& corner : plane_outline(scene, body)) panel.corners.push_back(to_glm(corner));
     if (!panel.corners.empty()) picture.panels.push_back(panel);
@@ -109,8 +105,9 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     picture.camera.eye = to_glm(view.eye);
     picture.camera.target = to_glm(view.target);
     picture.camera.vertical_field_of_view_degrees = static_cast<float>(view.field_of_view);
-    if (view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*view.floor)};
-    if (scene.view.floor) picture.ground = renderer::Ground{.height = static_cast<float>(*scene.view.floor)};
+    std::optional<double> ground = ground_height(scene);
+    if (!ground) ground = view.floor;
+    if (ground) picture.ground = renderer::Ground{.height = static_cast<float>(*ground)};
     std::size_t movable = 0;
     Shapes shapes;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -1,10 +1,10 @@
 #include "tests/fuzz/family_page.h"
 
 #include "demos/pages/page.h"
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/layout.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/layout.h"
-#include "demos/pictures/movable_balls.h"
-#include "demos/pictures/survey.h"
 #include "demos/platform/output_file.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/simulation.h"

@@ -1,9 +1,9 @@
 #include "demos/pictures/film/film.h"
 
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/composition.h"
 #include "demos/pictures/caption.h"
-#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/movable_balls.h"
 #include "demos/pictures/overlays/overlay.h"
 
 #include <fmt/format.h>
@@ -48,19 +48,11 @@ Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<c
 
 // That whose cells show the subject largest.
 Layout Film::closest_layout(const Size& sheet) const {
-    Layout best;
-    double largest = -1.0;
-    const int count = static_cast<int>(runs_.size());
-    for (int columns = 1; columns <= count; ++columns) {
-        const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
+    return best_layout(sheet, static_cast<int>(runs_.size()), [&](const Layout& layout) {
         const View view =
             composed(seen_from(runs_.front()->scene()), subject_in(layout.cell), layout.cell_aspect());
-        const double scale = layout.cell.height / (half_tangent(view) * distance_of(view));
-        if (scale <= largest) continue;
-        largest = scale;
-        best = layout;
-    }
-    return best;
+        return layout.cell.height / (half_tangent(view) * distance_of(view));
+    });
 }
 
 // With room for what is written into a cell.

@@ -1,8 +1,8 @@
 // The pictures of a run, or of several runs side by side.
 #pragma once
 
+#include "demos/pictures/camera/layout.h"
 #include "demos/pictures/film/motion.h"
-#include "demos/pictures/layout.h"
 #include "demos/pictures/overlays/scale.h"
 #include "demos/runs/simulation.h"
 

@@ -1,9 +1,9 @@
 #include "demos/pictures/gltf/glb_record.h"
 
+#include "demos/pictures/camera/composition.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/caption.h"
-#include "demos/pictures/composition.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/framing.h"
 #include "demos/pictures/gltf/marks.h"
 #include "demos/pictures/gltf/stage.h"
 #include "demos/pictures/overlays/overlay.h"

@@ -1,7 +1,7 @@
 // A run as one glTF file, for Blender and other programs that show animated scenes.
 #pragma once
 
-#include "demos/pictures/survey.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/runs/records.h"
 #include "demos/runs/simulation.h"
 

@@ -1,7 +1,7 @@
 #include "demos/pictures/gltf/stage.h"
 
-#include "demos/pictures/framing.h"
-#include "demos/pictures/plane_outline.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/plane_outline.h"
 
 #include <array>
 #include <cmath>
@@ -21,19 +21,11 @@ constexpr double ground_reach = 2.0;
 const Paint ground_paint{.colour = {0.68f, 0.69f, 0.69f}, .roughness = 1.0f};  // the renderer's
 constexpr float darkening = 0.30f;  // of the dark octants of a ball, as in assets/shaders/sphere.frag
 
-double distance_of(const View& view) {
-    return (view.target - view.eye).norm();
-}
-
 // Darker by the same share of light: sRGB is close to a power of 2.2.
 Paint darker(const Paint& paint) {
     Paint dark = paint;
     dark.colour = paint.colour * std::pow(1.0f - darkening, 1.0f / 2.2f);
     return dark;
-}
-
-bool is_ground(const engine::Body& plane) {
-    return (plane.orientation * Vector3::UnitY()).y() > 0.9999;
 }
 
 // Corners of the ground around the point of `plane` that the camera looks at, counter-clockwise from above [m].
@@ -70,7 +62,7 @@ class Meshes {
 
     // -1 if nothing of the plane is within view.
     int of_plane(const BuiltScene& scene, const engine::Body& plane) {
-        const bool ground = is_ground(plane);
+        const bool ground = is_level(plane);
         const engine::Matrix3 frame = plane.orientation.toRotationMatrix();
         std::vector<Vector3> corners = ground
                                            ? ground_outline(scene.view, plane.position, frame.col(0), frame.col(2))
@@ -122,7 +114,7 @@ std::vector<int> add_bodies(const BuiltScene& scene, const renderer::Picture& pi
             node["scale"] = json_of_vector(Vector3::Constant(ball->radius));
         }
         nodes.push_back(document.add_node(node));
-        has_ground |= std::holds_alternative<PlaneShape>(described.shape) && is_ground(body);
+        has_ground |= std::holds_alternative<PlaneShape>(described.shape) && is_level(body);
     }
     if (picture.ground && !has_ground) {
         const Vector3 point(0.0, picture.ground->height, 0.0);
@@ -165,11 +157,9 @@ std::vector<int> add_bars(const renderer::Picture& picture, Document& document) 
 }
 
 Pose pose_of(const View& view) {
-    const Vector3 forward = (view.target - view.eye).normalized();
-    Vector3 right = forward.cross(Vector3::UnitY());
-    right = right.norm() > 1e-3 ? right.normalized() : Vector3::UnitX();
+    const auto [right, up, forward] = axes_of(view);
     engine::Matrix3 axes;
-    axes << right, right.cross(forward), -forward;
+    axes << right, up, -forward;
     return {view.eye, Quaternion(axes).normalized()};
 }
 

@@ -1,7 +1,8 @@
 #include "demos/pictures/live/live_run.h"
 
 #include "demos/options/simulation_options.h"
-#include "demos/pictures/movable_balls.h"
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/shell_words.h"

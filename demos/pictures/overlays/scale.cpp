@@ -1,6 +1,6 @@
 #include "demos/pictures/overlays/scale.h"
 
-#include "demos/pictures/framing.h"
+#include "demos/pictures/camera/framing.h"
 
 #include <fmt/format.h>
 

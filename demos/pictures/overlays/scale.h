@@ -1,9 +1,9 @@
 // Scales of arrows, one for a whole run.
 #pragma once
 
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
-#include "demos/pictures/survey.h"
 
 #include <vector>
 

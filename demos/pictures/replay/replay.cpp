@@ -1,14 +1,14 @@
 #include "demos/pictures/replay/replay.h"
 
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/composition.h"
+#include "demos/pictures/camera/overview.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
-#include "demos/pictures/composition.h"
-#include "demos/pictures/movable_balls.h"
-#include "demos/pictures/overview.h"
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/integers.h"
 #include "demos/pictures/replay/poses.h"
 #include "demos/pictures/replay/stage.h"
-#include "demos/pictures/survey.h"
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
@@ -77,7 +77,7 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
                     .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
                     .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
-                    .near = surroundings(scene),
+                    .near = surroundings(movable_balls(scene)),
                     .outline = {},
                     .bodies = recorded_bodies(scene),
                     .sizes = sizes,
@@ -168,9 +168,7 @@ void Replay::record() {
 void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
     record_poses(track);
     const BuiltScene& scene = track.simulation->scene();
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (goes_about(scene.bodies[i])) track.reached[i].extend(scene.world.bodies[i].position);
-    }
+    add_places(scene, track.reached);
     if (frames_.camera.fit) add_moving(scene, track.near, track.outline);
     const Sample& sample = track.simulation->sample();
     const std::array measured{sample.kinetic_energy, sample.potential_energy, sample.penetration.max,

@@ -3,8 +3,8 @@
 
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
-#include "demos/pictures/framing.h"
-#include "demos/pictures/outline.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/outline.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/page.h"
 #include "demos/platform/output_file.h"

@@ -1,9 +1,9 @@
 #include "demos/pictures/replay/stage.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/overlays/legend.h"
-#include "demos/pictures/plane_outline.h"
 #include "demos/pictures/replay/bytes.h"
 #include "renderer/meshes/meshes.h"
 

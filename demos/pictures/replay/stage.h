@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/options/comparison.h"
-#include "demos/pictures/framing.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/json.h"
 

@@ -1,6 +1,6 @@
 #include "demos/reports/check/folder_check.h"
 
-#include "demos/pictures/overview.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/platform/progress.h"
 #include "demos/reports/check/comparison.h"
 #include "demos/reports/check/exhibits.h"

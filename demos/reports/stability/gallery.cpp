@@ -1,10 +1,10 @@
 #include "demos/reports/stability/gallery.h"
 
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/layout.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/framing.h"
-#include "demos/pictures/layout.h"
-#include "demos/pictures/movable_balls.h"
-#include "demos/pictures/survey.h"
 #include "renderer/base/renderer_error.h"
 
 #include <fmt/format.h>
@@ -20,30 +20,13 @@ constexpr int columns = 3;
 constexpr int samples = 4;
 constexpr float letters = 11.0f;  // pixels
 
-// Boxes by their corners: a ball around a floor or a card would be mostly empty.
-void add_balls(const BodyDescription& body, std::vector<pictures::Ball>& balls) {
-    const auto add = [&](const Vector3& point) {
-        balls.push_back({body.position + body.orientation * point, 0.0});
-    };
-    std::visit(engine::Overloaded{
-                   [&](const BoxShape& box) {
-                       for (int corner = 0; corner < 8; ++corner) {
-                           const Vector3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-                           add(0.5 * signs.cwiseProduct(box.size));
-                       }
-                   },
-                   [&](const SphereShape& sphere) {
-                       balls.push_back({body.position, sphere.radius});
-                   },
-                   [](const PlaneShape&) {},
-                   [&](const PolyhedronShape& polyhedron) { std::ranges::for_each(polyhedron.points(), add); }},
-               body.shape);
-}
-
-// The start of a scene: all finite bodies, and the fixed points of its distances.
+// The start of a scene: all finite bodies by their corners, because a ball around a floor or a card is mostly
+// empty, and the fixed points of its distances.
 std::vector<pictures::Ball> balls_of(const SceneDescription& start) {
     std::vector<pictures::Ball> balls;
-    for (const BodyDescription& body : start.bodies) add_balls(body, balls);
+    for (const BodyDescription& body : start.bodies) {
+        std::ranges::copy(pictures::hull_of(body, body.position, body.orientation), std::back_inserter(balls));
+    }
     for (const DistanceDescription& distance : start.distances) {
         if (distance.a.body == "world") balls.push_back({distance.a.point, 0.0});
     }

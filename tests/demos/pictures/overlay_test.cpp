@@ -2,9 +2,9 @@
 #include "demos/pictures/overlays/overlay.h"
 
 #include "demos/options/choices.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/overlays/thrust.h"
-#include "demos/pictures/survey.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"

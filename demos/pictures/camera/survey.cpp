@@ -1,5 +1,7 @@
-#include "demos/pictures/survey.h"
+#include "demos/pictures/camera/survey.h"
 
+#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/measurements.h"
@@ -35,7 +37,12 @@ bool reaches(Simulation& simulation, long step, const GoTo& go_to, const Visit& 
 
 }  // namespace
 
-// Boxes, so that memory does not grow with the run.
+void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
+    }
+}
+
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].isEmpty()) continue;
@@ -55,7 +62,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>&
         Simulation simulation(choices);
         const BuiltScene& scene = simulation.scene();
         std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        const Eigen::AlignedBox3d near = surroundings(scene);
+        const Eigen::AlignedBox3d near = surroundings(movable_balls(scene));
         const std::vector<long> ghosts = plan_ghosts(choices.frames, choices.settings.dt);
         const double dt = choices.settings.dt.value();
         const auto is_shown = [&](double frame_time) {
@@ -69,9 +76,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>&
             };
             if (f == 0) add_shown();
             if (!reaches(simulation, frames[p][f].step, go_to, add_shown)) break;
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
-            }
+            add_places(scene, places);
             for (const OverlayItem& item : choices.frames.overlay) {
                 double most = 0.0;
                 for (const Quantity& quantity : quantities(scene, item.kind)) {
@@ -95,6 +100,20 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>&
         if (!values.empty()) found.typical[kind] = median(values);
     }
     return found;
+}
+
+double least_aspect(const FrameChoices& frames, std::size_t panels) {
+    return static_cast<double>(frames.width) / static_cast<double>(panels) / frames.height;
+}
+
+void add_overview(std::vector<ComparedRun>& panels, SurveyOnce& survey) {
+    const Choices& first = panels.front().choices;
+    if (first.description.has_camera || first.frames.camera.view) return;
+    const std::vector<Ball> start = movable_balls(build_scene(first));
+    if (start.empty()) return;
+    const View view = overview(first.description.view, start, survey.of(panels).reached,
+                               least_aspect(first.frames, panels.size()));
+    for (ComparedRun& panel : panels) panel.choices.description.view = view;
 }
 
 }  // namespace pushfactor::demos::pictures

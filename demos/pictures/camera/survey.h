@@ -3,8 +3,8 @@
 #pragma once
 
 #include "demos/options/comparison.h"
-#include "demos/pictures/framing.h"
-#include "demos/pictures/outline.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/outline.h"
 #include "demos/runs/simulation.h"
 
 #include <functional>
@@ -29,7 +29,9 @@ inline bool needs_survey(const FrameChoices& choices) {
     return choices.camera.fit || !choices.overlay.empty();
 }
 
-// Adds the corners of the box around all places of each body, as balls of the body's size.
+// The box around all places of each body that moves, so that memory does not grow with the run; and its corners as
+// balls of the body's size.
+void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places);
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
 
 // Brings a run to a step, which is not before its last one.
@@ -55,5 +57,13 @@ class SurveyOnce {
     GoTo go_to_;
     std::optional<Survey> made_;
 };
+
+// Width over height of the narrowest panel that may be needed for so many.
+double least_aspect(const FrameChoices& frames, std::size_t panels);
+
+// Gives the panels a view that shows all motion in all frames, found by the survey; does nothing if the scene
+// has a camera or one was given. Bodies that fly so far that the picture would show nothing else are followed only
+// part of their way.
+void add_overview(std::vector<ComparedRun>& panels, SurveyOnce& survey);
 
 }  // namespace pushfactor::demos::pictures

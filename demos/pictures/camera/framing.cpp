@@ -1,6 +1,4 @@
-#include "demos/pictures/framing.h"
-
-#include <Eigen/Eigenvalues>
+#include "demos/pictures/camera/framing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +12,6 @@ namespace {
 using engine::Vector3;
 
 constexpr double used = 0.90;  // share of the picture that the framed bodies may fill
-
-// Right, up and forward of a camera.
-struct Axes {
-    Vector3 right, up, forward;
-};
-Axes axes_of(const View& view) {
-    const Vector3 forward = (view.target - view.eye).normalized();
-    Vector3 right = forward.cross(Vector3::UnitY());
-    right = right.norm() > 1e-3 ? right.normalized() : Vector3::UnitX();
-    return {right, right.cross(forward), forward};
-}
 
 // Bounds of the eye (x, z) along one axis of the picture: x - slope z >= low and x + slope z <= high keep all balls
 // between the edges. The largest z forward is where both bounds are met.
@@ -42,48 +29,14 @@ struct Edges {
     double middle() const { return 0.5 * (high + low); }
 };
 
-// From this many radii away a body is a pixel or two in a picture 720 pixels high.
-constexpr double visible = 300.0;
-
-// Region within which moving bodies are kept in view.
-Eigen::AlignedBox3d surroundings(const std::vector<Ball>& start) {
-    Eigen::AlignedBox3d box;
-    double radius = 0.0;
-    for (const Ball& ball : start) {
-        box.extend(ball.centre);
-        radius = std::max(radius, ball.radius);
-    }
-    const double reach = std::max(visible * radius, 10.0 * box.diagonal().norm());
-    return {box.min() - Vector3::Constant(reach), box.max() + Vector3::Constant(reach)};
-}
-
-// The view turned about the vertical so that it looks across the motion, if that goes mostly one way: along it
-// bodies would hide each other. The side and a part of the direction stay.
-View across(const View& view, const std::vector<Ball>& places) {
-    constexpr double one_way = 0.3;  // share of the shorter spread in the longer one
-    constexpr double slant = 0.35;   // rad from straight across, for depth
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    const auto on_ground = [](const Vector3& point) { return Eigen::Vector2d(point.x(), point.z()); };
-    for (const Ball& ball : places) mean += on_ground(ball.centre) / static_cast<double>(places.size());
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const Ball& ball : places) {
-        const Eigen::Vector2d away = on_ground(ball.centre) - mean;
-        spread += away * away.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
-    const Vector3 out = view.eye - view.target;
-    if (std::sqrt(axes.eigenvalues()[0]) >= one_way * std::sqrt(axes.eigenvalues()[1])) return view;
-    Eigen::Vector2d aside = axes.eigenvectors().col(0);
-    if (aside.dot(on_ground(out)) < 0.0) aside = -aside;
-    const auto angle_of = [](const Eigen::Vector2d& v) { return std::atan2(v.x(), v.y()); };
-    const double turn = std::remainder(angle_of(aside) - angle_of(on_ground(out)), 2.0 * std::numbers::pi);
-    if (std::abs(turn) <= slant) return view;
-    View turned = view;
-    turned.eye = view.target + Eigen::AngleAxisd(turn - std::copysign(slant, turn), Vector3::UnitY()) * out;
-    return turned;
-}
-
 }  // namespace
+
+Axes axes_of(const View& view) {
+    const Vector3 forward = (view.target - view.eye).normalized();
+    Vector3 right = forward.cross(Vector3::UnitY());
+    right = right.norm() > 1e-3 ? right.normalized() : Vector3::UnitX();
+    return {right, right.cross(forward), forward};
+}
 
 double distance_of(const View& view) {
     return (view.target - view.eye).norm();
@@ -139,14 +92,6 @@ View widened(const View& view, double across, double aspect) {
     const double needed = std::atan(across / (used * aspect)) * 2.0 * 180.0 / std::numbers::pi;
     wide.field_of_view = std::clamp(needed, view.field_of_view, 120.0);
     return wide;
-}
-
-View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect) {
-    if (start.empty()) return view;
-    const Eigen::AlignedBox3d near = surroundings(start);
-    for (Ball& ball : reached) ball.centre = ball.centre.cwiseMax(near.min()).cwiseMin(near.max());
-    reached.insert(reached.end(), start.begin(), start.end());
-    return fitted(across(view, reached), reached, aspect);
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -1,4 +1,4 @@
-#include "demos/pictures/plane_outline.h"
+#include "demos/pictures/camera/plane_outline.h"
 
 namespace pushfactor::demos::pictures {
 
@@ -31,6 +31,19 @@ double area(const Polygon& polygon) {
 }
 
 }  // namespace
+
+bool is_level(const engine::Body& plane) {
+    return (plane.orientation * Vector3::UnitY()).y() > 0.9999;
+}
+
+std::optional<double> ground_height(const BuiltScene& scene) {
+    std::optional<double> height = scene.view.floor;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const engine::Body& body = scene.world.bodies[i];
+        if (std::holds_alternative<PlaneShape>(scene.bodies[i].shape) && is_level(body)) height = body.position.y();
+    }
+    return height;
+}
 
 std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane) {
     const engine::Matrix3 frame = plane.orientation.toRotationMatrix();

@@ -1,7 +1,7 @@
 // A camera that fills its picture with a subject.
 #pragma once
 
-#include "demos/pictures/outline.h"
+#include "demos/pictures/camera/outline.h"
 #include "demos/scenes/scene_description.h"
 
 #include <span>

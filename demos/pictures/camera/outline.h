@@ -1,6 +1,7 @@
 // What a picture is about: everything that moves in it, and what that stands and hangs on.
 #pragma once
 
+#include "demos/pictures/camera/framing.h"
 #include "demos/runs/scene.h"
 
 #include <limits>
@@ -8,14 +9,13 @@
 
 namespace pushfactor::demos::pictures {
 
-// The farthest of many points in each of some directions. Memory does not grow with the number of points; none of
-// them is farther outside of the hull of those that are kept than about 1 % of its size.
+// The farthest points of many balls in each of some directions. Memory does not grow with the number of balls; none
+// of them is farther outside of the hull of those that are kept than about 1 % of its size.
 class Outline {
   public:
     Outline();
 
-    void add(const engine::Vector3& point);                       // m, world frame
-    void add_ball(const engine::Vector3& centre, double radius);  // m
+    void add(const Ball& ball);
     void add(const Outline& other);
 
     bool empty() const { return farthest_.front().distance == -infinity; }
@@ -30,10 +30,6 @@ class Outline {
     };
     std::vector<Farthest> farthest_;
 };
-
-// The region around a scene at its start in which a body is worth being in the picture: from farther away than 300
-// radii or ten times the scene's size it is a dot, or all else is.
-Eigen::AlignedBox3d surroundings(const BuiltScene& start);
 
 // Adds the bodies that move or may move, as they are now, with the ends of their bars. Bodies that have left `near`
 // are added where they left it.

@@ -13,6 +13,12 @@ struct Ball {
     double radius = 0.0;                               // m
 };
 
+// Of a camera, unit length.
+struct Axes {
+    engine::Vector3 right, up, forward;
+};
+Axes axes_of(const View& view);
+
 // Extent of the balls from the middle of the picture, as tangents of angles, horizontally and vertically.
 struct Reach {
     double across = 0.0, up = 0.0;
@@ -37,9 +43,5 @@ View fitted(const View& view, std::span<const Ball> balls, double aspect);
 
 // The view from the same place with the field of view widened, if necessary, to show `across` to both sides.
 View widened(const View& view, double across, double aspect);
-
-// A view in the direction of `view` of all that is `reached`, up to where the picture would show nothing else; at
-// least of the bodies at the `start`. `aspect` is width over height.
-View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect);
 
 }  // namespace pushfactor::demos::pictures

@@ -1,8 +1,7 @@
 // The default camera of scene files.
-#include "demos/pictures/overview.h"
-
 #include "demos/options/camera_choice.h"
-#include "demos/pictures/framing.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "tests/catch.h"

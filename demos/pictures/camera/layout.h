@@ -3,6 +3,7 @@
 
 #include "demos/pictures/studio.h"
 
+#include <functional>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
@@ -18,6 +19,9 @@ struct Layout {
 };
 
 Layout grid(const Size& sheet, int columns, int rows);
+
+// The grid of `count` cells with the largest `scale`.
+Layout best_layout(const Size& sheet, int count, const std::function<double(const Layout&)>& scale);
 
 // The grid of `count` cells that shows content of half width `across` (as a tangent) largest, while each cell shows
 // at least half height `least_up`.

@@ -1,4 +1,4 @@
-#include "demos/pictures/layout.h"
+#include "demos/pictures/camera/layout.h"
 
 #include <algorithm>
 
@@ -19,18 +19,24 @@ Layout grid(const Size& sheet, int columns, int rows) {
     return layout;
 }
 
-Layout best_layout(const Size& sheet, int count, double across, double least_up) {
+Layout best_layout(const Size& sheet, int count, const std::function<double(const Layout&)>& scale) {
     Layout best;
     double largest = -1.0;
     for (int columns = 1; columns <= count; ++columns) {
         const Layout layout = grid(sheet, columns, (count + columns - 1) / columns);
-        // Pixels per unit of tangent: limited by the height or by the width of the cell.
-        const double scale = std::min(0.5 * layout.cell.height / least_up, 0.5 * layout.cell.width / across);
-        if (scale <= largest) continue;
-        largest = scale;
+        const double own = scale(layout);
+        if (own <= largest) continue;
+        largest = own;
         best = layout;
     }
     return best;
+}
+
+Layout best_layout(const Size& sheet, int count, double across, double least_up) {
+    return best_layout(sheet, count, [&](const Layout& layout) {
+        // Pixels per unit of tangent: limited by the height or by the width of the cell.
+        return std::min(0.5 * layout.cell.height / least_up, 0.5 * layout.cell.width / across);
+    });
 }
 
 renderer::Image assemble(const Layout& layout, const std::vector<renderer::Image>& pictures) {

@@ -1,6 +1,6 @@
-#include "demos/pictures/composition.h"
+#include "demos/pictures/camera/composition.h"
 
-#include "demos/pictures/framing.h"
+#include "demos/pictures/camera/framing.h"
 
 #include <algorithm>
 #include <cmath>

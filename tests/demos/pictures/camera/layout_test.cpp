@@ -1,4 +1,4 @@
-#include "demos/pictures/layout.h"
+#include "demos/pictures/camera/layout.h"
 
 #include "tests/catch.h"
 

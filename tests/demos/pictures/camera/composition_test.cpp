@@ -1,9 +1,9 @@
 // Cameras that fit: what is to be seen is in the picture, and fills it.
-#include "demos/pictures/composition.h"
+#include "demos/pictures/camera/composition.h"
 
 #include "demos/options/comparison.h"
-#include "demos/pictures/framing.h"
-#include "demos/pictures/survey.h"
+#include "demos/pictures/camera/framing.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/catalogue.h"
 #include "tests/catch.h"
@@ -42,9 +42,9 @@ TEST_CASE("an outline has the farthest points, to a hundredth of the size") {
     CHECK(outline.empty());
     for (int i = 0; i < 500; ++i) {
         points.emplace_back(random.in(-3, 3), random.in(0, 8), random.in(-1, 2));
-        outline.add(points.back());
+        outline.add(Ball{points.back()});
     }
-    outline.add_ball({0, 0, 0}, 1.0);
+    outline.add(Ball{{0, 0, 0}, 1.0});
     const std::vector<Vector3> kept = outline.points();
     CHECK(kept.size() <= 200);
     for (int i = 0; i < 50; ++i) {

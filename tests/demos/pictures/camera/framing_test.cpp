@@ -1,4 +1,4 @@
-#include "demos/pictures/framing.h"
+#include "demos/pictures/camera/framing.h"
 
 #include "tests/catch.h"
 #include "tests/random.h"
