@@ -82,11 +82,11 @@ void add_link(const BuiltScene& scene, const Link& link, renderer::Picture& pict
     }
 }
 
-using Shapes = std::map<const engine::collision::PolyhedronMesh*, std::shared_ptr<const renderer::ConvexShape>>;
+using Shapes = std::map<const engine::collision::PolyhedronMesh*, renderer::Polyhedron>;
 
 // The shape of a polyhedron; bodies that share a mesh share it.
-std::shared_ptr<const renderer::ConvexShape> shape_of(const PolyhedronShape& polyhedron, Shapes& shapes) {
-    std::shared_ptr<const renderer::ConvexShape>& known = shapes[polyhedron.mesh.get()];
+renderer::Polyhedron shape_of(const PolyhedronShape& polyhedron, Shapes& shapes) {
+    renderer::Polyhedron& known = shapes[polyhedron.mesh.get()];
     if (known) return known;
     renderer::ConvexShape shape;
     const engine::collision::Hull& hull = polyhedron.mesh->hull();
@@ -113,24 +113,19 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& described = scene.bodies[i];
         const engine::Body& body = scene.world.bodies[i];
-        const glm::vec3 position = to_glm(body.position);
-        const glm::quat orientation = to_glm(body.orientation);
-        std::visit(
-            engine::Overloaded{
-                [&](const BoxShape& box) {
-                    const glm::vec3 half_size = to_glm(0.5 * box.size);
-                    picture.boxes.push_back({position, orientation, half_size, colour_of(described, movable)});
-                },
-                [&](const SphereShape& sphere) {
-                    const auto radius = static_cast<float>(sphere.radius);
-                    picture.spheres.push_back({position, orientation, radius, colour_of(described, movable)});
-                },
-                [&](const PlaneShape&) { add_plane(scene, body, picture); },
-                [&](const PolyhedronShape& polyhedron) {
-                    picture.polyhedra.push_back(
-                        {position, orientation, shape_of(polyhedron, shapes), colour_of(described, movable)});
-                }},
-            described.shape);
+        const auto add = [&](decltype(renderer::Body::shape) shape) {
+            picture.bodies.push_back({.position = to_glm(body.position),
+                                      .orientation = to_glm(body.orientation),
+                                      .shape = std::move(shape),
+                                      .colour = colour_of(described, movable),
+                                      .index = i});
+        };
+        std::visit(engine::Overloaded{
+                       [&](const BoxShape& box) { add(renderer::Box{to_glm(0.5 * box.size)}); },
+                       [&](const SphereShape& sphere) { add(renderer::Sphere{static_cast<float>(sphere.radius)}); },
+                       [&](const PlaneShape&) { add_plane(scene, body, picture); },
+                       [&](const PolyhedronShape& polyhedron) { add(shape_of(polyhedron, shapes)); }},
+                   described.shape);
     }
     for (const Link& link : links_of(scene)) add_link(scene, link, picture);
     return picture;

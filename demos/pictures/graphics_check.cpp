@@ -18,9 +18,10 @@ renderer::Picture test_picture() {
     picture.ground = renderer::Ground{};
     for (std::size_t i = 0; i < 3; ++i) {
         const float height = 0.5f + static_cast<float>(i);
-        picture.boxes.push_back({.position = {0.0f, height, 0.0f}, .colour = to_glm(palette[i])});
+        picture.bodies.push_back({.position = {0.0f, height, 0.0f}, .colour = to_glm(palette[i])});
     }
-    picture.spheres.push_back({.position = {1.6f, 0.5f, 0.5f}, .colour = to_glm(palette[3])});
+    picture.bodies.push_back(
+        {.position = {1.6f, 0.5f, 0.5f}, .shape = renderer::Sphere{}, .colour = to_glm(palette[3])});
     return picture;
 }
 

@@ -53,7 +53,7 @@ StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
     for (int frame = 0; frame <= frames; ++frame) {
         if (frame == 1) start = process_time();  // the first one compiles shaders
         // A new camera per frame, so that nothing can be reused.
-        renderer::Picture picture{.camera = {}, .spheres = {{.radius = 0.2f}}};
+        renderer::Picture picture{.camera = {}, .bodies = {{.shape = renderer::Sphere{0.2f}}}};
         picture.camera.eye.x = 0.1f * static_cast<float>(frame);
         studio.draw(std::span(&picture, 1), size, 1, image);
     }

@@ -18,7 +18,7 @@ struct Instance {
     glm::vec4 orientation;  // unit quaternion x, y, z, w, body to world
     glm::vec3 half_extents;
     glm::vec3 colour;  // linear light, 0..1
-    float number;      // index in the picture's list of its kind
+    float number;      // index among those of its kind in the picture
 };
 
 // A mesh on the GPU and its instances in a frame.

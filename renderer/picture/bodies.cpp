@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace pushfactor::renderer {
 
@@ -24,13 +25,15 @@ std::vector<Instance> Bodies::thick() const {
 
 Bodies visible_bodies(const Picture& picture, float reach) {
     const glm::vec3& eye = picture.camera.eye;
-    Bodies bodies{.boxes = box_instances(picture.boxes),
-                  .spheres = sphere_instances(picture.spheres),
-                  .polyhedra = polyhedron_instances(picture.polyhedra),
-                  .bars = bar_instances(picture.bars),
-                  .shapes = {}};
-    for (const Polyhedron& polyhedron : picture.polyhedra) bodies.shapes.push_back(polyhedron.shape);
-    for (std::vector<Instance>* kind : {&bodies.boxes, &bodies.spheres, &bodies.polyhedra, &bodies.bars}) {
+    Bodies bodies;
+    const std::array kinds{&bodies.boxes, &bodies.spheres, &bodies.polyhedra, &bodies.bars};  // as in Body::shape
+    for (const Body& body : picture.bodies) {
+        std::vector<Instance>& kind = *kinds[body.shape.index()];
+        kind.push_back(instance_of(body, kind.size()));
+        if (const auto* shape = std::get_if<Polyhedron>(&body.shape)) bodies.shapes.push_back(*shape);
+    }
+    for (const Bar& bar : picture.bars) bodies.bars.push_back(instance_of(bar, bodies.bars.size()));
+    for (std::vector<Instance>* const kind : kinds) {
         // Negated, to remove bodies whose distance is not finite as well.
         std::erase_if(*kind, [&](const Instance& body) {
             return !(glm::distance(eye, body.position) - bounding_radius(body) <= reach);

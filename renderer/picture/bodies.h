@@ -3,7 +3,6 @@
 #include "renderer/meshes/instanced_mesh.h"
 #include "renderer/picture/picture.h"
 
-#include <memory>
 #include <vector>
 
 namespace pushfactor::renderer {
@@ -15,7 +14,7 @@ struct Bodies {
     std::vector<Instance> polyhedra;
     std::vector<Instance> bars;
 
-    std::vector<std::shared_ptr<const ConvexShape>> shapes;  // of all polyhedra, by Instance::number
+    std::vector<Polyhedron> shapes;  // of all polyhedra, by Instance::number
 
     // All that cast a shadow.
     std::vector<Instance> all() const;

@@ -19,69 +19,45 @@ glm::vec4 turn_from_y(glm::vec3 direction) {
     return glm::normalize(glm::vec4(direction.z, 0.0f, -direction.x, 1.0f + direction.y));
 }
 
+struct Size {
+    glm::vec3 half_extents;  // m
+    float bevel;             // m
+};
+
+Size size_of(const Box& box) {
+    constexpr float bevel = 0.08f;  // of the smallest half extent
+    const glm::vec3& half = box.half_extents;
+    return {half, bevel * std::min({half.x, half.y, half.z})};
+}
+Size size_of(const Sphere& sphere) {
+    return {glm::vec3(sphere.radius), sphere.radius};
+}
+Size size_of(const Polyhedron& polyhedron) {
+    return {half_extents(*polyhedron), roundness(*polyhedron)};
+}
+
 }  // namespace
 
-std::vector<Instance> box_instances(std::span<const Box> boxes) {
-    constexpr float bevel = 0.08f;  // of the smallest half extent
-    std::vector<Instance> instances;
-    instances.reserve(boxes.size());
-    for (const Box& box : boxes) {
-        const glm::vec3& half = box.half_extents;
-        instances.push_back(
-            {.position = box.position,
-             .bevel = bevel * std::min({half.x, half.y, half.z}),
-             .orientation = {box.orientation.x, box.orientation.y, box.orientation.z, box.orientation.w},
-             .half_extents = half,
-             .colour = glm::convertSRGBToLinear(box.colour),
-             .number = static_cast<float>(instances.size())});
-    }
-    return instances;
+Instance instance_of(const Body& body, std::size_t number) {
+    const Size size = std::visit([](const auto& shape) { return size_of(shape); }, body.shape);
+    const glm::quat& turn = body.orientation;
+    return {.position = body.position,
+            .bevel = size.bevel,
+            .orientation = {turn.x, turn.y, turn.z, turn.w},
+            .half_extents = size.half_extents,
+            .colour = glm::convertSRGBToLinear(body.colour),
+            .number = static_cast<float>(number)};
 }
 
-std::vector<Instance> sphere_instances(std::span<const Sphere> spheres) {
-    std::vector<Instance> instances;
-    instances.reserve(spheres.size());
-    for (const Sphere& sphere : spheres) {
-        const glm::quat& turn = sphere.orientation;
-        instances.push_back({.position = sphere.position,
-                             .bevel = sphere.radius,
-                             .orientation = {turn.x, turn.y, turn.z, turn.w},
-                             .half_extents = glm::vec3(sphere.radius),
-                             .colour = glm::convertSRGBToLinear(sphere.colour),
-                             .number = static_cast<float>(instances.size())});
-    }
-    return instances;
-}
-
-std::vector<Instance> polyhedron_instances(std::span<const Polyhedron> polyhedra) {
-    std::vector<Instance> instances;
-    instances.reserve(polyhedra.size());
-    for (const Polyhedron& polyhedron : polyhedra) {
-        const glm::quat& turn = polyhedron.orientation;
-        instances.push_back({.position = polyhedron.position,
-                             .bevel = roundness(*polyhedron.shape),
-                             .orientation = {turn.x, turn.y, turn.z, turn.w},
-                             .half_extents = half_extents(*polyhedron.shape),
-                             .colour = glm::convertSRGBToLinear(polyhedron.colour),
-                             .number = static_cast<float>(instances.size())});
-    }
-    return instances;
-}
-
-std::vector<Instance> bar_instances(std::span<const Bar> bars) {
-    std::vector<Instance> instances;
-    instances.reserve(bars.size());
-    for (const Bar& bar : bars) {
-        const float length = glm::distance(bar.from, bar.to);
-        const glm::vec3 direction = length > 0.0f ? (bar.to - bar.from) / length : glm::vec3(0.0f, 1.0f, 0.0f);
-        instances.push_back({.position = 0.5f * (bar.from + bar.to),
-                             .bevel = bar.radius,
-                             .orientation = turn_from_y(direction),
-                             .half_extents = {bar.radius, 0.5f * length + bar.radius, bar.radius},
-                             .colour = glm::convertSRGBToLinear(bar.colour),
-                             .number = static_cast<float>(instances.size())});
-    }
-    return instances;
+Instance instance_of(const Bar& bar, std::size_t number) {
+    const float length = glm::distance(bar.from, bar.to);
+    const glm::vec3 direction = length > 0.0f ? (bar.to - bar.from) / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    return {.position = 0.5f * (bar.from + bar.to),
+            .bevel = bar.radius,
+            .orientation = turn_from_y(direction),
+            .half_extents = {bar.radius, 0.5f * length + bar.radius, bar.radius},
+            .colour = glm::convertSRGBToLinear(bar.colour),
+            .number = static_cast<float>(number)};
 }
 
 Instance ground_instance(const Ground& ground, const glm::vec3& centre, float half_side) {

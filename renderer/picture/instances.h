@@ -3,22 +3,17 @@
 #include "renderer/meshes/instanced_mesh.h"
 #include "renderer/picture/picture.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace pushfactor::renderer {
 
-// Shader data of the boxes, in the same order.
-std::vector<Instance> box_instances(std::span<const Box> boxes);
+// Shader data of a body, the `number`-th of its kind.
+Instance instance_of(const Body& body, std::size_t number);
 
-// The same for spheres.
-std::vector<Instance> sphere_instances(std::span<const Sphere> spheres);
-
-// The same for polyhedra.
-std::vector<Instance> polyhedron_instances(std::span<const Polyhedron> polyhedra);
-
-// The same for bars, along their y axes: half extents are {radius, half length with the round ends, radius}.
-std::vector<Instance> bar_instances(std::span<const Bar> bars);
+// The same for a bar, along its y axis: half extents are {radius, half length with the round ends, radius}.
+Instance instance_of(const Bar& bar, std::size_t number);
 
 // A square of the ground below `centre` that extends `half_side` m to each side.
 Instance ground_instance(const Ground& ground, const glm::vec3& centre, float half_side);

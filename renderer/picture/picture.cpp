@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 
 namespace pushfactor::renderer {
@@ -38,32 +39,26 @@ bool not_negative(float length) {
     return finite(length) && length >= 0.0f;
 }
 
-void check(const Box& box, const std::string& name) {
-    const bool drawable =
-        finite(box.position) && finite(box.orientation) && finite(box.half_extents) && finite(box.colour);
-    require(drawable, name + " is not finite");
+std::string fault_of(const Box& box) {
+    return finite(box.half_extents) ? "" : ".half_extents are not finite";
+}
+std::string fault_of(const Sphere& sphere) {
+    return not_negative(sphere.radius) ? "" : ".radius is not a length";
+}
+std::string fault_of(const Polyhedron& polyhedron) {
+    return polyhedron ? fault_of(*polyhedron) : " is missing";
 }
 
-void check(const Sphere& sphere, const std::string& name) {
-    const bool drawable = finite(sphere.position) && finite(sphere.orientation) && finite(sphere.colour);
-    require(drawable, name + " is not finite");
-    require(not_negative(sphere.radius), name + ".radius is not a length");
-}
-
-void check(const Polyhedron& polyhedron, const std::string& name) {
-    require(finite(polyhedron.position) && finite(polyhedron.orientation) && finite(polyhedron.colour),
-            name + " is not finite");
-    require(polyhedron.shape != nullptr, name + ".shape is missing");
-}
-
-// Each shape once: many bodies may have it.
-void check_shapes(const std::vector<Polyhedron>& polyhedra) {
-    const ConvexShape* checked = nullptr;
-    for (std::size_t i = 0; i < polyhedra.size(); ++i) {
-        if (polyhedra[i].shape.get() == checked) continue;
-        checked = polyhedra[i].shape.get();
-        const std::string fault = fault_of(*checked);
-        require(fault.empty(), "polyhedra[" + std::to_string(i) + "].shape" + fault);
+void check(const std::vector<Body>& bodies) {
+    std::set<const ConvexShape*> checked;  // each once: many bodies may have it
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Body& body = bodies[i];
+        const std::string name = "bodies[" + std::to_string(i) + "]";
+        require(finite(body.position) && finite(body.orientation) && finite(body.colour), name + " is not finite");
+        const auto* polyhedron = std::get_if<Polyhedron>(&body.shape);
+        if (polyhedron && !checked.insert(polyhedron->get()).second) continue;
+        const std::string fault = std::visit([](const auto& shape) { return fault_of(shape); }, body.shape);
+        require(fault.empty(), name + ".shape" + fault);
     }
 }
 
@@ -103,10 +98,7 @@ void check(const Picture& picture) {
             "background.colour is not from 0 to below 1");
     if (picture.ground) require(finite(picture.ground->height), "ground.height is not finite");
     require(finite(picture.mark_scale) && picture.mark_scale > 0.0f, "mark_scale is not above 0");
-    check_each(picture.boxes, "boxes");
-    check_each(picture.spheres, "spheres");
-    check_each(picture.polyhedra, "polyhedra");
-    check_shapes(picture.polyhedra);
+    check(picture.bodies);
     check_each(picture.bars, "bars");
     check_each(picture.panels, "panels");
     check_each(picture.arrows, "arrows");

@@ -5,8 +5,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace pushfactor::renderer {
@@ -21,28 +23,25 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// A box with slightly bevelled edges.
+// Shapes of bodies, in the body frame. Edges are slightly bevelled.
 struct Box {
-    glm::vec3 position{0.0f};                       // of the centre, world frame, m
-    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
-    glm::vec3 half_extents{0.5f};                   // along the body's axes, m, >= 0
-    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
+    glm::vec3 half_extents{0.5f};  // m, >= 0
 };
 
-// A ball. Its eight octants in the body frame are alternately light and dark, so that spin is visible.
+// Its eight octants are alternately light and dark, so that spin is visible.
 struct Sphere {
-    glm::vec3 position{0.0f};                       // of the centre, world frame, m
-    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
-    float radius = 0.5f;                            // m, >= 0
-    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
+    float radius = 0.5f;  // m, >= 0
 };
 
-// A convex body with flat faces and slightly bevelled edges. Bodies with equal shapes share what is drawn of them.
-struct Polyhedron {
+// Not null. Bodies with equal shapes share what is drawn of them.
+using Polyhedron = std::shared_ptr<const ConvexShape>;
+
+struct Body {
     glm::vec3 position{0.0f};                       // of the shape's origin, world frame, m
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};  // body to world, unit length
-    std::shared_ptr<const ConvexShape> shape{};     // not null
-    glm::vec3 colour{0.5f};                         // sRGB, each 0..1
+    std::variant<Box, Sphere, Polyhedron> shape{};
+    glm::vec3 colour{0.5f};  // sRGB, each 0..1
+    std::size_t index = 0;   // which body it is, for the caller; drawing does not depend on it
 };
 
 // A round rod with round ends that extend its radius beyond the two points. Always at least about 1.2 pixels wide.
@@ -101,9 +100,7 @@ struct Picture {
     Background background{};
     glm::vec3 towards_sun{-0.5f, 0.9f, 0.65f};  // world frame, any non-zero length; shadows fall the other way
     std::optional<Ground> ground{};
-    std::vector<Box> boxes{};
-    std::vector<Sphere> spheres{};
-    std::vector<Polyhedron> polyhedra{};
+    std::vector<Body> bodies{};
     std::vector<Bar> bars{};
     std::vector<Panel> panels{};  // in any order; if panels cross, the one farther as a whole is drawn first
     float mark_scale = 1.0f;      // widths of arrows and dots, relative to the default for the image's height, > 0
@@ -112,8 +109,7 @@ struct Picture {
 };
 
 // Throws RendererError with the name of the first invalid field: a number that is not finite or out of range, a
-// camera or sun without a direction, a panel that is not flat and convex, a
-// polyhedron whose faces do not close.
+// camera or sun without a direction, a panel that is not flat and convex, a polyhedron whose faces do not close.
 void check(const Picture& picture);
 
 }  // namespace pushfactor::renderer

@@ -13,7 +13,7 @@ Image picture_of_a_ball(const std::filesystem::path& shader_directory) {
     Picture picture;
     picture.camera = {.eye = {2.0f, 1.5f, 5.0f}, .target = {0.0f, 0.5f, 0.0f}};
     picture.ground = Ground{.height = 0.0f};
-    picture.spheres.push_back({.position = {0.0f, 0.5f, 0.0f}, .radius = 0.5f, .colour = {0.8f, 0.3f, 0.1f}});
+    picture.bodies.push_back({.position = {0.0f, 0.5f, 0.0f}, .shape = Sphere{0.5f}, .colour = {0.8f, 0.3f, 0.1f}});
 
     const auto context = open_offscreen_context();
     Renderer renderer(*context, 320, 180, shader_directory);

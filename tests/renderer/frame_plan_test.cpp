@@ -72,13 +72,16 @@ std::vector<glm::vec3> surface_points(const Picture& picture) {
     const auto direction = [&] { return glm::normalize(glm::vec3(any(random), any(random), any(random))); };
     std::vector<glm::vec3> points;
     for (int i = 0; i < 1000; ++i) {
-        for (const Box& box : picture.boxes) {
-            glm::vec3 corner = box.half_extents * glm::vec3(any(random), any(random), any(random));
-            corner[i % 3] = i % 2 == 0 ? box.half_extents[i % 3] : -box.half_extents[i % 3];
-            points.push_back(box.position + box.orientation * corner);
+        for (const Body& body : picture.bodies) {
+            if (const auto* box = std::get_if<Box>(&body.shape)) {
+                glm::vec3 corner = box->half_extents * glm::vec3(any(random), any(random), any(random));
+                corner[i % 3] = i % 2 == 0 ? box->half_extents[i % 3] : -box->half_extents[i % 3];
+                points.push_back(body.position + body.orientation * corner);
+            }
+            if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
+                points.push_back(body.position + sphere->radius * direction());
+            }
         }
-        for (const Sphere& sphere : picture.spheres)
-            points.push_back(sphere.position + sphere.radius * direction());
         for (const Bar& bar : picture.bars) {
             const float part = 0.5f * (any(random) + 1.0f);
             points.push_back(bar.from + part * (bar.to - bar.from) + bar.radius * direction());
@@ -122,9 +125,9 @@ TEST_CASE("All that is seen of bodies and of their shadows is in the tiles for i
                                 glm::vec3(-2.0f, 0.5f, 1.0f), glm::vec3(0.0f, 90.0f, 0.0f)}) {
         Picture picture = all_kinds();
         picture.camera = {.eye = eye, .target = {1.0f, 2.0f, 0.0f}};
-        picture.boxes.push_back({.position = {0.0f, 9.0f, 0.0f},
-                                 .orientation = glm::angleAxis(0.7f, glm::vec3(0.6f, 0.0f, 0.8f)),
-                                 .half_extents = {6.0f, 0.1f, 0.4f}});
+        picture.bodies.push_back({.position = {0.0f, 9.0f, 0.0f},
+                                  .orientation = glm::angleAxis(0.7f, glm::vec3(0.6f, 0.0f, 0.8f)),
+                                  .shape = Box{{6.0f, 0.1f, 0.4f}}});
         const std::vector<glm::vec3> points = surface_points(picture);
         const glm::mat4 world_to_clip = view_of(picture.camera);
         for (const glm::vec3 towards_sun : {picture.towards_sun, glm::vec3(1.0f, 0.15f, -0.3f)}) {

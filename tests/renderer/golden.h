@@ -31,12 +31,12 @@ inline Picture pendulums() {
         const glm::vec3 pivot(1.3f * step - 5.2f, 5.5f, 0.0f);
         const glm::vec3 ball = pivot + (3.0f + 0.2f * step) * glm::vec3(0.0f, -std::cos(angle), std::sin(angle));
         picture.bars.push_back({.from = pivot, .to = ball, .radius = 0.004f * step});
-        picture.spheres.push_back({.position = ball,
-                                   .orientation = glm::angleAxis(angle, glm::vec3(1.0f, 0.0f, 0.0f)),
-                                   .radius = 0.2f + 0.05f * step,
-                                   .colour = i % 3 == 0   ? red
-                                             : i % 3 == 1 ? blue
-                                                          : ivory});
+        picture.bodies.push_back({.position = ball,
+                                  .orientation = glm::angleAxis(angle, glm::vec3(1.0f, 0.0f, 0.0f)),
+                                  .shape = Sphere{0.2f + 0.05f * step},
+                                  .colour = i % 3 == 0   ? red
+                                            : i % 3 == 1 ? blue
+                                                         : ivory});
     }
     return picture;
 }
@@ -45,8 +45,7 @@ inline Picture pendulums() {
 inline Picture funnel() {
     Picture picture = all_kinds();
     picture.ground.reset();
-    picture.boxes.clear();
-    picture.polyhedra.clear();
+    std::erase_if(picture.bodies, [](const Body& body) { return !is_sphere(body); });
     picture.bars.clear();
     picture.camera = {.eye = {8.0f, 14.0f, 12.0f}, .target = {5.0f, 3.0f, 0.0f}};
     return picture;

@@ -26,7 +26,7 @@ std::set<int> frames_that_differ(int count, const std::function<Picture(int)>& p
     Studio afresh(width, height, samples);
     std::set<int> differ;
     for (int frame = 0; frame < count; ++frame) {
-        afresh.render({.camera = from_the_front, .boxes = {{}}});
+        afresh.render({.camera = from_the_front, .bodies = {{}}});
         if (film.render(picture(frame)) != afresh.render(picture(frame))) differ.insert(frame);
     }
     return differ;
@@ -37,7 +37,7 @@ const std::set<int> none;
 // Something of everything, and in front of it a slab that shadows the rest when it is moved.
 Picture crowd() {
     Picture picture = all_kinds();
-    picture.boxes.push_back({.position = {-3.0f, 9.0f, 4.0f}, .half_extents = {2.0f, 0.1f, 1.0f}, .colour = blue});
+    picture.bodies.push_back({.position = {-3.0f, 9.0f, 4.0f}, .shape = Box{{2.0f, 0.1f, 1.0f}}, .colour = blue});
     return picture;
 }
 
@@ -60,9 +60,9 @@ TEST_CASE("A polyhedron that moves and turns, then another shape in its place") 
     CHECK(frames_that_differ(8, [&](int frame) {
               Picture picture = crowd();
               const auto moved = static_cast<float>(std::min(frame, 4));
-              picture.polyhedra[0].position += 0.2f * moved * glm::vec3(1.0f, 0.2f, -0.5f);
-              picture.polyhedra[1].orientation = glm::angleAxis(0.3f * moved, glm::vec3(0.0f, 1.0f, 0.0f));
-              if (frame > 5) picture.polyhedra[1].shape = pyramid;
+              picture.bodies[10].position += 0.2f * moved * glm::vec3(1.0f, 0.2f, -0.5f);
+              picture.bodies[11].orientation = glm::angleAxis(0.3f * moved, glm::vec3(0.0f, 1.0f, 0.0f));
+              if (frame > 5) picture.bodies[11].shape = pyramid;
               return picture;
           }) == none);
 }
@@ -71,8 +71,8 @@ TEST_CASE("One body that moves among others that stand, and comes to rest") {
     CHECK(frames_that_differ(8, [](int frame) {
               Picture picture = crowd();
               const int moved = std::min(frame, 5);
-              picture.spheres[2].position += 0.31f * static_cast<float>(moved) * glm::vec3(-1.0f, 0.3f, 0.2f);
-              picture.boxes[1].position.x += moved > 2 ? 0.4f : 0.0f;
+              picture.bodies[5].position += 0.31f * static_cast<float>(moved) * glm::vec3(-1.0f, 0.3f, 0.2f);
+              picture.bodies[1].position.x += moved > 2 ? 0.4f : 0.0f;
               return picture;
           }) == none);
 }
@@ -82,7 +82,7 @@ TEST_CASE("The shadow of a body that moves, on bodies, panels and ground that st
         CHECK(frames_that_differ(6, [&](int frame) {
                   Picture picture = crowd();
                   picture.towards_sun = towards_sun;
-                  picture.boxes.back().position.x += 0.7f * static_cast<float>(frame);
+                  picture.bodies.back().position.x += 0.7f * static_cast<float>(frame);
                   return picture;
               }) == none);
     }
@@ -92,7 +92,7 @@ TEST_CASE("Without a ground shadows fall on bodies all the same") {
     CHECK(frames_that_differ(5, [](int frame) {
               Picture picture = crowd();
               picture.ground.reset();
-              picture.boxes.back().position.x += 0.7f * static_cast<float>(frame);
+              picture.bodies.back().position.x += 0.7f * static_cast<float>(frame);
               return picture;
           }) == none);
 }
@@ -100,12 +100,12 @@ TEST_CASE("Without a ground shadows fall on bodies all the same") {
 TEST_CASE("Bodies that come, go, grow, turn, change their colour or their place in the list") {
     CHECK(frames_that_differ(9, [](int frame) {
               Picture picture = crowd();
-              if (frame == 1) picture.boxes.pop_back();
-              if (frame == 2) picture.spheres.clear();
-              if (frame == 4) picture.spheres[0].radius = 0.9f;
-              if (frame == 5) picture.boxes[1].orientation = glm::angleAxis(0.4f, glm::vec3(0.0f, 1.0f, 0.0f));
+              if (frame == 1) picture.bodies.pop_back();
+              if (frame == 2) std::erase_if(picture.bodies, is_sphere);
+              if (frame == 4) picture.bodies[3].shape = Sphere{0.9f};
+              if (frame == 5) picture.bodies[1].orientation = glm::angleAxis(0.4f, glm::vec3(0.0f, 1.0f, 0.0f));
               if (frame == 6) picture.bars[0].colour = red;
-              if (frame == 7) std::swap(picture.boxes[0], picture.boxes[2]);
+              if (frame == 7) std::swap(picture.bodies[0], picture.bodies[2]);
               return picture;
           }) == none);
 }
@@ -127,7 +127,7 @@ TEST_CASE("Camera, sun, ground and panels that change") {
 TEST_CASE("A body that is thrown out of the shadow map's view, which grows") {
     CHECK(frames_that_differ(8, [](int frame) {
               Picture picture = crowd();
-              picture.spheres.back().position += static_cast<float>(frame * frame) * glm::vec3(-1.7f, 0.9f, 0.3f);
+              picture.bodies[9].position += static_cast<float>(frame * frame) * glm::vec3(-1.7f, 0.9f, 0.3f);
               return picture;
           }) == none);
 }
@@ -147,8 +147,8 @@ TEST_CASE("A mean of several drawings") {
               6,
               [](int frame) {
                   Picture picture = crowd();
-                  picture.spheres[2].position.x += 0.2f * static_cast<float>(std::min(frame, 3));
-                  if (frame > 3) picture.boxes.back().position.z -= 0.3f * static_cast<float>(frame);
+                  picture.bodies[5].position.x += 0.2f * static_cast<float>(std::min(frame, 3));
+                  if (frame > 3) picture.bodies.back().position.z -= 0.3f * static_cast<float>(frame);
                   return picture;
               },
               3) == none);
@@ -160,15 +160,15 @@ TEST_CASE("Bodies at random, of which some move at random") {
     const auto place = [&] { return glm::vec3(6.0f * any(random), 3.0f + 3.0f * any(random), 6.0f * any(random)); };
     Picture picture = crowd();
     for (int i = 0; i < 12; ++i) {
-        picture.boxes.push_back({.position = place(), .half_extents = glm::vec3(0.7f + 0.3f * any(random))});
-        picture.spheres.push_back({.position = place(), .radius = 0.3f + 0.2f * any(random)});
+        picture.bodies.push_back({.position = place(), .shape = Box{glm::vec3(0.7f + 0.3f * any(random))}});
+        picture.bodies.push_back({.position = place(), .shape = Sphere{0.3f + 0.2f * any(random)}});
         picture.bars.push_back({.from = place(), .to = place(), .radius = 0.02f});
     }
     std::vector<Picture> frames;
     for (int frame = 0; frame < 12; ++frame) {
         const auto i = static_cast<std::size_t>(2 + frame % 12);
-        picture.boxes[i].position += 0.5f * glm::vec3(any(random), any(random), any(random));
-        picture.spheres[i].position += 0.1f * glm::vec3(any(random), any(random), any(random));
+        picture.bodies[i].position += 0.5f * glm::vec3(any(random), any(random), any(random));
+        picture.bodies[i + 13].position += 0.1f * glm::vec3(any(random), any(random), any(random));
         if (frame % 3 == 0) picture.bars[i - 1].from.x += 0.3f;
         frames.push_back(picture);
     }
@@ -182,10 +182,10 @@ TEST_CASE("A picture that was drawn already is not drawn again, and after a refu
     const Image first = renderer.render(crowd());
     CHECK(counter.drawn() == 1);
     Studio other(width, height);
-    other.render({.camera = from_the_front, .boxes = {{}}});
+    other.render({.camera = from_the_front, .bodies = {{}}});
     CHECK(other.render(crowd()) == first);
     CHECK(renderer.render(crowd()) == first);
     CHECK(counter.drawn() == 1);
-    CHECK_THROWS(renderer.render({.camera = {}, .spheres = {{.radius = -1.0f}}}));
+    CHECK_THROWS(renderer.render({.camera = {}, .bodies = {{.shape = Sphere{-1.0f}}}}));
     CHECK(renderer.render(crowd()) == first);
 }

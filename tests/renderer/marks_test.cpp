@@ -66,7 +66,7 @@ TEST_CASE("Marks are projected like bodies, whatever the camera and the shape of
             for (const glm::vec3 place :
                  {glm::vec3(0.0f), glm::vec3(1.5f, 2.0f, -1.0f), glm::vec3(1.0f, -1.0f, 1.2f)}) {
                 // A blue dot hides the middle of a red ball, and the ball's rim is seen on all sides.
-                const Picture ball{.camera = camera, .spheres = {{.position = place, .radius = 0.6f}}};
+                const Picture ball{.camera = camera, .bodies = {{.position = place, .shape = Sphere{0.6f}}}};
                 Picture both = ball;
                 both.dots = {{.position = place, .colour = blue}};
                 const Image without = studio.render(ball);
@@ -97,7 +97,7 @@ TEST_CASE("Marks are projected like bodies, whatever the camera and the shape of
 
 TEST_CASE("Marks are seen through what hides them in depth", "[marks]") {
     Picture picture{.camera = from_the_front,
-                    .boxes = {{.half_extents = glm::vec3(1.5f), .colour = ivory}},
+                    .bodies = {{.shape = Box{glm::vec3(1.5f)}, .colour = ivory}},
                     .arrows = {{.from = {-0.8f, 0.5f, 0.0f}, .to = {0.8f, 0.5f, -1.0f}, .colour = red}},
                     .dots = {{.position = {0.0f, -0.5f, -1.0f}, .colour = blue}}};
     const Image image = Studio(width, height).render(picture);

@@ -37,11 +37,11 @@ const glm::vec3 middle(0.45f, 0.45f, 0.0f);
 
 TEST_CASE("A ball behind a panel is still seen, and the panel tints it") {
     Studio studio(320, 180);
-    const Sphere ball{.position = {0.5f, 0.5f, -1.0f}, .colour = red};
+    const Body ball{.position = {0.5f, 0.5f, -1.0f}, .shape = Sphere{}, .colour = red};
     const Panel panel = square_at(0.0f, blue, 0.4f);
-    const Pixel bare = at(studio.render({.camera = from_the_front, .spheres = {ball}}), middle);
+    const Pixel bare = at(studio.render({.camera = from_the_front, .bodies = {ball}}), middle);
     const Pixel alone = at(studio.render({.camera = from_the_front, .panels = {panel}}), middle);
-    const Pixel both = at(studio.render({.camera = from_the_front, .spheres = {ball}, .panels = {panel}}), middle);
+    const Pixel both = at(studio.render({.camera = from_the_front, .bodies = {ball}, .panels = {panel}}), middle);
     CHECK(both[1] < alone[1] - 30);  // still without the light of the background
     CHECK(both[0] > both[1] + 60);   // and red
     CHECK(both[0] < bare[0] - 15);   // but tinted
@@ -50,9 +50,9 @@ TEST_CASE("A ball behind a panel is still seen, and the panel tints it") {
 
 TEST_CASE("A panel behind a ball does not show through it") {
     Studio studio(320, 180);
-    const Sphere ball{.position = {0.5f, 0.5f, 1.0f}, .colour = red};
-    const Pixel bare = at(studio.render({.camera = from_the_front, .spheres = {ball}}), middle);
-    const Picture picture{.camera = from_the_front, .spheres = {ball}, .panels = {square_at(-1.0f, blue, 1.0f)}};
+    const Body ball{.position = {0.5f, 0.5f, 1.0f}, .shape = Sphere{}, .colour = red};
+    const Pixel bare = at(studio.render({.camera = from_the_front, .bodies = {ball}}), middle);
+    const Picture picture{.camera = from_the_front, .bodies = {ball}, .panels = {square_at(-1.0f, blue, 1.0f)}};
     CHECK(at(studio.render(picture), middle) == bare);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("A ball's shadow falls on a panel, and the panel casts none") {
     Picture picture{
         .camera = from_the_front, .towards_sun = {1.0f, 0.0f, 1.0f}, .panels = {square_at(0.0f, ivory, 0.8f)}};
     const Image lit = studio.render(picture);
-    picture.spheres = {{.position = {2.45f, 0.45f, 2.0f}, .colour = red}};
+    picture.bodies = {{.position = {2.45f, 0.45f, 2.0f}, .shape = Sphere{}, .colour = red}};
     CHECK(difference(at(studio.render(picture), middle), at(lit, middle)) > 60);
 
     Picture ground{.camera = from_above, .towards_sun = {-1.0f, 1.0f, 0.0f}, .ground = Ground{}};

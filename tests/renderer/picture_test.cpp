@@ -15,12 +15,12 @@ TEST_CASE("A picture that cannot be drawn is refused by the name of the field") 
     const float nan = std::numeric_limits<float>::quiet_NaN();
 
     SECTION("a body's position") {
-        picture.boxes[1].position.y = nan;
-        CHECK_THROWS_WITH(check(picture), Contains("boxes[1]"));
+        picture.bodies[1].position.y = nan;
+        CHECK_THROWS_WITH(check(picture), Contains("bodies[1]"));
     }
     SECTION("a body's orientation") {
-        picture.boxes[2].orientation.w = std::numeric_limits<float>::infinity();
-        CHECK_THROWS_WITH(check(picture), Contains("boxes[2]"));
+        picture.bodies[2].orientation.w = std::numeric_limits<float>::infinity();
+        CHECK_THROWS_WITH(check(picture), Contains("bodies[2]"));
     }
     SECTION("a camera that looks nowhere") {
         picture.camera.target = picture.camera.eye;
@@ -39,12 +39,12 @@ TEST_CASE("A picture that cannot be drawn is refused by the name of the field") 
         CHECK_THROWS_WITH(check(picture), Contains("ground.height"));
     }
     SECTION("a sphere's position") {
-        picture.spheres = {{}, {.position = {0.0f, nan, 0.0f}}};
-        CHECK_THROWS_WITH(check(picture), Contains("spheres[1] is"));
+        picture.bodies = {{.shape = Sphere{}}, {.position = {0.0f, nan, 0.0f}, .shape = Sphere{}}};
+        CHECK_THROWS_WITH(check(picture), Contains("bodies[1] is"));
     }
     SECTION("a sphere's radius") {
-        picture.spheres = {{}, {}, {.radius = -1.0f}};
-        CHECK_THROWS_WITH(check(picture), Contains("spheres[2].radius"));
+        picture.bodies = {{.shape = Sphere{}}, {.shape = Sphere{}}, {.shape = Sphere{-1.0f}}};
+        CHECK_THROWS_WITH(check(picture), Contains("bodies[2].shape.radius"));
     }
     SECTION("a bar's end") {
         picture.bars = {{.to = {nan, 0.0f, 0.0f}}};

@@ -29,7 +29,7 @@ ConvexShape cube() {
 }
 
 Picture with(const std::shared_ptr<const ConvexShape>& shape) {
-    return {.camera = from_the_front, .polyhedra = {{.shape = shape, .colour = red}}};
+    return {.camera = from_the_front, .bodies = {{.shape = shape, .colour = red}}};
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("a cube as a polyhedron looks as a box does") {
     Studio studio(160, 90);
     const Image polyhedron = studio.render(with(std::make_shared<const ConvexShape>(cube())));
     const Image box =
-        studio.render({.camera = from_the_front, .boxes = {{.half_extents = glm::vec3(1.0f), .colour = red}}});
+        studio.render({.camera = from_the_front, .bodies = {{.shape = Box{glm::vec3(1.0f)}, .colour = red}}});
     int differing = 0;
     for (std::size_t i = 0; i < box.rgb.size(); ++i)
         differing += std::abs(box.rgb[i] - polyhedron.rgb[i]) > 4 ? 1 : 0;
@@ -73,8 +73,8 @@ TEST_CASE("a polyhedron is seen where it is, hides what is behind it and casts a
     Picture picture{.camera = from_above, .ground = Ground{.height = -3.0f}};
     Studio studio(160, 90);
     const Image bare = studio.render(picture);
-    picture.polyhedra.push_back({.shape = wedge(), .colour = red});
-    picture.spheres.push_back({.position = {0.0f, -1.5f, 0.0f}, .radius = 0.3f, .colour = blue});
+    picture.bodies.push_back({.shape = wedge(), .colour = red});
+    picture.bodies.push_back({.position = {0.0f, -1.5f, 0.0f}, .shape = Sphere{0.3f}, .colour = blue});
     const Image image = studio.render(picture);
     CHECK(is_red(image.pixel(80, 45)));
     int darker = 0;
@@ -99,9 +99,9 @@ TEST_CASE("shapes that are no surface are refused by name") {
     CHECK(said(cube()).empty());
     ConvexShape open = cube();
     open.faces.pop_back();
-    CHECK(said(open) == "picture: polyhedra[0].shape.faces do not close a surface");
+    CHECK(said(open) == "picture: bodies[0].shape.faces do not close a surface");
     ConvexShape missing = cube();
     missing.faces[0][0] = 8;
-    CHECK(said(missing) == "picture: polyhedra[0].shape.faces have corners that are not there");
+    CHECK(said(missing) == "picture: bodies[0].shape.faces have corners that are not there");
     CHECK_THROWS_AS(check(with(nullptr)), RendererError);
 }

@@ -23,7 +23,7 @@ double mean_difference(const Image& a, const Image& b) {
 TEST_CASE("A red box in the middle is red there and leaves the background elsewhere") {
     Studio studio(160, 90);
     const Image empty = studio.background();
-    const Image image = studio.render({.camera = from_the_front, .boxes = {{.colour = red}}});
+    const Image image = studio.render({.camera = from_the_front, .bodies = {{.colour = red}}});
     CHECK(is_red(image.pixel(80, 45)));
     for (const auto& [x, y] : {std::pair{0, 0}, std::pair{159, 0}, std::pair{0, 89}, std::pair{159, 89},
                                std::pair{80, 10}, std::pair{80, 80}, std::pair{20, 45}, std::pair{140, 45}}) {
@@ -33,8 +33,8 @@ TEST_CASE("A red box in the middle is red there and leaves the background elsewh
 
 TEST_CASE("Up in the world is up in the image, and right is right") {
     const Image image = Studio(160, 90).render({.camera = from_the_front,
-                                                .boxes = {{.position = {0.0f, 2.5f, 0.0f}, .colour = red},
-                                                          {.position = {4.0f, 0.0f, 0.0f}, .colour = blue}}});
+                                                .bodies = {{.position = {0.0f, 2.5f, 0.0f}, .colour = red},
+                                                           {.position = {4.0f, 0.0f, 0.0f}, .colour = blue}}});
     CHECK(is_red(image.pixel(80, 12)));
     CHECK_FALSE(is_red(image.pixel(80, 77)));
     CHECK(is_blue(image.pixel(132, 45)));
@@ -42,27 +42,27 @@ TEST_CASE("Up in the world is up in the image, and right is right") {
 }
 
 TEST_CASE("What is nearer hides what is farther") {
-    const Box near{.position = {0.0f, 0.0f, 3.0f}, .colour = red};
-    const Box far{.position = {0.0f, 0.0f, -3.0f}, .half_extents = glm::vec3(0.9f), .colour = blue};
+    const Body near{.position = {0.0f, 0.0f, 3.0f}, .colour = red};
+    const Body far{.position = {0.0f, 0.0f, -3.0f}, .shape = Box{glm::vec3(0.9f)}, .colour = blue};
     Studio studio(160, 90);
-    CHECK(is_red(studio.render({.camera = from_the_front, .boxes = {near, far}}).pixel(80, 45)));
-    CHECK(is_red(studio.render({.camera = from_the_front, .boxes = {far, near}}).pixel(80, 45)));
+    CHECK(is_red(studio.render({.camera = from_the_front, .bodies = {near, far}}).pixel(80, 45)));
+    CHECK(is_red(studio.render({.camera = from_the_front, .bodies = {far, near}}).pixel(80, 45)));
 }
 
 TEST_CASE("A box turns the way its quaternion says") {
     // A bar along x, turned by 90 degrees about z, stands upright.
     const glm::quat quarter = glm::angleAxis(glm::radians(90.0f), glm::vec3(0.0f, 0.0f, 1.0f));
-    Box bar{.half_extents = {2.0f, 0.3f, 0.3f}, .colour = red};
+    Body bar{.shape = Box{{2.0f, 0.3f, 0.3f}}, .colour = red};
     Studio studio(160, 90);
-    CHECK(is_red(studio.render({.camera = from_the_front, .boxes = {bar}}).pixel(100, 45)));
+    CHECK(is_red(studio.render({.camera = from_the_front, .bodies = {bar}}).pixel(100, 45)));
     bar.orientation = quarter;
-    const Image upright = studio.render({.camera = from_the_front, .boxes = {bar}});
+    const Image upright = studio.render({.camera = from_the_front, .bodies = {bar}});
     CHECK(is_red(upright.pixel(80, 25)));
     CHECK_FALSE(is_red(upright.pixel(100, 45)));
 
     // And by 30 degrees it points up on the right: the sense of the rotation.
     bar.orientation = glm::angleAxis(glm::radians(30.0f), glm::vec3(0.0f, 0.0f, 1.0f));
-    const Image tilted = studio.render({.camera = from_the_front, .boxes = {bar}});
+    const Image tilted = studio.render({.camera = from_the_front, .bodies = {bar}});
     CHECK(is_red(tilted.pixel(97, 35)));
     CHECK_FALSE(is_red(tilted.pixel(97, 55)));
 }
@@ -76,7 +76,7 @@ TEST_CASE("A body's shadow falls on the ground away from the sun") {
         Picture picture{.camera = from_above, .towards_sun = towards_sun, .ground = Ground{}};
         const Image lit = studio.render(picture);
         const float body_height = 3.0f;
-        picture.boxes = {{.position = {0.0f, body_height, 0.0f}}};
+        picture.bodies = {{.position = {0.0f, body_height, 0.0f}}};
         const Image shadowed = studio.render(picture);
 
         const glm::vec3 fall = towards_sun * (-body_height / towards_sun.y);
@@ -94,7 +94,7 @@ TEST_CASE("The shadow of a body far above the picture still falls on the ground"
                     .ground = Ground{}};
     Studio studio(160, 90);
     const Image lit = studio.render(picture);
-    picture.boxes = {{.position = {0.0f, 40.0f, 0.0f}, .half_extents = glm::vec3(1.2f)}};
+    picture.bodies = {{.position = {0.0f, 40.0f, 0.0f}, .shape = Box{glm::vec3(1.2f)}}};
     const Image shadowed = studio.render(picture);
     CHECK(brightness(shadowed, 83, 48) < brightness(lit, 83, 48) - 100);
     CHECK(shadowed.pixel(10, 10) == lit.pixel(10, 10));
@@ -104,9 +104,9 @@ TEST_CASE("The ground is darker right beside a body that stands on it") {
     Studio studio(160, 120);
     Picture picture{.camera = from_above, .towards_sun = {0.0f, 1.0f, 0.0f}, .ground = Ground{}};
     const Image empty = studio.render(picture);
-    picture.boxes = {{.position = {0.0f, 1.0f, 0.0f}, .half_extents = glm::vec3(1.0f)}};
+    picture.bodies = {{.position = {0.0f, 1.0f, 0.0f}, .shape = Box{glm::vec3(1.0f)}}};
     const Image standing = studio.render(picture);
-    picture.boxes[0].position.y = 4.0f;
+    picture.bodies[0].position.y = 4.0f;
     const Image floating = studio.render(picture);
     const auto [x, y] = pixel_from_above(picture.camera, 160, 120, 1.5f, 0.5f);
     CHECK(brightness(standing, x, y) < brightness(empty, x, y) - 15);
@@ -115,8 +115,8 @@ TEST_CASE("The ground is darker right beside a body that stands on it") {
 
 TEST_CASE("Edges are antialiased") {
     const glm::quat tilted = glm::angleAxis(0.3f, glm::vec3(0.0f, 0.0f, 1.0f));
-    const Box box{.orientation = tilted, .half_extents = glm::vec3(1.5f), .colour = red};
-    const Image image = Studio(160, 90).render({.camera = from_the_front, .boxes = {box}});
+    const Body box{.orientation = tilted, .shape = Box{glm::vec3(1.5f)}, .colour = red};
+    const Image image = Studio(160, 90).render({.camera = from_the_front, .bodies = {box}});
     // The box has hardly any blue, the background much: in between are only pixels that show both.
     int mixed = 0;
     for (int y = 0; y < 90; ++y) {
@@ -129,8 +129,9 @@ TEST_CASE("Nothing is over-exposed") {
     Studio studio(160, 90);
     for (const glm::vec3 towards_sun : {glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(-0.5f, 0.9f, 0.65f)}) {
         const glm::quat turned = glm::angleAxis(0.5f, glm::vec3(0.6f, 0.8f, 0.0f));
-        const Box white{.orientation = turned, .half_extents = glm::vec3(2.0f), .colour = glm::vec3(1.0f)};
-        const Image image = studio.render({.camera = from_the_front, .towards_sun = towards_sun, .boxes = {white}});
+        const Body white{.orientation = turned, .shape = Box{glm::vec3(2.0f)}, .colour = glm::vec3(1.0f)};
+        const Image image =
+            studio.render({.camera = from_the_front, .towards_sun = towards_sun, .bodies = {white}});
         CHECK(*std::ranges::max_element(image.rgb) < 255);
     }
 }
@@ -141,7 +142,7 @@ TEST_CASE("A lit face does not shadow itself") {
     for (const float sun_height : {0.15f, 0.3f, 0.6f, 1.0f, 3.0f}) {
         const Picture picture{.camera = from_above,
                               .towards_sun = {-0.8f, sun_height, 0.6f},
-                              .boxes = {{.half_extents = glm::vec3(4.0f), .colour = ivory}}};
+                              .bodies = {{.shape = Box{glm::vec3(4.0f)}, .colour = ivory}}};
         const Image image = studio.render(picture);
         // Light changes slowly over the face; its own shadow would be a pattern of stripes.
         int steepest = 0;
@@ -158,11 +159,11 @@ TEST_CASE("A lit face does not shadow itself") {
 TEST_CASE("The resting keep their shadow while others move") {
     Picture picture{.camera = from_above,
                     .ground = Ground{},
-                    .boxes = {{.position = {-4.0f, 1.0f, 2.0f}}, {.position = {6.0f, 1.0f, -3.0f}}}};
+                    .bodies = {{.position = {-4.0f, 1.0f, 2.0f}}, {.position = {6.0f, 1.0f, -3.0f}}}};
     Studio studio(160, 120);
     const Image before = studio.render(picture);
     for (const float step : {0.013f, 0.1f, 0.7f}) {
-        picture.boxes[1].position += glm::vec3(step, step, -step);
+        picture.bodies[1].position += glm::vec3(step, step, -step);
         const Image after = studio.render(picture);
         int largest = 0;
         for (int y = 0; y < 120; ++y) {
@@ -174,10 +175,10 @@ TEST_CASE("The resting keep their shadow while others move") {
 }
 
 TEST_CASE("A body far away does not coarsen the shadows near the camera's target") {
-    Picture picture{.camera = from_above, .ground = Ground{}, .boxes = {{.position = {0.0f, 2.0f, 0.0f}}}};
+    Picture picture{.camera = from_above, .ground = Ground{}, .bodies = {{.position = {0.0f, 2.0f, 0.0f}}}};
     Studio studio(160, 120);
     const Image before = studio.render(picture);
-    picture.boxes.push_back({.position = {-150.0f, 1.0f, 100.0f}});
+    picture.bodies.push_back({.position = {-150.0f, 1.0f, 100.0f}});
     CHECK(mean_difference(studio.render(picture), before) < 0.035);  // 0.031 seen
 }
 
@@ -198,9 +199,9 @@ TEST_CASE("A scene a tenth or ten times the size looks the same") {
         Picture scaled = picture;
         scaled.camera.eye *= factor;
         scaled.camera.target *= factor;
-        for (Box& box : scaled.boxes) {
-            box.position *= factor;
-            box.half_extents *= factor;
+        for (Body& body : scaled.bodies) {
+            body.position *= factor;
+            std::get<Box>(body.shape).half_extents *= factor;
         }
         CHECK(mean_difference(studio.render(scaled), image) < 0.05);
     }
@@ -209,7 +210,7 @@ TEST_CASE("A scene a tenth or ten times the size looks the same") {
 TEST_CASE("The ground is seen from above only") {
     Studio studio(160, 90);
     const Camera below{.eye = {0.0f, -5.0f, 10.0f}, .target = glm::vec3(0.0f)};
-    const std::vector<Box> boxes{{.position = {0.0f, 2.0f, 0.0f}}};
-    CHECK(largest_difference(studio.render({.camera = below, .ground = Ground{}, .boxes = boxes}),
-                             studio.render({.camera = below, .boxes = boxes})) == 0);
+    const std::vector<Body> boxes{{.position = {0.0f, 2.0f, 0.0f}}};
+    CHECK(largest_difference(studio.render({.camera = below, .ground = Ground{}, .bodies = boxes}),
+                             studio.render({.camera = below, .bodies = boxes})) == 0);
 }

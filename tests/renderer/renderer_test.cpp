@@ -66,8 +66,8 @@ TEST_CASE("A body thrown out of sight changes nothing") {
     Picture picture = stack_of_cubes(3);
     const Image before = studio.render(picture);
     for (const float far : {1e4f, 1e20f, 1e38f}) {
-        picture.boxes.push_back({.position = {far, -far, far}});
-        picture.spheres.push_back({.position = {far, -far, far}});
+        picture.bodies.push_back({.position = {far, -far, far}});
+        picture.bodies.push_back({.position = {far, -far, far}, .shape = Sphere{}});
         picture.bars.push_back({.from = {far, -far, far}, .to = {far, far, far}});
         CHECK(studio.render(picture) == before);
     }

@@ -36,7 +36,7 @@ class Studio {
 
     // The background of every picture. An empty picture is refused.
     Image background() {
-        Image image = render({.camera = from_the_front, .boxes = {{}}});
+        Image image = render({.camera = from_the_front, .bodies = {{}}});
         const auto corner = image.pixel(0, 0);
         for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = corner[i % 3];
         return image;
@@ -52,10 +52,10 @@ inline Picture stack_of_cubes(int count) {
     Picture picture{.camera = {.eye = {11.0f, 12.0f, 24.0f}, .target = {0.0f, 5.0f, 0.0f}}, .ground = Ground{}};
     for (int i = 0; i < count; ++i) {
         const auto level = static_cast<float>(i);
-        picture.boxes.push_back({.position = {0.0f, 1.2f + 2.4f * level, 0.0f},
-                                 .orientation = glm::angleAxis(0.1f * level, glm::vec3(0.0f, 1.0f, 0.0f)),
-                                 .half_extents = glm::vec3(1.2f),
-                                 .colour = i % 2 == 0 ? red : ivory});
+        picture.bodies.push_back({.position = {0.0f, 1.2f + 2.4f * level, 0.0f},
+                                  .orientation = glm::angleAxis(0.1f * level, glm::vec3(0.0f, 1.0f, 0.0f)),
+                                  .shape = Box{glm::vec3(1.2f)},
+                                  .colour = i % 2 == 0 ? red : ivory});
     }
     return picture;
 }
@@ -72,22 +72,27 @@ inline std::shared_ptr<const ConvexShape> wedge() {
                     .faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}});
 }
 
+inline bool is_sphere(const Body& body) {
+    return std::holds_alternative<Sphere>(body.shape);
+}
+
 // A little of everything: a funnel with balls in it, boxes, wedges, and a pendulum.
 inline Picture all_kinds() {
     Picture picture = stack_of_cubes(3);
     for (int i = 0; i < 6; ++i) {
         const auto step = static_cast<float>(i);
-        picture.spheres.push_back({.position = {4.0f + 0.3f * step, 1.0f + 0.9f * step, 0.4f * step - 1.0f},
-                                   .orientation = glm::angleAxis(step, glm::vec3(0.6f, 0.8f, 0.0f)),
-                                   .colour = i % 2 == 0 ? blue : ivory});
+        picture.bodies.push_back({.position = {4.0f + 0.3f * step, 1.0f + 0.9f * step, 0.4f * step - 1.0f},
+                                  .orientation = glm::angleAxis(step, glm::vec3(0.6f, 0.8f, 0.0f)),
+                                  .shape = Sphere{},
+                                  .colour = i % 2 == 0 ? blue : ivory});
     }
-    picture.spheres.push_back({.position = {-5.0f, 2.0f, 2.0f}, .radius = 0.8f, .colour = red});
+    picture.bodies.push_back({.position = {-5.0f, 2.0f, 2.0f}, .shape = Sphere{0.8f}, .colour = red});
     const auto shape = wedge();
-    picture.polyhedra.push_back({.position = {-3.0f, 0.5f, 4.5f}, .shape = shape, .colour = ivory});
-    picture.polyhedra.push_back({.position = {-4.5f, 6.0f, -2.0f},
-                                 .orientation = glm::angleAxis(0.8f, glm::vec3(0.6f, 0.0f, 0.8f)),
-                                 .shape = shape,
-                                 .colour = blue});
+    picture.bodies.push_back({.position = {-3.0f, 0.5f, 4.5f}, .shape = shape, .colour = ivory});
+    picture.bodies.push_back({.position = {-4.5f, 6.0f, -2.0f},
+                              .orientation = glm::angleAxis(0.8f, glm::vec3(0.6f, 0.0f, 0.8f)),
+                              .shape = shape,
+                              .colour = blue});
     picture.bars.push_back({.from = {-4.0f, 8.0f, 2.0f}, .to = {-5.0f, 2.0f, 2.0f}});
     const glm::vec3 apex(5.0f, 0.0f, 0.0f);
     const glm::vec3 corners[] = {{2.0f, 6.0f, -3.0f}, {2.0f, 6.0f, 3.0f}, {8.0f, 6.0f, 3.0f}, {8.0f, 6.0f, -3.0f}};

@@ -23,7 +23,7 @@ Picture slab_at(float altitude) {
     return {.camera = from_above,
             .towards_sun = {0.0f, 1.0f, 1.0f},
             .ground = Ground{},
-            .boxes = {{.position = {-2.0f, altitude, altitude + 4.0f}, .half_extents = {2.0f, 0.01f, 0.5f}}}};
+            .bodies = {{.position = {-2.0f, altitude, altitude + 4.0f}, .shape = Box{{2.0f, 0.01f, 0.5f}}}}};
 }
 
 // The number of pixels along a row that are neither in full shadow nor in full light.
@@ -142,7 +142,7 @@ TEST_CASE("One sample is the plain image, and the same number of samples gives t
 TEST_CASE("More samples make finer edges and leave the picture as it is") {
     const glm::quat tilted = glm::angleAxis(0.3f, glm::vec3(0.0f, 0.0f, 1.0f));
     const Picture picture{.camera = from_the_front,
-                          .boxes = {{.orientation = tilted, .half_extents = glm::vec3(1.5f), .colour = red}}};
+                          .bodies = {{.orientation = tilted, .shape = Box{glm::vec3(1.5f)}, .colour = red}}};
     const Image one = Studio(width, height).render(picture);
     const Image sixteen = Studio(width, height, 16).render(picture);
     const auto levels = [](const Image& image) {

@@ -32,7 +32,7 @@ Picture wall(float height) {
     return {.camera = from_above,
             .towards_sun = {0.0f, 1.0f, 1.0f},
             .ground = Ground{},
-            .boxes = {{.position = {0.0f, 0.5f * height, -4.5f}, .half_extents = {400.0f, 0.5f * height, 0.5f}}}};
+            .bodies = {{.position = {0.0f, 0.5f * height, -4.5f}, .shape = Box{{400.0f, 0.5f * height, 0.5f}}}}};
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ TEST_CASE("Ground is darker the nearer it is to the foot of a cube, all around i
     const Picture cube{.camera = from_above,
                        .towards_sun = {0.0f, 1.0f, 0.0f},
                        .ground = Ground{},
-                       .boxes = {{.position = {0.0f, 1.0f, 0.0f}, .half_extents = glm::vec3(1.0f)}}};
+                       .bodies = {{.position = {0.0f, 1.0f, 0.0f}, .shape = Box{glm::vec3(1.0f)}}}};
     const Image image = Studio(side, side, 64).render(cube);
     const double open = light_at(image, 5.5f, 5.5f);
     for (const glm::vec2& aside : {glm::vec2(1.0f, 0.0f), {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}}) {
@@ -79,8 +79,9 @@ TEST_CASE("Ground is darker the nearer it is to the foot of a cube, all around i
 }
 
 TEST_CASE("What no body hides has the light of a single sample") {
-    const Picture far_ball{
-        .camera = from_above, .ground = Ground{}, .spheres = {{.position = {3.0f, 0.2f, 3.0f}, .radius = 0.2f}}};
+    const Picture far_ball{.camera = from_above,
+                           .ground = Ground{},
+                           .bodies = {{.position = {3.0f, 0.2f, 3.0f}, .shape = Sphere{0.2f}}}};
     const Image one = Studio(side, side).render(far_ball);
     for (const int samples : {4, 16, 64}) {
         const Image many = Studio(side, side, samples).render(far_ball);
@@ -94,7 +95,7 @@ TEST_CASE("A side without sun is darker beside ground in its own shadow than bes
         const Picture picture{.camera = from_the_front,
                               .towards_sun = {0.0f, 1.0f, -1.0f},
                               .ground = Ground{.height = -altitude},
-                              .boxes = {{.half_extents = {2.0f, 0.5f, 0.5f}, .colour = ivory}}};
+                              .bodies = {{.shape = Box{{2.0f, 0.5f, 0.5f}}, .colour = ivory}}};
         const Image image = Studio(side, side, 64).render(picture);
         const auto [x, y] = pixel_from_the_front(side, side, {0.3f, -0.35f, 0.5f});
         return light(image, x, y);
@@ -106,9 +107,9 @@ TEST_CASE("Samples that are spread over pictures blur what moves between them, a
     std::vector<Picture> moving;
     for (int i = 0; i < 16; ++i) {
         moving.push_back({.camera = from_the_front,
-                          .boxes = {{.position = {0.1f * static_cast<float>(i) - 0.75f, 0.0f, 0.0f},
-                                     .half_extents = glm::vec3(0.8f),
-                                     .colour = red}}});
+                          .bodies = {{.position = {0.1f * static_cast<float>(i) - 0.75f, 0.0f, 0.0f},
+                                      .shape = Box{glm::vec3(0.8f)},
+                                      .colour = red}}});
     }
     const auto context = open_offscreen_context();
     Renderer renderer(*context, side, side, shader_directory, 16);

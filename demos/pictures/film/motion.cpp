@@ -21,8 +21,7 @@ void move(renderer::Bar& bar, const renderer::Bar& from, float share) {
     bar.to = glm::mix(from.to, bar.to, share);
 }
 
-template <typename Body>
-void move(Body& body, const Body& from, float share) {
+void move(renderer::Body& body, const renderer::Body& from, float share) {
     body.position = glm::mix(from.position, body.position, share);
     body.orientation = glm::slerp(from.orientation, body.orientation, share);
 }
@@ -37,9 +36,7 @@ Picture between(const Picture& before, const Picture& after, float share) {
     Picture picture = after;
     picture.camera.eye = glm::mix(before.camera.eye, after.camera.eye, share);
     picture.camera.target = glm::mix(before.camera.target, after.camera.target, share);
-    move_all(picture.boxes, before.boxes, share);
-    move_all(picture.spheres, before.spheres, share);
-    move_all(picture.polyhedra, before.polyhedra, share);
+    move_all(picture.bodies, before.bodies, share);
     move_all(picture.bars, before.bars, share);
     return picture;
 }
@@ -48,8 +45,7 @@ bool same_place(const renderer::Bar& a, const renderer::Bar& b) {
     return a.from == b.from && a.to == b.to;
 }
 
-template <typename Body>
-bool same_place(const Body& a, const Body& b) {
+bool same_place(const renderer::Body& a, const renderer::Body& b) {
     return a.position == b.position && a.orientation == b.orientation;
 }
 
@@ -107,14 +103,11 @@ void Motion::note(const Picture& now) {
 }
 
 void Motion::add_ghosts(Picture& now) const {
-    const std::size_t boxes = now.boxes.size(), spheres = now.spheres.size(), polyhedra = now.polyhedra.size(),
-                      bars = now.bars.size();
+    const std::size_t bodies = now.bodies.size(), bars = now.bars.size();
     for (std::size_t i = 0; i < ghosts_.size(); ++i) {
         const float age = static_cast<float>(ghosts_.size() - i) / static_cast<float>(ghosts_.size());
         const float paleness = 0.3f + 0.45f * age;
-        add_moved(ghosts_[i].boxes, boxes, paleness, now.boxes);
-        add_moved(ghosts_[i].spheres, spheres, paleness, now.spheres);
-        add_moved(ghosts_[i].polyhedra, polyhedra, paleness, now.polyhedra);
+        add_moved(ghosts_[i].bodies, bodies, paleness, now.bodies);
         add_moved(ghosts_[i].bars, bars, paleness, now.bars);
     }
 }

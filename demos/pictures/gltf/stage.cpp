@@ -41,23 +41,25 @@ class Meshes {
   public:
     explicit Meshes(Document& document) : document_(document) {}
 
-    int of(const renderer::Box& box) {
-        const glm::vec3& half = box.half_extents;
-        const auto [known, is_new] = boxes_.try_emplace({half.x, half.y, half.z}, 0);
-        if (is_new) known->second = document_.add_geometry(gltf::box(half));
-        return document_.mesh(known->second, "box", {{.colour = box.colour}});
-    }
-
-    int of(const renderer::Sphere& sphere) {
-        if (ball_ < 0) ball_ = document_.add_geometry(ball());
-        const Paint paint{.colour = sphere.colour};
-        return document_.mesh(ball_, "ball", {paint, darker(paint)});
-    }
-
-    int of(const renderer::Polyhedron& body) {
-        const auto [known, is_new] = polyhedra_.try_emplace(*body.shape, 0);
-        if (is_new) known->second = document_.add_geometry(polyhedron(*body.shape));
-        return document_.mesh(known->second, "polyhedron", {{.colour = body.colour}});
+    int of(const renderer::Body& body) {
+        const Paint paint{.colour = body.colour};
+        return std::visit(
+            engine::Overloaded{[&](const renderer::Box& box) {
+                                   const glm::vec3& half = box.half_extents;
+                                   const auto [known, is_new] = boxes_.try_emplace({half.x, half.y, half.z}, 0);
+                                   if (is_new) known->second = document_.add_geometry(gltf::box(half));
+                                   return document_.mesh(known->second, "box", {paint});
+                               },
+                               [&](const renderer::Sphere&) {
+                                   if (ball_ < 0) ball_ = document_.add_geometry(ball());
+                                   return document_.mesh(ball_, "ball", {paint, darker(paint)});
+                               },
+                               [&](const renderer::Polyhedron& shape) {
+                                   const auto [known, is_new] = polyhedra_.try_emplace(*shape, 0);
+                                   if (is_new) known->second = document_.add_geometry(polyhedron(*shape));
+                                   return document_.mesh(known->second, "polyhedron", {paint});
+                               }},
+            body.shape);
     }
 
     // -1 if nothing of the plane is within view.
@@ -93,20 +95,14 @@ class Meshes {
 std::vector<int> add_bodies(const BuiltScene& scene, const renderer::Picture& picture, Document& document) {
     Meshes meshes(document);
     std::vector<int> nodes;
-    auto box = picture.boxes.begin();
-    auto sphere = picture.spheres.begin();
-    auto polyhedron = picture.polyhedra.begin();
+    auto drawn = picture.bodies.begin();  // has no planes
     bool has_ground = false;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& described = scene.bodies[i];
         const engine::Body& body = scene.world.bodies[i];
         Json node{{"name", described.name}};
-        const int mesh =
-            std::visit(engine::Overloaded{[&](const BoxShape&) { return meshes.of(*box++); },
-                                          [&](const SphereShape&) { return meshes.of(*sphere++); },
-                                          [&](const PlaneShape&) { return meshes.of_plane(scene, body); },
-                                          [&](const PolyhedronShape&) { return meshes.of(*polyhedron++); }},
-                       described.shape);
+        const bool plane = std::holds_alternative<PlaneShape>(described.shape);
+        const int mesh = plane ? meshes.of_plane(scene, body) : meshes.of(*drawn++);
         if (mesh >= 0) node["mesh"] = mesh;
         node["translation"] = json_of_vector(body.position);
         node["rotation"] = json_of_quaternion(body.orientation);
@@ -114,7 +110,7 @@ std::vector<int> add_bodies(const BuiltScene& scene, const renderer::Picture& pi
             node["scale"] = json_of_vector(Vector3::Constant(ball->radius));
         }
         nodes.push_back(document.add_node(node));
-        has_ground |= std::holds_alternative<PlaneShape>(described.shape) && is_level(body);
+        has_ground |= plane && is_level(body);
     }
     if (picture.ground && !has_ground) {
         const Vector3 point(0.0, picture.ground->height, 0.0);

@@ -97,22 +97,11 @@ glm::vec3 rest_colour_of(const BuiltScene& scene, std::size_t body) {
     return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
 }
 
-// Colours movable bodies with `colour_of`. The picture has them in order, shape by shape.
+// Colours movable bodies with `colour_of`.
 template <typename ColourOf>
 void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
-    auto box = picture.boxes.begin();
-    auto sphere = picture.spheres.begin();
-    auto polyhedron = picture.polyhedra.begin();
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const BodyDescription& body = scene.bodies[i];
-        glm::vec3* const colour =
-            std::visit(engine::Overloaded{[&](const BoxShape&) { return &(box++)->colour; },
-                                          [&](const SphereShape&) { return &(sphere++)->colour; },
-                                          [](const PlaneShape&) -> glm::vec3* { return nullptr; },
-                                          [&](const PolyhedronShape&) { return &(polyhedron++)->colour; }},
-                       body.shape);
-        if (!body.mass) continue;
-        *colour = colour_of(scene, i);
+    for (renderer::Body& body : picture.bodies) {
+        if (scene.bodies[body.index].mass) body.colour = colour_of(scene, body.index);
     }
 }
 

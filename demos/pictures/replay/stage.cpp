@@ -37,18 +37,17 @@ void append_mesh(std::string& bytes, renderer::Mesh mesh) {
 class Shapes {
   public:
     explicit Shapes(const renderer::Picture& picture) {
-        for (const renderer::Polyhedron& polyhedron : picture.polyhedra) {
-            if (numbers_.try_emplace(polyhedron.shape.get(), shapes_.size()).second) {
-                shapes_.push_back(polyhedron.shape.get());
-            }
+        for (const renderer::Body& body : picture.bodies) {
+            const auto* shape = std::get_if<renderer::Polyhedron>(&body.shape);
+            if (shape && numbers_.try_emplace(*shape, shapes_.size()).second) shapes_.push_back(*shape);
         }
     }
-    const std::vector<const renderer::ConvexShape*>& all() const { return shapes_; }
-    std::size_t number_of(const renderer::ConvexShape* shape) const { return numbers_.at(shape); }
+    const std::vector<renderer::Polyhedron>& all() const { return shapes_; }
+    std::size_t number_of(const renderer::Polyhedron& shape) const { return numbers_.at(shape); }
 
   private:
-    std::map<const renderer::ConvexShape*, std::size_t> numbers_;
-    std::vector<const renderer::ConvexShape*> shapes_;
+    std::map<renderer::Polyhedron, std::size_t> numbers_;
+    std::vector<renderer::Polyhedron> shapes_;
 };
 
 Json options_of(const Choices& choices) {
@@ -62,12 +61,8 @@ Json options_of(const Choices& choices) {
     return options;
 }
 
-// Shapes and colours come from the picture that the renderer would draw, which has the bodies in order.
+// Shapes and colours are those of the picture that the renderer would draw.
 Json bodies_of(const BuiltScene& scene, const renderer::Picture& picture) {
-    const Shapes shapes(picture);
-    auto box = picture.boxes.begin();
-    auto sphere = picture.spheres.begin();
-    auto polyhedron = picture.polyhedra.begin();
     Json bodies = Json::array();
     for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
         const engine::Body& body = scene.world.bodies[i];
@@ -79,35 +74,25 @@ Json bodies_of(const BuiltScene& scene, const renderer::Picture& picture) {
             json["mass"] = body.mass();
             json["moments"] = three(Vector3(body.inverse_inertia.cwiseInverse()));
         }
-        if (i >= scene.bodies.size()) {
-            json["name"] = "world";
-            bodies.push_back(std::move(json));
-            continue;
+        json["name"] = i < scene.bodies.size() ? scene.bodies[i].name : "world";
+        if (i < scene.bodies.size() && std::holds_alternative<PlaneShape>(scene.bodies[i].shape)) {
+            json["plane"] = Json::array();
+            for (const Vector3& corner : plane_outline(scene, body)) json["plane"].push_back(three(corner));
         }
-        json["name"] = scene.bodies[i].name;
-        std::visit(engine::Overloaded{[&](const BoxShape&) {
-                                          json["box"] = three(box->half_extents);
-                                          json["colour"] = three((box++)->colour);
-                                      },
-                                      [&](const SphereShape&) {
-                                          json["sphere"] = sphere->radius;
-                                          json["colour"] = three((sphere++)->colour);
-                                      },
-                                      [&](const PlaneShape&) {
-                                          Json corners = Json::array();
-                                          for (const Vector3& corner : plane_outline(scene, body)) {
-                                              corners.push_back(three(corner));
-                                          }
-                                          json["plane"] = corners;
-                                      },
-                                      [&](const PolyhedronShape&) {
-                                          json["polyhedron"] = shapes.number_of(polyhedron->shape.get());
-                                          json["half_extents"] = three(renderer::half_extents(*polyhedron->shape));
-                                          json["roundness"] = renderer::roundness(*polyhedron->shape);
-                                          json["colour"] = three((polyhedron++)->colour);
-                                      }},
-                   scene.bodies[i].shape);
         bodies.push_back(std::move(json));
+    }
+    const Shapes shapes(picture);
+    for (const renderer::Body& body : picture.bodies) {
+        Json& json = bodies[body.index];
+        std::visit(engine::Overloaded{[&](const renderer::Box& box) { json["box"] = three(box.half_extents); },
+                                      [&](const renderer::Sphere& sphere) { json["sphere"] = sphere.radius; },
+                                      [&](const renderer::Polyhedron& shape) {
+                                          json["polyhedron"] = shapes.number_of(shape);
+                                          json["half_extents"] = three(renderer::half_extents(*shape));
+                                          json["roundness"] = renderer::roundness(*shape);
+                                      }},
+                   body.shape);
+        json["colour"] = three(body.colour);
     }
     return bodies;
 }
@@ -183,7 +168,7 @@ std::string polyhedra_of(const Simulation& simulation) {
     const renderer::Picture picture = draw_list(simulation.scene(), simulation.scene().view);
     const Shapes shapes(picture);
     std::string bytes;
-    for (const renderer::ConvexShape* const shape : shapes.all()) append_mesh(bytes, convex_mesh(*shape));
+    for (const renderer::Polyhedron& shape : shapes.all()) append_mesh(bytes, convex_mesh(*shape));
     return bytes;
 }
 

@@ -41,19 +41,19 @@ struct Played {
 TEST_CASE("a ghost is the body where it was, paler the older it is, and what has not moved has none") {
     Played played(choices_of({{"ghosts", "0,0.1"}}), 12);
     Picture picture = played.now();
-    const std::vector<pushfactor::renderer::Box> own = picture.boxes;
+    const std::vector<pushfactor::renderer::Body> own = picture.bodies;
     played.motion.add_ghosts(picture);
-    REQUIRE(picture.boxes.size() == 3 * own.size());
-    CHECK(picture.boxes[own.size()].position.y == Approx(2.0f));  // the start
-    CHECK(picture.boxes[2 * own.size()].position.y < 2.0f);       // at 0.1 s
-    CHECK(picture.boxes[2 * own.size()].position.y > own[0].position.y);
-    const auto paleness = [&](std::size_t i) { return picture.boxes[i].colour.g - own[0].colour.g; };
+    REQUIRE(picture.bodies.size() == 3 * own.size());
+    CHECK(picture.bodies[own.size()].position.y == Approx(2.0f));  // the start
+    CHECK(picture.bodies[2 * own.size()].position.y < 2.0f);       // at 0.1 s
+    CHECK(picture.bodies[2 * own.size()].position.y > own[0].position.y);
+    const auto paleness = [&](std::size_t i) { return picture.bodies[i].colour.g - own[0].colour.g; };
     CHECK(paleness(own.size()) > paleness(2 * own.size()));
     CHECK(paleness(2 * own.size()) > 0.1f);
 
     Picture same = Played(choices_of({{"ghosts", "0"}}), 0).now();
     Played(choices_of({{"ghosts", "0"}}), 0).motion.add_ghosts(same);
-    CHECK(same.boxes.size() == own.size());
+    CHECK(same.bodies.size() == own.size());
     CHECK_THROWS_WITH(Motion(choices_of({{"ghosts", "0.005"}}).frames, played.run),
                       Catch::Contains("--ghosts 0.005: must be a whole number of steps"));
 }
@@ -68,7 +68,7 @@ TEST_CASE("a trail ends at the centre of its body, reaches back as far as it sho
         float nearest = 1e9f;
         for (const auto& line : picture.arrows) {
             CHECK(!line.head);
-            nearest = std::min(nearest, glm::distance(line.to, picture.boxes[4].position));
+            nearest = std::min(nearest, glm::distance(line.to, picture.bodies[4].position));
             starts.insert(line.from.y);
         }
         CHECK(nearest < 0.15f);
@@ -94,18 +94,18 @@ TEST_CASE("an open shutter sees the poses between steps, each sample another, an
     double sum = 0.0;
     std::set<float> heights;
     for (const Picture& picture : pictures) {
-        const float y = picture.boxes[0].position.y;
-        CHECK(y <= moments.front().picture.boxes[0].position.y);
-        CHECK(y >= moments.back().picture.boxes[0].position.y);
+        const float y = picture.bodies[0].position.y;
+        CHECK(y <= moments.front().picture.bodies[0].position.y);
+        CHECK(y >= moments.back().picture.bodies[0].position.y);
         sum += y / 64.0;
         heights.insert(y);
     }
     CHECK(heights.size() == 64);
-    CHECK(sum == Approx(moments[1].picture.boxes[0].position.y).margin(0.01));
+    CHECK(sum == Approx(moments[1].picture.bodies[0].position.y).margin(0.01));
     // In the middle between two steps bodies are half way.
     const std::vector<Picture> one = spread({moments[0], moments[1]}, moments[0].time, moments[1].time, 1);
-    CHECK(one[0].boxes[0].position.y < moments[0].picture.boxes[0].position.y);
-    CHECK(one[0].boxes[0].position.y > moments[1].picture.boxes[0].position.y);
+    CHECK(one[0].bodies[0].position.y < moments[0].picture.bodies[0].position.y);
+    CHECK(one[0].bodies[0].position.y > moments[1].picture.bodies[0].position.y);
     CHECK(Played(choices_of({}), 3).motion.while_open().empty());
     CHECK_THROWS_AS(choices_of({{"shutter", "0.5"}}), UsageError);
     CHECK_THROWS_AS(choices_of({{"shutter", "2"}, {"samples", "4"}}), UsageError);

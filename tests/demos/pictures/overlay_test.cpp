@@ -158,19 +158,19 @@ TEST_CASE("islands: bodies have the colour of their island, another one than the
         auto all = draw_list(run.scene(), run.scene().view);
         const auto before = all;
         add_overlay(run.scene(), OverlayKind::islands, 1.0, all);
-        CHECK(all.boxes[0].colour == before.boxes[0].colour);  // static
+        CHECK(all.bodies[1].colour == before.bodies[1].colour);  // static
         CHECK(all.arrows.empty());
         return all;
     };
     const glm::vec3 ivory = to_glm(*find_colour("ivory"));
-    for (const auto& sphere : picture().spheres) CHECK(sphere.colour == ivory);  // before the first step
+    for (const auto& body : picture().bodies) CHECK((body.index == 2 || body.colour == ivory));  // before a step
     run.advance();
-    const auto spheres = picture().spheres;
-    REQUIRE(spheres.size() == 4);
-    CHECK(spheres[0].colour == spheres[1].colour);
-    CHECK(spheres[0].colour != spheres[2].colour);
-    CHECK(spheres[2].colour != ivory);
-    CHECK(spheres[3].colour == ivory);
+    const auto bodies = picture().bodies;
+    REQUIRE(bodies.size() == 5);
+    CHECK(bodies[0].colour == bodies[2].colour);
+    CHECK(bodies[0].colour != bodies[3].colour);
+    CHECK(bodies[3].colour != ivory);
+    CHECK(bodies[4].colour == ivory);
     CHECK(quantities(run.scene(), OverlayKind::islands).size() == 4);
     CHECK_NOTHROW(require_shown(run.scene(), {{.kind = OverlayKind::islands}}));
 }
