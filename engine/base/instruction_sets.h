@@ -11,21 +11,31 @@
 
 namespace pushfactor::engine {
 
-// Vectors at any address, which may be part of an array of doubles.
-using Two [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(8)]] = double;
-using Four [[gnu::vector_size(32), gnu::may_alias, gnu::aligned(8)]] = double;
+using Two [[gnu::vector_size(16)]] = double;
+using Four [[gnu::vector_size(32)]] = double;
+
+// Numbers at any address, to and from registers.
+template <typename Vector>
+[[gnu::always_inline]] inline void load(const double* from, Vector& vector) {
+    __builtin_memcpy(&vector, from, sizeof vector);
+}
+template <typename Vector>
+[[gnu::always_inline]] inline void store(const Vector& vector, double* to) {
+    __builtin_memcpy(to, &vector, sizeof vector);
+}
 
 // Six numbers, in registers.
 struct Six {
     Four upper;
     Two lower;
 
-    [[gnu::always_inline]] inline static Six at(const double* numbers) {
-        return {*reinterpret_cast<const Four*>(numbers), *reinterpret_cast<const Two*>(numbers + 4)};
+    [[gnu::always_inline]] inline explicit Six(const double* from) {
+        load(from, upper);
+        load(from + 4, lower);
     }
-    [[gnu::always_inline]] inline void store(double* numbers) const {
-        *reinterpret_cast<Four*>(numbers) = upper;
-        *reinterpret_cast<Two*>(numbers + 4) = lower;
+    [[gnu::always_inline]] inline void store(double* to) const {
+        engine::store(upper, to);
+        engine::store(lower, to + 4);
     }
     [[gnu::always_inline]] inline void add(double factor, const Six& other) {
         upper += factor * other.upper, lower += factor * other.lower;

@@ -11,24 +11,42 @@ namespace {
 
 constexpr int side = 6;
 
-[[gnu::always_inline]] inline Four& four(double* at) {
-    return *reinterpret_cast<Four*>(at);
-}
-[[gnu::always_inline]] inline const Four& four(const double* at) {
-    return *reinterpret_cast<const Four*>(at);
-}
-
 // Two columns of six numbers fill three vectors: `both` has rows 4 and 5 of the first, and rows 0 and 1 of the
 // second.
 struct TwoColumns {
     Four first, both, second;
 
+    [[gnu::always_inline]] inline static TwoColumns at(const double* columns) {
+        TwoColumns two;
+        load(columns, two.first);
+        load(columns + 4, two.both);
+        load(columns + 8, two.second);
+        return two;
+    }
     // The column `v`, twice.
     [[gnu::always_inline]] inline static TwoColumns of(const double* v) {
-        return {four(v), Four{v[4], v[5], v[0], v[1]}, four(v + 2)};
+        TwoColumns two;
+        load(v, two.first);
+        two.both = Four{v[4], v[5], v[0], v[1]};
+        load(v + 2, two.second);
+        return two;
+    }
+    [[gnu::always_inline]] inline void store(double* columns) const {
+        engine::store(first, columns);
+        engine::store(both, columns + 4);
+        engine::store(second, columns + 8);
     }
     [[gnu::always_inline]] inline TwoColumns times(double x, double y) const {
         return {first * x, both * Four{x, x, y, y}, second * y};
+    }
+    [[gnu::always_inline]] inline TwoColumns times(const TwoColumns& other) const {
+        return {first * other.first, both * other.both, second * other.second};
+    }
+    [[gnu::always_inline]] inline void add(const TwoColumns& other) {
+        first += other.first, both += other.both, second += other.second;
+    }
+    [[gnu::always_inline]] inline void subtract(const TwoColumns& other) {
+        first -= other.first, both -= other.both, second -= other.second;
     }
 };
 
@@ -47,14 +65,14 @@ template <int k>
     for (int j = k + 1; j < side; ++j) {
         if (std::abs(a[k + j * side]) > std::abs(a[k + pivot * side])) pivot = j;
     }
-    Six own = Six::at(a + pivot * side);
+    Six own(a + pivot * side);
     const double to_unit = 1.0 / a[k + pivot * side];
-    if (pivot != k) Six::at(a + k * side).store(a + pivot * side);
+    if (pivot != k) Six(a + k * side).store(a + pivot * side);
     set<k>(own, 1.0);
     own.upper *= to_unit, own.lower *= to_unit;
     for (int j = 0; j < side; ++j) {
         if (j == k) continue;
-        Six other = Six::at(a + j * side);
+        Six other(a + j * side);
         const double share = a[k + j * side];
         set<k>(other, 0.0);
         other.subtract(share, own);
@@ -67,14 +85,13 @@ template <int k>
 [[gnu::always_inline]] inline void subtract(double* c, const double* a, const double* b, int along_k, int along_j) {
 #pragma GCC unroll 1
     for (int j = 0; j < side; j += 2, c += 2 * side) {
-        Four first = four(c), both = four(c + 4), second = four(c + 8);
+        TwoColumns own = TwoColumns::at(c);
 #pragma GCC unroll 6
         for (int k = 0; k < side; ++k) {
             const double* const of = b + k * along_k + j * along_j;
-            const TwoColumns product = TwoColumns::of(a + k * side).times(of[0], of[along_j]);
-            first -= product.first, both -= product.both, second -= product.second;
+            own.subtract(TwoColumns::of(a + k * side).times(of[0], of[along_j]));
         }
-        four(c) = first, four(c + 4) = both, four(c + 8) = second;
+        own.store(c);
     }
 }
 
@@ -84,8 +101,9 @@ PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void add_outer(double* a, double w, const double* v, const double* u) {
     const TwoColumns twice = TwoColumns::of(v).times(w, w);
     for (int j = 0; j < side; j += 2, a += 2 * side) {
-        const TwoColumns product = twice.times(u[j], u[j + 1]);
-        four(a) += product.first, four(a + 4) += product.both, four(a + 8) += product.second;
+        TwoColumns own = TwoColumns::at(a);
+        own.add(twice.times(u[j], u[j + 1]));
+        own.store(a);
     }
 }
 
@@ -93,10 +111,10 @@ PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void add_difference(double* a, double w, const double* v, const double* u, const double* v_2, const double* u_2) {
     const TwoColumns twice = TwoColumns::of(v).times(w, w), twice_2 = TwoColumns::of(v_2).times(w, w);
     for (int j = 0; j < side; j += 2, a += 2 * side) {
-        const TwoColumns plus = twice.times(u[j], u[j + 1]), minus = twice_2.times(u_2[j], u_2[j + 1]);
-        four(a) += plus.first - minus.first;
-        four(a + 4) += plus.both - minus.both;
-        four(a + 8) += plus.second - minus.second;
+        TwoColumns own = TwoColumns::at(a), difference = twice.times(u[j], u[j + 1]);
+        difference.subtract(twice_2.times(u_2[j], u_2[j + 1]));
+        own.add(difference);
+        own.store(a);
     }
 }
 
@@ -133,25 +151,21 @@ void multiply_with_transposed(double* c, const double* a) {
 
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void subtract_times(double* y, const double* a, const double* x) {
-    Four of_even = {}, of_both = {}, of_odd = {};
-    for (int j = 0; j < side; j += 2, a += 2 * side) {
-        of_even += four(a) * x[j];
-        of_both += four(a + 4) * Four{x[j], x[j], x[j + 1], x[j + 1]};
-        of_odd += four(a + 8) * x[j + 1];
-    }
-    y[0] -= of_even[0] + of_both[2];
-    y[1] -= of_even[1] + of_both[3];
-    y[2] -= of_even[2] + of_odd[0];
-    y[3] -= of_even[3] + of_odd[1];
-    y[4] -= of_both[0] + of_odd[2];
-    y[5] -= of_both[1] + of_odd[3];
+    TwoColumns sum{};
+    for (int j = 0; j < side; j += 2, a += 2 * side) sum.add(TwoColumns::at(a).times(x[j], x[j + 1]));
+    y[0] -= sum.first[0] + sum.both[2];
+    y[1] -= sum.first[1] + sum.both[3];
+    y[2] -= sum.first[2] + sum.second[0];
+    y[3] -= sum.first[3] + sum.second[1];
+    y[4] -= sum.both[0] + sum.second[2];
+    y[5] -= sum.both[1] + sum.second[3];
 }
 
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void subtract_transposed_times(double* y, const double* a, const double* x) {
     const TwoColumns twice = TwoColumns::of(x);
     for (int j = 0; j < side; j += 2, a += 2 * side) {
-        const Four even = four(a) * twice.first, both = four(a + 4) * twice.both, odd = four(a + 8) * twice.second;
+        const auto& [even, both, odd] = TwoColumns::at(a).times(twice);
         y[j] -= ((even[0] + even[2]) + both[0]) + ((even[1] + even[3]) + both[1]);
         y[j + 1] -= ((odd[0] + odd[2]) + both[2]) + ((odd[1] + odd[3]) + both[3]);
     }
