@@ -11,8 +11,8 @@
 
 namespace pushfactor::engine::solvers {
 
-// What an exact solution of an island may cost in multiply-adds per column, including what is solved again: some
-// seconds.
+// What an exact solution of an island may cost in multiply-adds per column, including what is solved again: a
+// second or less.
 inline constexpr double most_exact_work = 4e9;
 
 // When to stop (6.2.3). If the natural-map residual of the warm start is at most `tolerance_high` no solve is
