@@ -48,8 +48,8 @@ constexpr double work_of_20_ms = 8e7;
 
 }  // namespace
 
-// Of 23 of each family none gains anything, and no step takes more than 6.7e7 multiply-adds; of fourteen no force is
-// above 0.7 of the weight. The last to tip over, a welded ring, does so after 3.2 s.
+// Of 23 of each family none gains anything, and no step takes more than 6.7e7 multiply-adds; of fourteen no force
+// is above 0.7 of the weight. The last to tip over, a welded ring, does so after 3.2 s.
 TEST_CASE(
     "random rings, scissors, frames and wishbones that drop gain nothing, and lie with less than their weight",
     "[long]") {
@@ -68,8 +68,8 @@ TEST_CASE(
 
 // Measured at most 4e-16, and for wishbones 7e-8, in their first step; with momenta for all of an error 2e-3, and
 // with angular momenta that do not turn along 1e-4, and with the forces of open joints in the middle 3e-3. Of
-// 23 spatial rings one gains 1.4e-3 for some steps, and of 23 scissors one 6e-5, near a dead point that its steps do
-// not resolve.
+// 23 spatial rings one gains 1.4e-3 for some steps, and of 23 scissors one 6e-5, near a dead point that its steps
+// do not resolve.
 TEST_CASE("random loops that turn freely gain no energy, whatever the number of substeps does") {
     each_member(false, 6, [](const LoopFamily&, SceneDescription& scene, tests::Random& random) {
         set_free(scene, random);
