@@ -11,8 +11,8 @@
 
 namespace pushfactor::engine {
 
-using Two [[gnu::vector_size(16)]] = double;
-using Four [[gnu::vector_size(32)]] = double;
+using Two [[gnu::vector_size(16), gnu::may_alias]] = double;
+using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
 
 // Numbers at any address, to and from registers.
 template <typename Vector>

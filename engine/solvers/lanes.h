@@ -2,13 +2,12 @@
 // double. Internal to the solvers.
 #pragma once
 
+#include "engine/base/instruction_sets.h"
 #include "engine/constraints/constraint_row.h"
 
 #include <utility>
 
 namespace pushfactor::engine::solvers {
-
-using Two [[gnu::vector_size(16), gnu::may_alias]] = double;
 
 inline double sum_of(Two pair) {
     return pair[0] + pair[1];

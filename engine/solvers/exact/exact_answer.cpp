@@ -19,8 +19,8 @@ namespace {
 // rarely succeed if these do not.
 constexpr int first_changes = 6;
 constexpr int later_changes = 10;
-// Proximal points replace a second start of the interior point method if the effort covers so many changes, with
-// which most heaps are solved; limit on their changes.
+// Proximal points replace a second start of the interior point method if the effort covers so many changes: of 163
+// problems of loops on the ground that they solve half take at most 32, nine in ten 195. Limit on their changes.
 constexpr int usual_proximal_changes = 100;
 constexpr int most_proximal_changes = 1000;
 // Limit on interior point steps.
