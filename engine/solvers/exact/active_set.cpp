@@ -83,34 +83,21 @@ double ActiveSet::factor_of(const UnitRow& row, State state) const {
 void ActiveSet::factor(const Elimination& order, const UnitProblem& problem, Effort& effort, SolveCount& count) {
     if (states_ == factored_ && slides_.empty()) return;
     matrix_.begin(order);
-    pushed_.assign(problem.units, problem.units + problem.rows.size());
-    leads_.assign(problem.rows.size(), 0);
-    const auto follow_leader = [&](const UnitRow& row, double factor, const Jacobian& unit) {
-        Jacobian& pushed = pushed_[static_cast<std::size_t>(row.leader)];
-        pushed.a += factor * unit.a;
-        pushed.b += factor * unit.b;
-        leads_[static_cast<std::size_t>(row.leader)] = 1;
-    };
+    pushed_.start(problem);
     for (std::size_t j = 0; j < states_.size(); ++j) {
         const UnitRow& row = problem.rows[j];
         if (states_[j] != State::follows_low && states_[j] != State::follows_high) continue;
-        follow_leader(row, factor_of(row, states_[j]), *row.unit);
+        pushed_.follow(row.leader, factor_of(row, states_[j]), *row.unit);
     }
     for (const Slide& slide : slides_) {
         const UnitRow& row = problem.rows[slide.second];
-        if (slide.follows) follow_leader(row, row.high, slide.along);
+        if (slide.follows) pushed_.follow(row.leader, row.high, slide.along);
     }
     double work = 0.0;
     for (std::size_t j = 0; j < states_.size(); ++j) {
         if (states_[j] != State::free) continue;
-        const UnitRow& row = problem.rows[j];
-        const double rho = rhos_[j];
-        if (leads_[j]) {
-            matrix_.add_product(row.a, pushed_[j].a, row.unit->a, row.b, pushed_[j].b, row.unit->b, rho);
-        } else {
-            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, rho);
-        }
-        work += leads_[j] ? 180.0 : 108.0;
+        pushed_.add(problem, j, rhos_[j], matrix_);
+        work += pushed_.leads(j) ? 180.0 : 108.0;
     }
     for (const Slide& slide : slides_) {
         const UnitRow& row = problem.rows[slide.second];
@@ -154,7 +141,7 @@ bool ActiveSet::change(const Elimination& order, const UnitProblem& problem, std
     }
     for (const Slide& slide : slides_) start_slide(problem, slide, y);
     d_.assign(problem.bodies, Vector6::Zero());
-    push(problem, pushed_.data(), pushes_, d_);
+    push(problem, pushed_.all(), pushes_, d_);
     matrix_.solve(d_);
     find_speeds(problem, d_, speeds_);
     for (std::size_t j = 0; j < y.size(); ++j) {

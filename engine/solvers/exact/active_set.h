@@ -34,6 +34,7 @@
 
 #include "engine/solvers/exact/body_matrix.h"
 #include "engine/solvers/exact/effort.h"
+#include "engine/solvers/exact/pushed_axes.h"
 #include "engine/solvers/exact/unit_problem.h"
 #include "engine/solvers/solver.h"
 
@@ -101,8 +102,7 @@ class ActiveSet {
     bool around_a_point_ = false;           // a proximal point, and r_ contains its term
     std::vector<double> centre_, closest_;  // the point, and the best y on the way to the next one
     BestForces best_;
-    std::vector<Jacobian> pushed_;          // u_f + sum_k c_k u_k, by row
-    std::vector<char> leads_;               // by row, whether any row follows it
+    PushedAxes pushed_;                     // u_f + sum_k c_k u_k
     std::vector<State> states_, factored_;  // current, and of the factor
     double touching_ = 0.0;  // m/s, speed up to which a row without force touches; 0 where forces are known
     double rho_ = 0.0;

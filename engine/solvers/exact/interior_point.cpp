@@ -205,14 +205,7 @@ double InteriorPoint::longest_step() const {
 
 void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem) {
     matrix_.begin(order);
-    leads_.assign(problem.rows.size(), 0);
-    const auto follow_leader = [this](int leader, double factor, const Jacobian& unit) {
-        const auto number = static_cast<std::size_t>(leader);
-        pushed_[number].a += factor * unit.a;
-        pushed_[number].b += factor * unit.b;
-        leads_[number] = 1;
-    };
-    if (problem.bounds_follow) pushed_.assign(problem.units, problem.units + problem.rows.size());
+    pushed_.start(problem);
     for (std::size_t j = 0; j < points_.size(); ++j) {
         const UnitRow& row = problem.rows[j];
         Point& point = points_[j];
@@ -225,7 +218,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         if (point.leader < 0) continue;
         if (!act_on_the_same(problem.rows[static_cast<std::size_t>(point.leader)], row)) continue;
         point.c = row.low * point.low.ratio() + row.high * point.high.ratio();
-        follow_leader(point.leader, point.w * point.c, *row.unit);
+        pushed_.follow(point.leader, point.w * point.c, *row.unit);
     }
     for (DiscPoint& disc : discs_) {
         const double damper = disc.z / disc.radius, free = disc.free();
@@ -233,7 +226,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         disc.w_along = 1.0 / (delta_discs + damper * (1.0 + disc.filled()) / free);
         disc.c = disc.follows ? disc.per_leader * damper * 2.0 * std::sqrt(disc.filled()) / free : 0.0;
         if (!disc.follows) continue;
-        follow_leader(problem.rows[disc.second].leader, disc.w_along * disc.c, disc.along);
+        pushed_.follow(problem.rows[disc.second].leader, disc.w_along * disc.c, disc.along);
     }
     for (const DiscPoint& disc : discs_) {
         const UnitRow& row = problem.rows[disc.second];
@@ -241,14 +234,7 @@ void InteriorPoint::factor(const Elimination& order, const UnitProblem& problem)
         matrix_.add(row.a, disc.across.a, row.b, disc.across.b, disc.w_across);
     }
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const UnitRow& row = problem.rows[j];
-        const Point& point = points_[j];
-        if (point.w == 0.0) continue;
-        if (leads_[j]) {
-            matrix_.add_product(row.a, pushed_[j].a, row.unit->a, row.b, pushed_[j].b, row.unit->b, point.w);
-        } else {
-            matrix_.add(row.a, row.unit->a, row.b, row.unit->b, point.w);
-        }
+        if (points_[j].w != 0.0) pushed_.add(problem, j, points_[j].w, matrix_);
     }
     matrix_.factor();
 }

@@ -35,6 +35,7 @@
 
 #include "engine/solvers/exact/body_matrix.h"
 #include "engine/solvers/exact/effort.h"
+#include "engine/solvers/exact/pushed_axes.h"
 #include "engine/solvers/exact/unit_problem.h"
 #include "engine/solvers/solver.h"
 
@@ -114,8 +115,7 @@ class InteriorPoint {
     BodyMatrix matrix_;
     std::vector<Point> points_;
     std::vector<DiscPoint> discs_;
-    std::vector<Jacobian> pushed_;  // by row: u_i + sum_j W_j c_j u_j of those that follow it
-    std::vector<char> leads_;       // by row, whether any does
+    PushedAxes pushed_;  // u_i + sum_j W_j c_j u_j
     std::vector<double> y_, r_;
     std::vector<double> pushes_, speeds_;  // by row
     BodyVelocities x_, d_, missed_;
