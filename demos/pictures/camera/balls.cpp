@@ -43,7 +43,8 @@ std::vector<Ball> movable_balls(const BuiltScene& scene) {
         if (!goes_about(scene.bodies[i])) continue;
         balls.push_back({.centre = scene.world.bodies[i].position, .radius = bounding_radius(scene.bodies[i])});
     }
-    std::ranges::copy(held_points(scene), std::back_inserter(balls));
+    const std::vector<Ball> held = held_points(scene);
+    balls.insert(balls.end(), held.begin(), held.end());
     return balls;
 }
 
