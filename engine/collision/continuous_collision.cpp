@@ -11,6 +11,9 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
+// By how much more than rounding a gap along one direction is below the largest of all, as a share of the size.
+constexpr double surely = 1e-6;
+
 // Upper bound on the path of a point of the shape [m].
 double path_of(const Shape& shape, double speed, double rate, double dt) {
     return dt * (speed + rate * std::sqrt(squared_turning_radius(shape)));
@@ -83,14 +86,15 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
 // and the normal of the end of the step in `manifold_`.
 bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
     if (first.restitution > 0.0) return false;
+    const double deep = std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
+                        constants::collision::deep * first.size;
+    if (gap_at_end(scene, first) > deep + surely * first.size) return false;
     touch = first;
     touch.time = scene.motions->dt;
     touch.ends_deep = true;
     const bool meets = contact_at_end(scene, touch, manifold_);
     touch.normal = manifold_.normal;
-    return meets &&
-           manifold_.separation < std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
-                                      constants::collision::deep * touch.size;
+    return meets && manifold_.separation < deep;
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,

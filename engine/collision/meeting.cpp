@@ -143,4 +143,11 @@ bool contact_at_end(const StepScene& scene, const Touch& touch, Manifold& manifo
     return contact_at(scene, touch, scene.motions->dt, scene.detection.margin * touch.size, manifold);
 }
 
+double gap_at_end(const StepScene& scene, const Touch& touch) {
+    Moving a = scene.moving(touch.pair.a), b = scene.moving(touch.pair.b);
+    a.start = pose_at(a, scene.motions->dt);
+    b.start = pose_at(b, scene.motions->dt);
+    return gap_along(a, b, touch.normal);
+}
+
 }  // namespace pushfactor::engine::collision

@@ -33,6 +33,10 @@ bool meet(const StepScene& scene, Touch& touch, Manifold& manifold);
 // if there is none.
 bool contact_at_end(const StepScene& scene, const Touch& touch, Manifold& manifold);
 
+// Gap along the normal of the touch at the end of the step [m]: the shapes are at least as far apart, or overlap by
+// no more.
+double gap_at_end(const StepScene& scene, const Touch& touch);
+
 // Speed at which a approaches b at `point` [m] along `normal` (unit length, from a to b), with their centres
 // there [m]; m/s.
 double closing_speed(const Motion& a, const Vector3& centre_a, const Motion& b, const Vector3& centre_b,

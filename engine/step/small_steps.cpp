@@ -202,24 +202,22 @@ double SmallSteps::moved_along(const solvers::UnitRow& row) const {
 // Targets of a solve that begins `elapsed` [s] after the step. Bodies move between the solve with the push and the
 // one without.
 void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& part) {
+    using constants::small_steps::stiffness;
+    const bool pushes = which == Solve::with_push;
     for (Holding& own : state_of(part).holding) {
         solvers::UnitRow& row = rows_.rows[own.row];
-        if (which == Solve::without_push && !own.is_followed)
-            own.error = own.start + moved_along(row) - elapsed * own.carried;
-        const double error = own.error;
-        const Correction& correction = *own.correction;
-        const double most = own.open_side == 0.0 ? correction.max_speed : step.fastest;
-        const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
-        const double share = std::min(beta / step.division.steps, most * step.h / std::abs(error));
-        double speed = 0.0;
-        if (own.open_side * error > 0.0) {
-            speed = -error / step.h;
-        } else if (which == Solve::with_push) {
-            speed = -share * error / step.h;
+        if (!pushes && !own.is_followed) own.error = own.start + moved_along(row) - elapsed * own.carried;
+        const bool is_open = own.open_side * own.error > 0.0;
+        double speed = is_open ? -own.error / step.h : 0.0;
+        row.keeps = 1.0;
+        if (pushes) {
+            const Correction& correction = *own.correction;
+            const double most = own.open_side == 0.0 ? correction.max_speed : step.fastest;
+            const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
+            const double share = std::min(beta / step.division.steps, most * step.h / std::abs(own.error));
+            if (!is_open) speed = -share * own.error / step.h;
+            row.keeps = stiffness / (stiffness + share);
         }
-        row.keeps = which == Solve::with_push
-                        ? constants::small_steps::stiffness / (constants::small_steps::stiffness + share)
-                        : 1.0;
         row.t = (speed + own.carried) / row.scale;
     }
 }
