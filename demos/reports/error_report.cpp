@@ -2,6 +2,7 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
+#include "demos/platform/plain_name.h"
 #include "demos/reports/error/error_pieces.h"
 #include "demos/reports/error/other_engines.h"
 #include "demos/reports/error/work_plot.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -30,16 +30,6 @@ using MakeWork = std::function<double(const ErrorPoint&)>;
 
 double plotted_error(const ErrorPoint& point) {
     return point.errors.front().value;
-}
-
-// "frozen_stack_of_5_landing"
-std::string file_name(const std::string& prefix, const std::string& text) {
-    std::string name = prefix;
-    for (const char c : text) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-        if (plain || name.back() != '_') name += plain ? c : '_';
-    }
-    return name;
 }
 
 std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, const MakeWork& work) {
@@ -151,7 +141,7 @@ class ErrorReport {
         plate.caption = sweep.caption + numbers_of(points);
         WorkPlot plot;
         for (const bool seconds : {false, true}) {
-            plot = {.name = file_name(seconds ? "error_cpu_" : "error_", sweep.name),
+            plot = {.name = plain_name((seconds ? "error_cpu_" : "error_") + sweep.name, '_'),
                     .error_axis = sweep.error_axis,
                     .work_axis = seconds        ? "CPU time [s] a simulated second"
                                  : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
@@ -168,7 +158,7 @@ class ErrorReport {
             draw_work_plot(plot, run_.folder(), plate);
         }
         add_answer(sweep, plot.lines, plate);
-        run_.sections.push_back({file_name("error_", sweep.name), sweep.title, std::move(plate)});
+        run_.sections.push_back({plain_name("error_" + sweep.name, '_'), sweep.title, std::move(plate)});
         add_others(sweep, plot);
     }
 
@@ -212,7 +202,7 @@ class ErrorReport {
         if (others.empty()) return;
         Plate plate;
         plate.table = who_is_faster(plot.lines, others);
-        plot.name = file_name("beside_", sweep.name);
+        plot.name = plain_name("beside_" + sweep.name, '_');
         plot.lines = lines_beside(plot.lines, others);
         add(plot, sweep.title + ", beside other engines",
             "In colour our methods that no other of ours beats everywhere, in grey other engines (tests/compare "
@@ -227,7 +217,7 @@ class ErrorReport {
         const auto [points, rows, columns] = frozen_in(run_.result(key_of(moment, run_.quick())));
         frozen_.insert(frozen_.end(), points.begin(), points.end());
         run_.write("frozen.csv", table_of(frozen_));
-        const WorkPlot plot{.name = file_name("frozen_", moment.name),
+        const WorkPlot plot{.name = plain_name("frozen_" + moment.name, '_'),
                             .error_axis = "residual [m/s]",
                             .work_axis = "work of the solve [multiply-adds]",
                             .machine = run_.machine(),

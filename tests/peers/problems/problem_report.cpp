@@ -2,13 +2,13 @@
 
 #include "demos/pages/about.h"
 #include "demos/pages/plot.h"
+#include "demos/platform/plain_name.h"
 #include "demos/reports/study.h"
 #include "tests/peers/problems/profiles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -80,8 +80,7 @@ std::string profile_data(const std::vector<Profile>& profiles, double last) {
 Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint>& points, const std::string& note,
                    const StudyRun& run) {
     const std::string title = title_of(problem);
-    std::string name = "problem_";
-    for (const char c : title) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    const std::string name = demos::plain_name("problem_" + title, '_');
     Section section{.name = name, .heading = title, .plate = {}};
     section.plate.caption = fmt::format(
         "{}. From zero impulses, one thread; points are labelled with their iterations. The error is that of "
