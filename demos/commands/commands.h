@@ -80,7 +80,7 @@ struct Report {
     std::string name;
     std::vector<std::string> parts;  // all when empty
     bool quick = false;
-    std::optional<std::string> out, junit, markdown, problems, beside, exported, shard, jobs;
+    std::optional<std::string> out, junit, markdown, beside, exported, shard, jobs;
     std::optional<std::string> grid, x, y, measure;
     std::vector<std::string> set, replays;
 

@@ -23,20 +23,6 @@ void require_known(const char* what, const std::string& name, const std::vector<
         fmt::format("{} {}: must be one of {}{}", what, name, fmt::join(known, ", "), suggestion(name, known)));
 }
 
-// The file, or all of a folder, by name.
-std::vector<std::filesystem::path> problem_files(const std::filesystem::path& given) {
-    if (!std::filesystem::is_directory(given)) return {given};
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(given)) {
-        if (entry.path().extension() == ".hdf5") files.push_back(entry.path());
-    }
-    if (files.empty()) {
-        throw UsageError(fmt::format("--problems {}: must have files that end in .hdf5", given.string()));
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 // The command without what does not change results: that of the whole report.
 std::vector<std::string> deciding_words(const Report& request) {
     std::vector<std::string> words{"report", request.name};
@@ -45,7 +31,6 @@ std::vector<std::string> deciding_words(const Report& request) {
     };
     if (request.quick) words.emplace_back("--quick");
     if (!request.parts.empty()) add("--only", fmt::format("{}", fmt::join(request.parts, ",")));
-    add("--problems", request.problems);
     add("--beside", request.beside);
     add("--grid", request.grid);
     add("--x", request.x);
@@ -100,20 +85,18 @@ void make_report(const Report& request, const std::vector<std::filesystem::path>
     const auto shard = understand_shard(request);
     const std::filesystem::path folder = request.out.value_or("out/report-" + study.name);
     const auto count = make_study(
-        study,
-        {.folder = folder,
-         .quick = request.quick,
-         .problems = request.problems ? problem_files(*request.problems) : std::vector<std::filesystem::path>{},
-         .beside = request.beside,
-         .exported = request.exported,
-         .parts = request.parts,
-         .junit = request.junit,
-         .markdown = request.markdown,
-         .grid = understand_grid(request),
-         .shard = shard,
-         .jobs = understand_jobs(request),
-         .merged = merged,
-         .note = note_text({.words = deciding_words(request), .shards = shard ? shard->count : 1})});
+        study, {.folder = folder,
+                .quick = request.quick,
+                .beside = request.beside,
+                .exported = request.exported,
+                .parts = request.parts,
+                .junit = request.junit,
+                .markdown = request.markdown,
+                .grid = understand_grid(request),
+                .shard = shard,
+                .jobs = understand_jobs(request),
+                .merged = merged,
+                .note = note_text({.words = deciding_words(request), .shards = shard ? shard->count : 1})});
     if (shard) {
         print(fmt::format("shard {}: {} pieces, of which {} were there; in {}\n", to_text(*shard), count.all,
                           count.there, folder.string()));
@@ -132,13 +115,11 @@ std::vector<Option> report_options() {
          "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
          "atlas: maps; reality: its sections [all]",
          group, OptionKind::list},
-        {"problems", "FILE|DIR", "error: contact problems of FCLib (.hdf5) instead of our own frozen ones", group,
-         OptionKind::reads},
         {"beside", "FILE",
-         "error: results of other programs, as a CSV file with the columns of error.csv; with --problems those of "
-         "problems.csv; reality: tosses of other engines, as tests/compare reality writes them",
+         "error: results of other programs, as a CSV file with the columns of error.csv; reality: tosses of other "
+         "engines, as tests/compare reality writes them",
          group, OptionKind::reads},
-        {"export", "DIR", "error: write the frozen problems there as JSON, and those of contacts for FCLib too"},
+        {"export", "DIR", "error: write the frozen problems there as JSON, and more of contacts alone"},
         {"junit", "FILE", "the verdicts as JUnit XML", group, OptionKind::writes},
         {"markdown", "FILE", "a summary as Markdown, for $GITHUB_STEP_SUMMARY", group, OptionKind::writes},
         {"shard", "K/N", "make only the K-th of N shares, and no page; finished pieces are skipped", pieces},
@@ -202,14 +183,12 @@ Report read_report(Words& words, const std::string& name) {
     for (const std::string& part : command.parts) require_known("--only", part, study.parts);
     const bool frozen = name == "error" && (command.parts.empty() ||
                                             std::ranges::find(command.parts, "frozen") != command.parts.end());
-    const char* const of_error = "with report error, the only one that has problems";
-    command.problems = take("problems", frozen, of_error);
     const bool tosses = name == "reality" && (command.parts.empty() ||
                                               std::ranges::find(command.parts, "tosses") != command.parts.end());
     command.beside =
         take("beside", name == "error" || tosses, "with report error, or the tosses of report reality");
     take("export", page, "without --shard");
-    command.exported = take("export", frozen, of_error);
+    command.exported = take("export", frozen, "with report error, the only one that has frozen problems");
     for (const auto& [option, value] :
          {std::pair{"junit", &command.junit}, std::pair{"markdown", &command.markdown}}) {
         take(option, study.judges, "with report stability, which judges");

@@ -115,6 +115,10 @@ Words::Words(std::string command, std::vector<Option> known, std::vector<std::st
 }
 
 void Words::refuse_unknown(const std::string& word) const {
+    // Was an option of `report error`.
+    if (word == "--problems") {
+        throw UsageError("--problems: contact problems of FCLib are solved by tests/compare problems FILE|DIR");
+    }
     std::vector<std::string> names;
     for (const Option& option : known_) names.push_back("--" + option.name);
     throw UsageError(word + ": unknown option" + suggestion(word, names));

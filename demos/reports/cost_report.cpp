@@ -2,6 +2,7 @@
 // files of the scenes with everything and of the common worlds.
 #include "demos/pages/plot.h"
 #include "demos/platform/output_file.h"
+#include "demos/platform/plain_name.h"
 #include "demos/reports/cost/ledger.h"
 #include "demos/reports/cost/neighbours.h"
 #include "demos/reports/study.h"
@@ -164,7 +165,7 @@ class CostReport {
             show();
         }
         for (const Neighbours& scenes : neighbours_) {
-            run_.write(fmt::format("{}/{}.json", side_by_side, file_name(scenes.name)),
+            run_.write(fmt::format("{}/{}.json", side_by_side, plain_name(scenes.name, '-')),
                        scene_file_text(scenes.together));
             sums_.push_back(measure(scenes, repeats(), run_.check()));
             run_.write("side_by_side.csv", sums_of(sums_));
@@ -177,7 +178,7 @@ class CostReport {
 
     Entry entry_of(const CostCase& one) const {
         const Choices choices = run_of(one.scene, one.options).on_one_thread();
-        const std::string file = "everything/" + file_name(one.name) + ".json";
+        const std::string file = "everything/" + plain_name(one.name, '-') + ".json";
         run_.write(file, scene_file_text(with_everything(spelled_out(choices))));
         const Choices everything = understand((run_.folder() / file).string(), {}).on_one_thread();
         OptionTexts own = one.options;

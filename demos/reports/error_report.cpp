@@ -2,9 +2,7 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
-#include "demos/reports/error/contact_problems/contact_moments.h"
-#include "demos/reports/error/contact_problems/problem_sections.h"
-#include "demos/reports/error/contact_problems/rows_of_contacts.h"
+#include "demos/platform/plain_name.h"
 #include "demos/reports/error/error_pieces.h"
 #include "demos/reports/error/other_engines.h"
 #include "demos/reports/error/work_plot.h"
@@ -15,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -26,7 +23,6 @@ namespace pushfactor::demos::reports {
 namespace {
 
 using namespace error;
-using engine::VectorX;
 
 constexpr std::array answered{1e-2, 1e-4, 1e-6, 1e-8};  // errors of the first table
 
@@ -34,16 +30,6 @@ using MakeWork = std::function<double(const ErrorPoint&)>;
 
 double plotted_error(const ErrorPoint& point) {
     return point.errors.front().value;
-}
-
-// "frozen_stack_of_5_landing"
-std::string file_name(const std::string& prefix, const std::string& text) {
-    std::string name = prefix;
-    for (const char c : text) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-        if (plain || name.back() != '_') name += plain ? c : '_';
-    }
-    return name;
 }
 
 std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, const MakeWork& work) {
@@ -124,19 +110,18 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
 
 class ErrorReport {
   public:
-    explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {
-        if (run_.request().exported) exports_ = contact_moments(run_.quick());
-    }
+    explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {}
 
     void make() {
         run_.write("about.json", about_json(about_this()));
         if (run_.request().exported) make_folder(*run_.request().exported);
         for (const Experiment& sweep : plan_.experiments) add_experiment(sweep);
         for (const FrozenMoment& moment : plan_.moments) add_moment(moment);
-        for (const ContactMoment& moment : exports_) {
-            export_problem(freeze_contacts(moment, run_.check()), moment.name);
+        if (run_.request().exported) {
+            for (const ContactMoment& moment : contact_moments(run_.quick())) {
+                export_problem(freeze(moment.name, moment.choices, run_.check()), moment.name);
+            }
         }
-        if (!plan_.problems.empty()) add_problems();
         if (!plan_.consistency.cases.empty()) add_consistency();
         put_answer_first();
         write_page();
@@ -156,7 +141,7 @@ class ErrorReport {
         plate.caption = sweep.caption + numbers_of(points);
         WorkPlot plot;
         for (const bool seconds : {false, true}) {
-            plot = {.name = file_name(seconds ? "error_cpu_" : "error_", sweep.name),
+            plot = {.name = plain_name((seconds ? "error_cpu_" : "error_") + sweep.name, '_'),
                     .error_axis = sweep.error_axis,
                     .work_axis = seconds        ? "CPU time [s] a simulated second"
                                  : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
@@ -173,7 +158,7 @@ class ErrorReport {
             draw_work_plot(plot, run_.folder(), plate);
         }
         add_answer(sweep, plot.lines, plate);
-        run_.sections.push_back({file_name("error_", sweep.name), sweep.title, std::move(plate)});
+        run_.sections.push_back({plain_name("error_" + sweep.name, '_'), sweep.title, std::move(plate)});
         add_others(sweep, plot);
     }
 
@@ -217,7 +202,7 @@ class ErrorReport {
         if (others.empty()) return;
         Plate plate;
         plate.table = who_is_faster(plot.lines, others);
-        plot.name = file_name("beside_", sweep.name);
+        plot.name = plain_name("beside_" + sweep.name, '_');
         plot.lines = lines_beside(plot.lines, others);
         add(plot, sweep.title + ", beside other engines",
             "In colour our methods that no other of ours beats everywhere, in grey other engines (tests/compare "
@@ -232,7 +217,7 @@ class ErrorReport {
         const auto [points, rows, columns] = frozen_in(run_.result(key_of(moment, run_.quick())));
         frozen_.insert(frozen_.end(), points.begin(), points.end());
         run_.write("frozen.csv", table_of(frozen_));
-        const WorkPlot plot{.name = file_name("frozen_", moment.name),
+        const WorkPlot plot{.name = plain_name("frozen_" + moment.name, '_'),
                             .error_axis = "residual [m/s]",
                             .work_axis = "work of the solve [multiply-adds]",
                             .machine = run_.machine(),
@@ -251,27 +236,7 @@ class ErrorReport {
     }
 
     void export_problem(const FrozenProblem& problem, const std::string& name) const {
-        const std::filesystem::path folder = *run_.request().exported;
-        write_file(folder / (name + ".json"), problem.text());
-        const std::optional<GlobalProblem> global = global_form(problem);
-        if (!global || !has_fclib()) return;
-        const VectorX impulses = best_impulses(rows_over_bodies(*global), local_form(*global));
-        write_fclib(*global, impulses, folder / (name + ".hdf5"));
-    }
-
-    void add_problems() {
-        ProblemSections sections(run_.request().beside);
-        for (const ContactProblem& problem : plan_.problems) {
-            const auto [points, note] = problem_in(run_.result(key_of(problem, run_.quick())));
-            const ProblemSection section = sections.add(problem, points, note, run_.machine());
-            run_.write("problems.csv", table_of(sections.points()));
-            add(section.plot, section.heading, section.caption);
-        }
-        for (const double error : {1e-4, 1e-8}) {
-            Plate plate = sections.profile(error, run_.folder(), run_.machine());
-            run_.sections.push_back({fmt::format("profile_{:.0e}", error),
-                                     fmt::format("All problems to an error of {:.0e}", error), std::move(plate)});
-        }
+        write_file(*run_.request().exported / (name + ".json"), problem.text());
     }
 
     void add_consistency() {
@@ -324,7 +289,6 @@ class ErrorReport {
 
     StudyRun& run_;
     ErrorPlan plan_;
-    std::vector<ContactMoment> exports_;
     std::vector<ErrorPoint> points_;
     std::vector<FrozenPoint> frozen_;
     TextTable answers_{{"scene", "error", "1e-2", "1e-4", "1e-6", "1e-8"}};

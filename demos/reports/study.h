@@ -47,8 +47,7 @@ struct GridRequest {
 struct StudyRequest {
     std::filesystem::path folder;
     bool quick = false;                               // few and short runs
-    std::vector<std::filesystem::path> problems{};    // of others, for the error report
-    std::optional<std::filesystem::path> beside{};    // points of other solvers on these, or of other engines
+    std::optional<std::filesystem::path> beside{};    // points of other engines
     std::optional<std::filesystem::path> exported{};  // folder for frozen problems
     std::vector<std::string> parts{};                 // all when empty
     std::optional<std::string> junit{}, markdown{};   // paths, for the verdicts of a study that judges

@@ -57,14 +57,6 @@ std::vector<CostCase> cost_cases(bool quick) {
     return cases;
 }
 
-std::string file_name(const std::string& name) {
-    std::string text;
-    for (const char c : name) {
-        if (c != ',') text += c == ' ' ? '-' : c;
-    }
-    return text;
-}
-
 SceneDescription with_everything(SceneDescription scene) {
     const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                    [](const BodyDescription& each) { return each.mass.has_value(); });

@@ -19,9 +19,6 @@ struct CostCase {
 
 std::vector<CostCase> cost_cases(bool quick);  // `quick`: the small ones
 
-// The name with '-' for blanks and without commas.
-std::string file_name(const std::string& name);
-
 // The scene of `description`, whose options are spelled out, with
 //
 //   a poke beside gravity, a distance, contacts with friction and restitution, sweep and cache,

@@ -1,6 +1,5 @@
 #include "demos/reports/error/error_pieces.h"
 
-#include "demos/reports/error/contact_problems/fclib_file.h"
 #include "demos/reports/error/other_engines.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
@@ -49,17 +48,6 @@ Json json_of_frozen(const FrozenProblem& problem, const std::vector<FrozenPoint>
         {"rows", problem.system().row_count()}, {"columns", problem.system().column_count()}, {"points", lines}};
 }
 
-Json json_of_problem(const std::vector<ProblemPoint>& points, const std::string& note) {
-    Json lines = Json::array();
-    for (const auto& [problem, method, iterations, errors, multiply_adds, cpu] : points) {
-        lines.push_back(
-            {problem, method, iterations,
-             json_numbers({errors.siconos, errors.natural_map, errors.penetration_rate, errors.cone_violation,
-                           errors.wrong_friction, errors.dissipation, multiply_adds, cpu})});
-    }
-    return {{"points", lines}, {"note", note}};
-}
-
 Json json_of_consistency(const std::vector<ConsistencyPoint>& points) {
     Json lines = Json::array();
     for (const auto& [dt, error, size, order] : points) {
@@ -69,29 +57,6 @@ Json json_of_consistency(const std::vector<ConsistencyPoint>& points) {
     return lines;
 }
 
-// All numbers of a problem, as bytes.
-template <typename... Parts>
-std::uint64_t hash_of_numbers(const Parts&... parts) {
-    std::string bytes;
-    const auto add = [&bytes](const auto& part) {
-        bytes.append(reinterpret_cast<const char*>(part.data()),
-                     sizeof(*part.data()) * static_cast<std::size_t>(part.size()));
-    };
-    (add(parts), ...);
-    return text_hash(bytes);
-}
-
-std::vector<double> entries_of(const SparseMatrix& matrix) {
-    std::vector<double> entries{static_cast<double>(matrix.rows()), static_cast<double>(matrix.cols())};
-    for (int k = 0; k < matrix.outerSize(); ++k) {
-        for (SparseMatrix::InnerIterator entry(matrix, k); entry; ++entry) {
-            entries.insert(entries.end(),
-                           {static_cast<double>(entry.row()), static_cast<double>(entry.col()), entry.value()});
-        }
-    }
-    return entries;
-}
-
 }  // namespace
 
 ErrorPlan error_plan(const StudyRequest& request) {
@@ -99,11 +64,8 @@ ErrorPlan error_plan(const StudyRequest& request) {
     plan.quick = request.quick;
     plan.experiments = error_experiments(request.quick);
     std::erase_if(plan.experiments, [&](const Experiment& sweep) { return !request.wants(sweep.name); });
-    if (request.wants(frozen_part)) {
-        if (request.problems.empty()) plan.moments = hard_moments(request.quick);
-        for (const auto& file : request.problems) plan.problems.push_back(read_fclib(file));
-    }
-    if (request.beside && plan.problems.empty()) {
+    if (request.wants(frozen_part)) plan.moments = hard_moments(request.quick);
+    if (request.beside) {
         plan.others = read_error_points(*request.beside);
         const auto has_others = [&](const Experiment& sweep) {
             return std::ranges::any_of(plan.others,
@@ -135,13 +97,6 @@ Pieces error_pieces(const StudyRequest& request) {
         pieces.push_back({key_of(moment, plan->quick), [plan, &moment](const Check& check) {
                               const FrozenProblem problem = freeze(moment, check);
                               return json_of_frozen(problem, solve_frozen(problem, plan->quick));
-                          }});
-    }
-    for (const ContactProblem& problem : plan->problems) {
-        pieces.push_back({key_of(problem, plan->quick), [plan, &problem](const Check& check) {
-                              std::string note;
-                              const auto points = solve_problem(problem, plan->quick, check, note);
-                              return json_of_problem(points, note);
                           }});
     }
     for (const ConsistencyCase& which : plan->consistency.cases) {
@@ -192,40 +147,6 @@ FrozenResult frozen_in(const Json& json) {
                                  .iterations = line.at(2),
                                  .residual = number_in(line.at(3)),
                                  .multiply_adds = number_in(line.at(4))});
-    }
-    return result;
-}
-
-std::string key_of(const ContactProblem& problem, bool quick) {
-    std::string title;
-    std::uint64_t hash = 0;
-    if (const auto* const global = std::get_if<GlobalProblem>(&problem)) {
-        title = global->title;
-        hash = hash_of_numbers(entries_of(global->mass), entries_of(global->axes), global->force, global->given,
-                               global->mu);
-    } else {
-        const auto& local = std::get<LocalProblem>(problem);
-        title = local.title;
-        hash = hash_of_numbers(entries_of(local.matrix), local.free, local.mu);
-    }
-    return fmt::format("error: problem, {}: {:016x}{}", title, hash, quick ? "; few iterations" : "");
-}
-
-ProblemResult problem_in(const Json& json) {
-    ProblemResult result{.points = {}, .note = json.at("note")};
-    for (const Json& line : json.at("points")) {
-        const std::vector<double> numbers = numbers_in(line.at(3));
-        result.points.push_back({.problem = line.at(0),
-                                 .method = line.at(1),
-                                 .iterations = line.at(2),
-                                 .errors = {.siconos = numbers.at(0),
-                                            .natural_map = numbers.at(1),
-                                            .penetration_rate = numbers.at(2),
-                                            .cone_violation = numbers.at(3),
-                                            .wrong_friction = numbers.at(4),
-                                            .dissipation = numbers.at(5)},
-                                 .multiply_adds = numbers.at(6),
-                                 .cpu = numbers.at(7)});
     }
     return result;
 }

@@ -1,8 +1,7 @@
-// The error report as pieces: a point of a sweep, a frozen moment, a contact problem, a scene's consistency.
+// The error report as pieces: a point of a sweep, a frozen moment, a scene's consistency.
 #pragma once
 
 #include "demos/reports/error/consistency.h"
-#include "demos/reports/error/contact_problems/problem_points.h"
 #include "demos/reports/error/experiments.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/reports/error/points.h"
@@ -21,12 +20,11 @@ struct ErrorPlan {
     std::vector<ErrorPoint> others{};  // of other engines
     std::vector<Experiment> experiments;
     std::vector<FrozenMoment> moments;
-    std::vector<ContactProblem> problems;
     ConsistencyPlan consistency;
     bool quick = false;
 };
 
-// Throws UsageError for a problem that cannot be read.
+// Throws UsageError for points of other engines that cannot be read or that are on no scene of the plan.
 ErrorPlan error_plan(const StudyRequest& request);
 Pieces error_pieces(const StudyRequest& request);
 
@@ -40,13 +38,6 @@ struct FrozenResult {
 };
 std::string key_of(const FrozenMoment& moment, bool quick);
 FrozenResult frozen_in(const Json& json);
-
-struct ProblemResult {
-    std::vector<ProblemPoint> points;
-    std::string note;  // of solve_problem()
-};
-std::string key_of(const ContactProblem& problem, bool quick);
-ProblemResult problem_in(const Json& json);
 
 std::string key_of(const ConsistencyPlan& plan, const ConsistencyCase& which);
 std::vector<ConsistencyPoint> consistency_in(const Json& json);

@@ -1,6 +1,7 @@
 #include "demos/reports/error/frozen_moments.h"
 
 #include "demos/reports/study.h"
+#include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,15 @@ FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) 
 }
 
 constexpr std::size_t most_rows_of_dense = 200;
+
+Choices member_of(const std::string& family, int seed, const families::GivenValues& values) {
+    Choices choices;
+    choices.settings = preset_settings("default");
+    choices.settings.rest = false;
+    choices.description =
+        draw_member(*families::find_family(family), {.seed = seed, .given = values}).prospect.scene;
+    return choices;
+}
 
 }  // namespace
 
@@ -61,13 +71,41 @@ std::vector<FrozenMoment> hard_moments(bool quick) {
     return moments;
 }
 
+std::vector<ContactMoment> contact_moments(bool quick) {
+    constexpr double early = 0.5, late = 2.0;  // s: while things fall or meet, and when most of them lie
+    std::vector<ContactMoment> moments;
+    for (int i = 1; i <= (quick ? 1 : 5); ++i) {
+        const std::string number = std::to_string(i);
+        for (const double seconds : quick ? std::vector{early} : std::vector{early, late}) {
+            const auto add = [&](const std::string& kind, Choices choices) {
+                // A whole step is one system; the cone is Coulomb's law.
+                choices.settings.scheme = Scheme::whole;
+                choices.settings.friction_model = FrictionModel::cone;
+                choices.settings.seconds = seconds;
+                moments.push_back({fmt::format("{}_{}_at_{}s", kind, i, seconds), std::move(choices)});
+            };
+            add("stack", run_of("stack", {{"count", std::to_string(5 * i)}, {"jitter", "0.01"}, {"seed", number}}));
+            add("heap", member_of("mixed", i, {{"count", std::to_string(20 * i)}}));
+            add("wall",
+                member_of("wall", i, {{"rows", std::to_string(2 + i)}, {"columns", std::to_string(3 + i)}}));
+            add("cards", member_of("card-house", i, {{"storeys", number}}));
+            add("arch", run_of("arch", {{"voussoirs", std::to_string(5 + 4 * i)}}));
+        }
+    }
+    return moments;
+}
+
 FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check) {
-    Simulation run(run_of(moment.scene, moment.options));
+    return freeze(moment.name, run_of(moment.scene, moment.options), check);
+}
+
+FrozenProblem freeze(const std::string& name, const Choices& choices, const std::function<void()>& check) {
+    Simulation run(choices);
     play(run, [&](const Simulation& now) {
         check();
         return now.sample().step < std::max(1L, whole_steps(now.settings()));
     });
-    return {moment.name, run.scene().world};
+    return {name, run.scene().world};
 }
 
 std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick) {

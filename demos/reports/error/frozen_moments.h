@@ -2,6 +2,7 @@
 // errors on the run.
 #pragma once
 
+#include "demos/options/choices.h"
 #include "demos/options/named_run.h"
 #include "demos/pages/table.h"
 #include "demos/reports/error/frozen_problem.h"
@@ -21,9 +22,20 @@ struct FrozenMoment {
 
 std::vector<FrozenMoment> hard_moments(bool quick);
 
+// Moments of contacts with Coulomb's friction and nothing else, which is what collections of contact problems have.
+struct ContactMoment {
+    std::string name;  // a file name: "wall_3_at_0.5s"
+    Choices choices;   // `settings.seconds` is the moment
+};
+
+// Stacks, heaps, walls, houses of cards and arches, ten each: five members at two moments; of each kind one with
+// `quick`.
+std::vector<ContactMoment> contact_moments(bool quick);
+
 // Runs the scene up to the moment and freezes its system. `check` is called at each step; its exceptions end the
 // run.
 FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check);
+FrozenProblem freeze(const std::string& name, const Choices& choices, const std::function<void()>& check);
 
 struct FrozenPoint {
     std::string problem, method;

@@ -33,7 +33,6 @@
 #include "demos/text/json.h"
 #include "engine/system/system_equation.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -43,16 +42,16 @@ class World;
 
 namespace pushfactor::demos::reports::error {
 
+inline constexpr int frozen_version = 1;  // of the format
+
 class FrozenProblem {
   public:
     // The system of the world's last step.
     FrozenProblem(std::string name, const engine::World& world);
 
-    // Such a system, with a guess of zero. Its `diagonal` and `digests` are computed here, and its rows are `rows`.
-    FrozenProblem(std::string name, std::vector<engine::ConstraintRow> rows, engine::SystemEquation system);
-
-    // Throws UsageError that names the file, the place in it, the value and what is allowed.
-    explicit FrozenProblem(const std::filesystem::path& file);
+    // Such a system. Its `diagonal` and `digests` are computed here, and its rows are `rows`.
+    FrozenProblem(std::string name, std::vector<engine::ConstraintRow> rows, engine::SystemEquation system,
+                  engine::Columns guess);
 
     FrozenProblem(FrozenProblem&& other) noexcept;
 

@@ -207,16 +207,8 @@ Cheapest cheapest(std::span<const WorkLine> lines, double error) {
 }
 
 std::string colour_of_solver(const std::string& method) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> colours{
-        {{"pgs", "blue"},
-         {"nncg", "green"},
-         {"jacobi", "orange"},
-         {"direct", "violet"},
-         {"auto", "vermilion"},
-         {"Siconos NSGS", "vermilion"},
-         {"Siconos projection", "orange"},
-         {"Siconos NSN_AC", "violet"},
-         {"Siconos ADMM", "green"}}};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> colours{
+        {{"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}}};
     const std::string solver = method.substr(0, method.find(','));
     for (const auto& [name, colour] : colours) {
         if (solver == name) return std::string(colour);

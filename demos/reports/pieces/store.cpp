@@ -1,6 +1,7 @@
 #include "demos/reports/pieces/store.h"
 
 #include "demos/platform/output_file.h"
+#include "demos/platform/plain_name.h"
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"
 
@@ -28,18 +29,16 @@ std::string make_version() {
     return exact ? version : version + ", program " + own_file_hash();
 }
 
-// "0.1.0-commit-0123456789ab"
-std::string folder_name(const std::string& version) {
-    std::string name;
-    for (const char c : version) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.';
-        if (plain || !name.ends_with('-')) name += plain ? c : '-';
-    }
-    return name;
+fs::path folder_of_version(const fs::path& folder) {
+    return folder / "pieces" / PieceStore::version_folder();
 }
 
-fs::path folder_of_version(const fs::path& folder) {
-    return folder / "pieces" / folder_name(version_of_pieces());
+// With its folder.
+void write_into(const fs::path& path, const std::string& text) {
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
+    write_file(path, text);
 }
 
 }  // namespace
@@ -70,21 +69,13 @@ std::optional<StoredPiece> PieceStore::find(const std::string& key) const {
 }
 
 void PieceStore::put(const std::string& key, const Json& result) const {
-    const fs::path path = place_of(folders_.front(), key);
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
     const Json json{{"key", key}, {"made_with", version_of_pieces()}, {"machine", machine_}, {"result", result}};
-    write_file(path, json_text(json, -1) + "\n");
+    write_into(place_of(folders_.front(), key), json_text(json, -1) + "\n");
 }
 
 void PieceStore::put_note(const std::string& text) const {
     const fs::path path = folder_of_version(folders_.front()) / note_name;
-    if (read_bytes_of(path) == text) return;
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) throw OutputError(path.parent_path().string() + ": " + error.message());
-    write_file(path, text);
+    if (read_bytes_of(path) != text) write_into(path, text);
 }
 
 std::optional<std::string> PieceStore::note_of(const fs::path& folder) {
@@ -92,7 +83,7 @@ std::optional<std::string> PieceStore::note_of(const fs::path& folder) {
 }
 
 std::string PieceStore::version_folder() {
-    return folder_name(version_of_pieces());
+    return plain_name(version_of_pieces(), '-', ".");  // "0.1.0-commit-0123456789ab"
 }
 
 std::set<std::string> PieceStore::versions_in(const fs::path& folder) {

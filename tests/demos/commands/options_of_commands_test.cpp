@@ -100,7 +100,6 @@ const std::map<std::string, std::string> values{
     {"theme", "dark"},
     {"background", "none"},
     {"only", "frozen"},
-    {"problems", "q"},
     {"beside", "h.csv"},
     {"export", "k"},
     {"junit", "j.xml"},

@@ -79,6 +79,6 @@ TEST_CASE("without gnuplot the atlas has its table, and the page says what to in
 TEST_CASE("the atlas refuses what it does not know in one line") {
     check_refused("report atlas --only height", "--only height: must be one of mass_ratio_iterations, ");
     check_refused("report atlas --only hight_iterations", "did you mean height_iterations?");
-    check_refused("report atlas --problems x", "--problems x: must be with report error");
+    check_refused("report atlas --export x", "--export x: must be with report error");
     CHECK(run_program("report atlas --quick --out /dev/null/x").status == 4);
 }

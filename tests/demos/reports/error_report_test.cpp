@@ -126,5 +126,6 @@ TEST_CASE("reports refuse what they do not know in one line") {
     check_refused("report error atlas", "report error atlas: must be one report at a time");
     check_refused("report error --only stak", "did you mean stack?");
     check_refused("report error --fast", "unknown option");
+    check_refused("report error --problems x", "--problems: contact problems of FCLib are solved by tests/compare");
     CHECK(run_program("report error --quick --out /dev/null/x").status == 4);
 }

@@ -1,5 +1,4 @@
 // Every solver on every frozen problem of the report, against the direct one.
-#include "demos/reports/error/contact_problems/contact_moments.h"
 #include "demos/reports/error/converged_forces.h"
 #include "demos/reports/error/frozen_moments.h"
 #include "demos/scenes/families/family.h"
@@ -103,7 +102,7 @@ TEST_CASE("direct solves the systems of heaps with friction on the cone from zer
                 choices.settings.scheme = Scheme::whole;
                 choices.settings.friction_model = FrictionModel::cone;
                 choices.settings.seconds = seconds;
-                const FrozenProblem problem = freeze_contacts({.name = family, .choices = choices}, [] {});
+                const FrozenProblem problem = freeze(family, choices, [] {});
                 engine::Columns lambda = problem.zero();
                 engine::solvers::make_solver("direct")->solve(
                     problem.system(), {.iterations = 1000, .tolerance_high = 1e-9, .tolerance_low = 1e-9}, lambda);

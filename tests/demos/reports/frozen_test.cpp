@@ -4,6 +4,7 @@
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/peers/problems/frozen_file.h"
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
@@ -21,7 +22,7 @@ double residual_after(const FrozenProblem& problem, const engine::Columns& start
 std::string complaint(const tests::Folder& folder, const std::string& text) {
     folder.write("problem.json", text);
     try {
-        FrozenProblem problem(folder / "problem.json");
+        tests::problems::read_frozen(folder / "problem.json");
     } catch (const UsageError& error) {
         return error.what();
     }
@@ -42,7 +43,7 @@ TEST_CASE("a frozen problem reads back with the same residuals, bit for bit") {
         const FrozenProblem problem = freeze(moment, [] {});
         REQUIRE(problem.system().row_count() > 0);
         folder.write("problem.json", problem.text());
-        const FrozenProblem again(folder / "problem.json");
+        const FrozenProblem again = tests::problems::read_frozen(folder / "problem.json");
         CHECK(again.name() == moment.name);
         CHECK(again.text() == problem.text());
         for (const int iterations : {1, 5, 25}) {
@@ -88,5 +89,5 @@ TEST_CASE("a frozen problem that is wrong is refused with the file, the place an
     CHECK(complaint(folder, changed("\"dt_s\": 0.0", "\"dt_s\": -0.0")).find("dt_s") != std::string::npos);
     CHECK(complaint(folder, changed("\"body_b\": ", "\"body_b\": 9")).find("rows[0].body_b") != std::string::npos);
     CHECK(complaint(folder, changed("\"j_a\"", "\"j\"")).find("rows[0].j_a: is missing") != std::string::npos);
-    CHECK_THROWS_AS(FrozenProblem(folder / "nothing.json"), UsageError);
+    CHECK_THROWS_AS(tests::problems::read_frozen(folder / "nothing.json"), UsageError);
 }

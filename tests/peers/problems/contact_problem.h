@@ -13,8 +13,9 @@
 #include <Eigen/SparseCore>
 
 #include <string>
+#include <variant>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
@@ -42,10 +43,13 @@ struct LocalProblem {
     double asymmetry() const;
 };
 
+using ContactProblem = std::variant<GlobalProblem, LocalProblem>;
+
 // v = M^-1 (H r + f). Throws std::runtime_error if M is singular.
 engine::VectorX velocities_of(const GlobalProblem& problem, const engine::VectorX& impulses);
 
 // W = H^T M^-1 H, q = w + H^T M^-1 f. Throws std::runtime_error if M is singular.
 LocalProblem local_form(const GlobalProblem& problem);
+LocalProblem local_form(const ContactProblem& problem);
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,11 +1,11 @@
-#include "demos/reports/error/contact_problems/block_solvers.h"
+#include "tests/peers/problems/block_solvers.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::span<const BlockSolver> block_solvers() {
     return table;
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,4 +1,4 @@
-#include "demos/reports/error/contact_problems/contact_problem.h"
+#include "tests/peers/problems/contact_problem.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 double LocalProblem::asymmetry() const {
     const SparseMatrix difference = matrix - SparseMatrix(matrix.transpose());
@@ -47,4 +47,9 @@ LocalProblem local_form(const GlobalProblem& problem) {
     return local;
 }
 
-}  // namespace pushfactor::demos::reports::error
+LocalProblem local_form(const ContactProblem& problem) {
+    const auto* const global = std::get_if<GlobalProblem>(&problem);
+    return global ? local_form(*global) : std::get<LocalProblem>(problem);
+}
+
+}  // namespace pushfactor::tests::problems

@@ -1,13 +1,13 @@
 // Solvers of local problems, where there are no bodies to sweep over: W in blocks of 3 x 3.
 #pragma once
 
-#include "demos/reports/error/contact_problems/contact_problem.h"
+#include "tests/peers/problems/contact_problem.h"
 
 #include <span>
 #include <string_view>
 #include <vector>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 // The problem as sweeps read it: rows of blocks, and step sizes.
 class BlockProblem {
@@ -44,4 +44,4 @@ struct BlockSolver {
 // Projected Gauss-Seidel, and the same with conjugate directions (as solvers/nncg.h).
 std::span<const BlockSolver> block_solvers();
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

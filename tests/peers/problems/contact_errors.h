@@ -1,9 +1,9 @@
 // How wrong impulses of a frictional contact problem are, in several measures.
 #pragma once
 
-#include "demos/reports/error/contact_problems/contact_problem.h"
+#include "tests/peers/problems/contact_problem.h"
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 struct ContactErrors {
     // That of Siconos (fc3d_compute_error): |r - P_K(r - (u + mu |u_T| n))|_2 over all contacts, divided by
@@ -24,4 +24,4 @@ struct ContactErrors {
 // `impulses` are r, three per contact [N s].
 ContactErrors contact_errors(const LocalProblem& problem, const engine::VectorX& impulses);
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,11 +1,11 @@
-#include "demos/reports/error/contact_problems/contact_errors.h"
+#include "tests/peers/problems/contact_errors.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
 
@@ -74,4 +74,4 @@ ContactErrors contact_errors(const LocalProblem& problem, const VectorX& impulse
     return errors;
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,12 +1,14 @@
 // Global problems as rows over rigid bodies, as our solvers take them, and back.
 #pragma once
 
-#include "demos/reports/error/contact_problems/contact_problem.h"
 #include "demos/reports/error/frozen_problem.h"
+#include "tests/peers/problems/contact_problem.h"
 
 #include <optional>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
+
+using demos::reports::error::FrozenProblem;
 
 // One row per normal, and a disc for its two tangents. dt is 1 s, so that forces in N are impulses in N s. A static
 // body stands for the world. Throws UsageError unless M is made of rigid bodies (one mass and a 3 x 3 inertia per
@@ -20,4 +22,4 @@ std::optional<GlobalProblem> global_form(const FrozenProblem& problem);
 // lambda of such rows as impulses, contact by contact [N s].
 engine::VectorX impulses_of(const engine::Columns& lambda);
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

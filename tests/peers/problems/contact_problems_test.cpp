@@ -1,36 +1,24 @@
-// Contact problems in FCLib's terms: our rows say the same, files keep every bit, errors have their closed forms.
-#include "demos/reports/error/contact_problems/block_solvers.h"
-#include "demos/reports/error/contact_problems/contact_errors.h"
-#include "demos/reports/error/contact_problems/contact_moments.h"
-#include "demos/reports/error/contact_problems/fclib_file.h"
-#include "demos/reports/error/contact_problems/profiles.h"
-#include "demos/reports/error/contact_problems/rows_of_contacts.h"
+// Contact problems in FCLib's terms: our rows say the same, errors have their closed forms, the page shows all
+// solvers.
+#include "demos/reports/error/frozen_moments.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
+#include "tests/peers/problems/block_solvers.h"
+#include "tests/peers/problems/problem_report.h"
+#include "tests/peers/problems/profiles.h"
 #include "tests/random.h"
-#include "tests/skip.h"
 
-#include <iostream>
 #include <set>
 
 using namespace pushfactor;
 using namespace pushfactor::demos::reports::error;
 using namespace pushfactor::tests;
+using namespace pushfactor::tests::problems;
 using engine::VectorX;
 
 namespace {
-
-bool skips_without_fclib() {
-    if (has_fclib()) return false;
-    skip("FCLib is not installed (packages libfclib-dev and libhdf5-dev)");
-    return true;
-}
-
-bool same(const SparseMatrix& a, const SparseMatrix& b) {
-    return a.rows() == b.rows() && a.cols() == b.cols() && (a.toDense() - b.toDense()).isZero(0.0);
-}
 
 // A brick of 2 kg on a plane, at its corners or at one point; it moves with this velocity before the step.
 GlobalProblem brick(const engine::Vector6& velocity, double mu) {
@@ -111,7 +99,7 @@ TEST_CASE("there are fifty moments of contacts, each with a name of its own") {
 
 TEST_CASE("problems of our scenes are the same as rows, as M and H, and as rows again") {
     for (const ContactMoment& moment : contact_moments(true)) {
-        const FrozenProblem problem = freeze_contacts(moment, [] {});
+        const FrozenProblem problem = freeze(moment.name, moment.choices, [] {});
         INFO(moment.name);
         REQUIRE(problem.system().row_count() > 0);
         const std::optional<GlobalProblem> global = global_form(problem);
@@ -136,32 +124,6 @@ TEST_CASE("problems of our scenes are the same as rows, as M and H, and as rows 
     }
 }
 
-TEST_CASE("a file of FCLib keeps every bit of a problem, global or local") {
-    if (skips_without_fclib()) return;
-    const Folder folder;
-    for (const ContactMoment& moment : contact_moments(true)) {
-        INFO(moment.name);
-        const GlobalProblem global = *global_form(freeze_contacts(moment, [] {}));
-        for (int twice = 0; twice < 2; ++twice)
-            write_fclib(global, folder / "problem.hdf5");  // and replaces a file
-        const ContactProblem read = read_fclib(folder / "problem.hdf5");
-        const GlobalProblem& again = std::get<GlobalProblem>(read);
-        CHECK(same(again.mass, global.mass));
-        CHECK(same(again.axes, global.axes));
-        CHECK(again.force == global.force);
-        CHECK(again.given == global.given);
-        CHECK(again.mu == global.mu);
-
-        const LocalProblem local = local_form(global);
-        write_fclib(local, folder / "local.hdf5");
-        const ContactProblem read_local = read_fclib(folder / "local.hdf5");
-        CHECK(same(std::get<LocalProblem>(read_local).matrix, local.matrix));
-        CHECK(std::get<LocalProblem>(read_local).free == local.free);
-        CHECK(std::get<LocalProblem>(read_local).mu == local.mu);
-    }
-    CHECK(folder.files() == std::vector<std::string>{"local.hdf5", "problem.hdf5"});
-}
-
 TEST_CASE("rows over bodies are only for rigid bodies") {
     GlobalProblem soft = brick(engine::Vector6::Zero(), 0.5);
     soft.mass.coeffRef(0, 1) = 0.1;
@@ -170,7 +132,7 @@ TEST_CASE("rows over bodies are only for rigid bodies") {
     odd.mass.conservativeResize(5, 5);
     CHECK_THROWS_WITH(rows_over_bodies(odd), Catch::Contains("no multiple of six"));
     // A chain has bars, for which FCLib has no words.
-    CHECK_FALSE(global_form(freeze_contacts({"chain", demos::run_of("chain", {{"seconds", "0.1"}})}, [] {})));
+    CHECK_FALSE(global_form(freeze({"chain", "chain", {{"seconds", "0.1"}}}, [] {})));
 }
 
 TEST_CASE("performance profiles have the shares of their definition") {
@@ -185,52 +147,28 @@ TEST_CASE("performance profiles have the shares of their definition") {
     CHECK(profiles[1].share_within(2.0) == 0.75);
 }
 
-TEST_CASE("the report solves exported problems, and shows others beside") {
-    if (skips_without_fclib()) return;
+TEST_CASE("the page has the solvers of others beside ours") {
     const Folder folder;
-    const Ended exported =
-        shell(folder, "pushfactor report error --quick --only frozen --export problems --out exported");
-    INFO(exported.err);
-    REQUIRE(exported.status == 0);
-    folder.write("others.csv",
-                 "problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,"
-                 "wrong_friction_m_per_s,cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n"
-                 "stack_1_at_0.5s,Siconos NSGS,7,1e-9,1e-9,0,0,0,0,0,0.25\n");
-    const Ended ended =
-        shell(folder,
-              "pushfactor report error --quick --only frozen --problems problems --beside others.csv "
-              "--out page");
-    INFO(ended.err);
-    REQUIRE(ended.status == 0);
-    const std::string page = folder.read("page/index.html");
+    engine::Vector6 velocity = engine::Vector6::Zero();
+    velocity[1] = -1.0;
+    const auto other = [](const LocalProblem& problem, bool) -> std::vector<ProblemPoint> {
+        return {{.problem = problem.title,
+                 .method = "Siconos NSGS",
+                 .iterations = 7,
+                 .errors = {.siconos = 1e-9},
+                 .cpu = 0.25}};
+    };
+    LocalProblem local = local_form(brick(velocity, 0.5));
+    local.title = "W alone";
+    report_problems({brick(velocity, 0.5), local}, true, other, folder.path());
+    const std::string page = folder.read("index.html");
     check_page(page);
     CHECK(page.find("Siconos NSGS 250 ms") != std::string::npos);
-    const std::string table = folder.read("page/problems.csv");
-    for (const char* const name : {"stack_1", "heap_1", "wall_1", "cards_1", "arch_1"}) {
-        INFO(name);
-        CHECK(table.find(name) != std::string::npos);
+    const std::string table = folder.read("problems.csv");
+    for (const char* const cells :
+         {"brick,pgs,", "brick,direct,", "brick,\"pgs, blocks\",", "brick,Siconos NSGS,7,1e-09,"}) {
+        INFO(cells);
+        CHECK(table.find(cells) != std::string::npos);
     }
-    CHECK(std::filesystem::exists(folder / "page/profile_1e-04.dat"));
-}
-
-TEST_CASE("what is no contact problem is refused in one line") {
-    const Folder folder;
-    folder.write("text.hdf5", "no HDF5");
-    std::filesystem::create_directory(folder / "empty");
-    folder.write("others.csv", "problem,method\n");
-    const auto refused = [&](const std::string& arguments, const std::string& words) {
-        const Ended ended = shell(folder, "pushfactor report error --quick --only frozen " + arguments);
-        INFO(arguments << ": " << ended.err);
-        CHECK(ended.status == 2);
-        CHECK(lines_of(ended.err).size() == 1);
-        CHECK(ended.err.find(words) != std::string::npos);
-    };
-    refused("--problems empty", "--problems empty: must have files that end in .hdf5");
-    refused("--beside others.csv", "--beside others.csv: line 1: must be scene,method,");
-    if (skips_without_fclib()) {
-        refused("--problems text.hdf5", "install libfclib-dev and libhdf5-dev");
-        return;
-    }
-    refused("--problems text.hdf5", "text.hdf5: must be a file of FCLib (HDF5)");
-    refused("--problems none.hdf5", "none.hdf5: must be a file of FCLib (HDF5)");
+    CHECK(std::filesystem::exists(folder / "profile_1e-04.dat"));
 }

@@ -1,25 +1,37 @@
-#include "demos/reports/error/contact_problems/problem_points.h"
+#include "tests/peers/problems/problem_points.h"
 
 #include "demos/platform/cpu_clock.h"
-#include "demos/reports/error/contact_problems/block_solvers.h"
-#include "demos/reports/error/contact_problems/rows_of_contacts.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
 #include "engine/solvers/solver.h"
+#include "tests/peers/problems/block_solvers.h"
+#include "tests/peers/problems/rows_of_contacts.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
 
+using demos::thread_cpu_us, demos::median, demos::UsageError;
 using engine::VectorX;
 
 constexpr double rounding = 1e-14;   // no solver needs more
 constexpr double longest = 2.0;      // s, of a solve; more iterations are left out
 constexpr double until_sure = 0.05;  // s, over all solves of a point
 constexpr int most_repeats = 5;
+
+// Empty for a solver of ours.
+std::string colour_of_siconos(const std::string& method) {
+    for (const auto& [name, colour] : {std::pair{"Siconos NSGS", "vermilion"},
+                                       {"Siconos projection", "orange"},
+                                       {"Siconos NSN_AC", "violet"},
+                                       {"Siconos ADMM", "green"}}) {
+        if (method.starts_with(name)) return colour;
+    }
+    return "";
+}
 
 std::vector<int> iterations(bool quick) {
     std::vector<int> numbers{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
@@ -124,10 +136,9 @@ void solve_blocks(const LocalProblem& problem, Solving& solving) {
 
 std::vector<ProblemPoint> solve_problem(const ContactProblem& problem, bool quick,
                                         const std::function<void()>& check, std::string& note) {
-    const GlobalProblem* const global = std::get_if<GlobalProblem>(&problem);
-    const LocalProblem local = global ? local_form(*global) : std::get<LocalProblem>(problem);
+    const LocalProblem local = local_form(problem);
     Solving solving(local, quick, check);
-    if (global) {
+    if (const auto* const global = std::get_if<GlobalProblem>(&problem)) {
         try {
             solve_rows(rows_over_bodies(*global), solving);
         } catch (const UsageError& error) {
@@ -170,16 +181,18 @@ std::vector<WorkLine> lines_of(const std::vector<ProblemPoint>& points) {
     std::vector<WorkLine> lines;
     for (const ProblemPoint& point : points) {
         if (lines.empty() || lines.back().name != point.method) {
-            const bool blocks = point.method.ends_with("blocks"), other = point.method.starts_with("Siconos");
-            lines.push_back({.name = point.method,
-                             .colour = colour_of_solver(point.method),
-                             .dash = other    ? 3
-                                     : blocks ? 2
-                                              : 1,
-                             .mark = other    ? 9
-                                     : blocks ? 5
-                                              : 7,
-                             .points = {}});
+            const bool blocks = point.method.ends_with("blocks");
+            const std::string other = colour_of_siconos(point.method);
+            lines.push_back(
+                {.name = point.method,
+                 .colour = other.empty() ? demos::reports::error::colour_of_solver(point.method) : other,
+                 .dash = !other.empty() ? 3
+                         : blocks       ? 2
+                                        : 1,
+                 .mark = !other.empty() ? 9
+                         : blocks       ? 5
+                                        : 7,
+                 .points = {}});
         }
         lines.back().points.push_back(
             {.error = point.errors.siconos, .work = point.cpu, .label = std::to_string(point.iterations)});
@@ -198,4 +211,4 @@ double time_to(double error, const std::vector<ProblemPoint>& points, const std:
     return best;
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

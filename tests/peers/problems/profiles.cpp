@@ -1,10 +1,10 @@
-#include "demos/reports/error/contact_problems/profiles.h"
+#include "tests/peers/problems/profiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::vector<Profile> profiles_of(const std::vector<SolverTimes>& solvers) {
     return profiles;
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,29 +1,26 @@
-#include "demos/reports/error/contact_problems/fclib_file.h"
+#include "tests/peers/problems/fclib_file.h"
 
 #include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
-#if PUSHFACTOR_FCLIB
 // Its header is for C.
 extern "C" {
 #include <fclib.h>
 }
 #include <hdf5.h>
-#endif
 
 #include <list>
 #include <memory>
 #include <vector>
 
-namespace pushfactor::demos::reports::error {
-
-#if PUSHFACTOR_FCLIB
+namespace pushfactor::tests::problems {
 
 namespace {
 
 namespace fs = std::filesystem;
+using demos::OutputError, demos::StagedFile, demos::UsageError;
 using engine::VectorX;
 
 // HDF5 prints a trace of its calls for each error; messages of ours say what is wrong.
@@ -188,19 +185,11 @@ void write_whole(const fs::path& file, const Write& write) {
 
 }  // namespace
 
-bool has_fclib() {
-    return true;
-}
-
 ContactProblem read_fclib(const fs::path& file) {
     const QuietHdf5 quiet;
     if (has_group(file, "/fclib_global")) return read_global(file);
     if (has_group(file, "/fclib_local")) return read_local(file);
     throw UsageError(fmt::format("{}: must have a group fclib_global or fclib_local", file.string()));
-}
-
-void write_fclib(const GlobalProblem& problem, const fs::path& file) {
-    write_fclib(problem, {}, file);
 }
 
 void write_fclib(const GlobalProblem& problem, const VectorX& impulses, const fs::path& file) {
@@ -237,55 +226,4 @@ void write_fclib(const LocalProblem& problem, const fs::path& file) {
     write_whole(file, [&](const char* path) { return fclib_write_local(&local, path); });
 }
 
-std::optional<VectorX> read_solution(const fs::path& file) {
-    const QuietHdf5 quiet;
-    if (!has_group(file, "/solution")) return std::nullopt;
-    const ContactProblem problem = read_fclib(file);
-    const auto contacts = std::visit([](const auto& one) { return one.contacts(); }, problem);
-    fclib_solution* const stored = fclib_read_solution(file.c_str());
-    if (stored == nullptr || stored->r == nullptr) return std::nullopt;
-    VectorX impulses = vector_of(stored->r, 3 * static_cast<int>(contacts));
-    fclib_delete_solutions(stored, 1);
-    return impulses;
-}
-
-#else
-
-namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& file) {
-    throw UsageError(
-        fmt::format("{}: this program was built without FCLib: install libfclib-dev and libhdf5-dev and "
-                    "build it again",
-                    file.string()));
-}
-
-}  // namespace
-
-bool has_fclib() {
-    return false;
-}
-
-ContactProblem read_fclib(const std::filesystem::path& file) {
-    refuse(file);
-}
-
-void write_fclib(const GlobalProblem&, const std::filesystem::path& file) {
-    refuse(file);
-}
-
-void write_fclib(const GlobalProblem&, const engine::VectorX&, const std::filesystem::path& file) {
-    refuse(file);
-}
-
-void write_fclib(const LocalProblem&, const std::filesystem::path& file) {
-    refuse(file);
-}
-
-std::optional<engine::VectorX> read_solution(const std::filesystem::path& file) {
-    refuse(file);
-}
-
-#endif
-
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

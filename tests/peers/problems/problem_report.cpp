@@ -1,20 +1,22 @@
-#include "demos/reports/error/contact_problems/problem_sections.h"
+#include "tests/peers/problems/problem_report.h"
 
+#include "demos/pages/about.h"
 #include "demos/pages/plot.h"
-#include "demos/reports/error/contact_problems/profiles.h"
-#include "demos/text/csv.h"
-#include "demos/text/numbers.h"
+#include "demos/platform/plain_name.h"
+#include "demos/reports/study.h"
+#include "tests/peers/problems/profiles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
+
+using demos::Plate, demos::Section, demos::TextTable, demos::reports::StudyRun;
 
 // Methods and problems in the order in which they first come.
 template <typename Name>
@@ -25,25 +27,6 @@ std::vector<std::string> names_in(const std::vector<ProblemPoint>& points, const
             names.push_back(std::invoke(name, point));
     }
     return names;
-}
-
-std::vector<ProblemPoint> read_points(const std::filesystem::path& file) {
-    std::vector<ProblemPoint> points;
-    for (const auto& cells : read_csv("--beside", file, table_of(std::vector<ProblemPoint>{}).columns)) {
-        const auto number = [&](std::size_t column) { return parse_number(cells[column]).value_or(0.0); };
-        points.push_back({.problem = cells[0],
-                          .method = cells[1],
-                          .iterations = static_cast<int>(number(2)),
-                          .errors = {.siconos = number(3),
-                                     .natural_map = number(4),
-                                     .penetration_rate = number(5),
-                                     .cone_violation = number(7),
-                                     .wrong_friction = number(6),
-                                     .dissipation = number(8)},
-                          .multiply_adds = number(9),
-                          .cpu = number(10)});
-    }
-    return points;
 }
 
 std::string text_of_time(double seconds) {
@@ -93,47 +76,31 @@ std::string profile_data(const std::vector<Profile>& profiles, double last) {
     return text;
 }
 
-}  // namespace
-
-ProblemSections::ProblemSections(const std::optional<std::filesystem::path>& beside) {
-    if (beside) others_ = read_points(*beside);
-}
-
-ProblemSection ProblemSections::add(const ContactProblem& problem, std::vector<ProblemPoint> own,
-                                    const std::string& note, const std::string& machine) {
-    points_.insert(points_.end(), own.begin(), own.end());
-    for (const ProblemPoint& point : others_) {
-        if (point.problem == title_of(problem)) own.push_back(point);
-    }
-    std::string name = "problem_";
-    for (const char c : title_of(problem)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+// A plot of error against CPU time. `points` are those on this problem; `note` is that of solve_problem().
+Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint>& points, const std::string& note,
+                   const StudyRun& run) {
     const std::string title = title_of(problem);
-    return {
-        .plot = {.name = name,
-                 .error_axis = "error of Siconos (no unit)",
-                 .work_axis = "CPU time [s]",
-                 .machine = machine,
-                 .lines = lines_of(own),
-                 .theory = {}},
-        .heading = title,
-        .caption = fmt::format(
-            "{}. From zero impulses, one thread; points are labelled with their iterations. The error is that of "
-            "Siconos, |r - P_K(r - (u + mu |u_T| n))| / max(|q|, |r|, |u|), which mixes impulses and velocities; "
-            "problems.csv also has errors in m/s. Time to 1e-4: {}; to 1e-8: {}.{}",
-            text_of(problem), times_to(1e-4, own, title), times_to(1e-8, own, title),
-            note.empty() ? "" : " Not as rows over bodies: " + note + ".")};
+    const std::string name = demos::plain_name("problem_" + title, '_');
+    Section section{.name = name, .heading = title, .plate = {}};
+    section.plate.caption = fmt::format(
+        "{}. From zero impulses, one thread; points are labelled with their iterations. The error is that of "
+        "Siconos, |r - P_K(r - (u + mu |u_T| n))| / max(|q|, |r|, |u|), which mixes impulses and velocities; "
+        "problems.csv also has errors in m/s. Time to 1e-4: {}; to 1e-8: {}.{}",
+        text_of(problem), times_to(1e-4, points, title), times_to(1e-8, points, title),
+        note.empty() ? "" : " Not as rows over bodies: " + note + ".");
+    demos::reports::error::draw_work_plot({.name = name,
+                                           .error_axis = "error of Siconos (no unit)",
+                                           .work_axis = "CPU time [s]",
+                                           .machine = run.machine(),
+                                           .lines = lines_of(points),
+                                           .theory = {}},
+                                          run.folder(), section.plate);
+    return section;
 }
 
-std::vector<ProblemPoint> ProblemSections::all() const {
-    std::vector<ProblemPoint> points = points_;
-    points.insert(points.end(), others_.begin(), others_.end());
-    return points;
-}
-
-Plate ProblemSections::profile(double error, const std::filesystem::path& folder,
-                               const std::string& machine) const {
-    const std::vector<ProblemPoint> points = all();
-    const std::vector<std::string> problems = names_in(points_, &ProblemPoint::problem);
+// Dolan-Moré profiles of all methods over all problems.
+Section profile_section(double error, const std::vector<ProblemPoint>& points, const StudyRun& run) {
+    const std::vector<std::string> problems = names_in(points, &ProblemPoint::problem);
     std::vector<SolverTimes> solvers;
     for (const std::string& method : names_in(points, &ProblemPoint::method)) {
         SolverTimes& solver = solvers.emplace_back(SolverTimes{.name = method, .times = {}});
@@ -163,23 +130,50 @@ Plate ProblemSections::profile(double error, const std::filesystem::path& folder
     plate.table = table;
     plate.caption = fmt::format(
         "Performance profiles (Dolan and Moré) over {} problems: the share that a method solves to an error of "
-        "{:.0e} "
-        "(Siconos' measure) within so many times the CPU time of the fastest method on each. Higher and further "
-        "left "
-        "is better; where a line ends below 1, the rest was not solved. Methods without \"blocks\" work on bodies: "
-        "they "
-        "take global problems alone.",
+        "{:.0e} (Siconos' measure) within so many times the CPU time of the fastest method on each. Higher and "
+        "further left is better; where a line ends below 1, the rest was not solved. Methods without \"blocks\" "
+        "work "
+        "on bodies: they take global problems alone.",
         problems.size(), error);
     const std::string name = fmt::format("profile_{:.0e}", error);
-    add_plot(
-        {.script = "profile",
-         .data = name + ".dat",
-         .name = name,
-         .aspect = 1.6,
-         .variables =
-             {{"names", names}, {"colours", colours}, {"dashes", dashes}, {"last", last}, {"machine", machine}}},
-        profile_data(profiles, last), folder, plate);
-    return plate;
+    add_plot({.script = "profile",
+              .data = name + ".dat",
+              .name = name,
+              .aspect = 1.6,
+              .variables = {{"names", names},
+                            {"colours", colours},
+                            {"dashes", dashes},
+                            {"last", last},
+                            {"machine", run.machine()}}},
+             profile_data(profiles, last), run.folder(), plate);
+    return {name, fmt::format("All problems to an error of {:.0e}", error), std::move(plate)};
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace
+
+void report_problems(const std::vector<ContactProblem>& problems, bool quick, OtherSolver other,
+                     const std::filesystem::path& folder) {
+    const demos::reports::Study study{
+        .name = "problems", .title = "contact problems", .parts = {}, .make = nullptr};
+    StudyRun run(study, {.folder = folder, .quick = quick});
+    run.write("about.json", demos::reports::about_json(demos::reports::about_this()));
+    run.begin(problems.size());
+    std::vector<ProblemPoint> all;
+    for (const ContactProblem& problem : problems) {
+        std::string note;
+        std::vector<ProblemPoint> points = solve_problem(problem, quick, run.check(), note);
+        const std::vector<ProblemPoint> others = other(local_form(problem), quick);
+        points.insert(points.end(), others.begin(), others.end());
+        all.insert(all.end(), points.begin(), points.end());
+        run.write("problems.csv", table_of(all));
+        run.sections.push_back(section_of(problem, points, note, run));
+        run.count_run();
+    }
+    for (const double error : {1e-4, 1e-8}) run.sections.push_back(profile_section(error, all, run));
+    run.write_page(fmt::format(
+        "How wrong solvers are on contact problems of FCLib after how much CPU time; lower left is better. Times "
+        "were measured on this machine: {}. The numbers are in problems.csv, the machine in about.json.{}",
+        run.machine(), quick ? " This is the quick report: few iterations." : ""));
+}
+
+}  // namespace pushfactor::tests::problems

@@ -1,13 +1,7 @@
-// Siconos on contact problems of FCLib.
-//   siconos FILE.hdf5...          prints the lines of problems.csv, one per solver and tolerance, with the error
-//   reached siconos agree FILE.hdf5...    compares its best solution with the one in the file: velocities, and W
-//   times the
-//                                 difference of the impulses, which is zero where they differ in its null space
-//                                 alone
-#include "demos/reports/error/contact_problems/contact_errors.h"
-#include "demos/reports/error/contact_problems/fclib_file.h"
+#include "tests/peers/problems/siconos.h"
 
-#include <fmt/format.h>
+#if PUSHFACTOR_SICONOS
+
 #include <siconos/numerics/FrictionContactProblem.h>
 #include <siconos/numerics/Friction_cst.h>
 #include <siconos/numerics/NonSmoothDrivers.h>
@@ -15,20 +9,16 @@
 #include <siconos/numerics/NumericsVerbose.h>
 #include <siconos/numerics/SolverOptions.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <optional>
-#include <string_view>
-#include <vector>
+
+namespace pushfactor::tests::problems {
 
 namespace {
 
-using namespace pushfactor::demos::reports::error;
-using pushfactor::engine::VectorX;
+using engine::VectorX;
 
 constexpr double longest = 5.0;  // s, of a solve; smaller tolerances are left out
 
@@ -113,63 +103,63 @@ Answer solve(const Method& method, double tolerance, const LocalProblem& local) 
     return {impulses, options.get->iparam[SICONOS_IPARAM_ITER_DONE], cpu_time() - start};
 }
 
-// The most accurate of its solvers.
-VectorX best_of(const LocalProblem& local) {
-    VectorX best = VectorX::Zero(local.free.size());
-    double least = contact_errors(local, best).siconos;
+}  // namespace
+
+bool has_siconos() {
+    return true;
+}
+
+std::vector<ProblemPoint> siconos_points(const LocalProblem& problem, bool quick) {
+    numerics_set_verbose(0);
+    std::vector<ProblemPoint> points;
+    for (const Method& method : methods) {
+        for (int digits = 1; digits <= (quick ? 4 : 12); ++digits) {
+            const auto [impulses, iterations, cpu] = solve(method, std::pow(10.0, -digits), problem);
+            points.push_back(
+                {.problem = problem.title,
+                 .method = method.name,
+                 .iterations = iterations,
+                 .errors = impulses.allFinite() ? contact_errors(problem, impulses) : ContactErrors{.siconos = 1e9},
+                 .cpu = cpu});
+            const bool used_up = iterations >= method.most_iterations;
+            if (cpu > longest || used_up) break;
+        }
+    }
+    return points;
+}
+
+VectorX best_of_siconos(const LocalProblem& problem) {
+    numerics_set_verbose(0);
+    VectorX best = VectorX::Zero(problem.free.size());
+    double least = contact_errors(problem, best).siconos;
     for (const Method& method : methods) {
         if (least < 1e-13) break;
-        const Answer answer = solve(method, 1e-14, local);
+        const Answer answer = solve(method, 1e-14, problem);
         if (!answer.impulses.allFinite()) continue;
-        const double error = contact_errors(local, answer.impulses).siconos;
+        const double error = contact_errors(problem, answer.impulses).siconos;
         if (error < least) best = answer.impulses, least = error;
     }
     return best;
 }
 
-void agree(const char* file, const LocalProblem& local) {
-    const std::optional<VectorX> stored = read_solution(file);
-    if (!stored) {
-        fmt::print("{},no solution,,,,\n", local.title);
-        return;
-    }
-    const VectorX theirs = best_of(local), difference = *stored - theirs;
-    fmt::print("{},{:.1e},{:.1e},{:.1e},{:.1e}\n", local.title, contact_errors(local, *stored).siconos,
-               contact_errors(local, theirs).siconos, (local.matrix * difference).lpNorm<Eigen::Infinity>(),
-               difference.norm() / std::max(theirs.norm(), 1e-300));
-    std::fflush(stdout);
+}  // namespace pushfactor::tests::problems
+
+#else
+
+namespace pushfactor::tests::problems {
+
+bool has_siconos() {
+    return false;
 }
 
-void run(const Method& method, const LocalProblem& local) {
-    for (int digits = 1; digits <= 12; ++digits) {
-        const auto [impulses, iterations, cpu] = solve(method, std::pow(10.0, -digits), local);
-        const ContactErrors errors =
-            impulses.allFinite() ? contact_errors(local, impulses) : ContactErrors{.siconos = 1e9};
-        fmt::print("\"{}\",{},{},{},{},{},{},{},{},{},{}\n", local.title, method.name, iterations, errors.siconos,
-                   errors.natural_map, errors.penetration_rate, errors.wrong_friction, errors.cone_violation,
-                   errors.dissipation, 0.0, cpu);
-        std::fflush(stdout);
-        const bool used_up = iterations >= method.most_iterations;
-        if (cpu > longest || used_up) break;
-    }
+std::vector<ProblemPoint> siconos_points(const LocalProblem&, bool) {
+    return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const bool agrees = argc > 1 && std::string_view(argv[1]) == "agree";
-    fmt::print("{}", agrees
-                         ? "problem,our_error,their_error,velocity_difference_m_per_s,impulse_difference\n"
-                         : "problem,method,iterations,siconos_error,natural_map_m_per_s,penetration_m_per_s,"
-                           "wrong_friction_m_per_s,cone_violation_n_s,dissipation_n_m,work_multiply_adds,cpu_s\n");
-    numerics_set_verbose(0);
-    for (int i = agrees ? 2 : 1; i < argc; ++i) {
-        const ContactProblem problem = read_fclib(argv[i]);
-        const auto* const global = std::get_if<GlobalProblem>(&problem);
-        const LocalProblem local = global ? local_form(*global) : std::get<LocalProblem>(problem);
-        if (agrees)
-            agree(argv[i], local);
-        else
-            for (const Method& method : methods) run(method, local);
-    }
+engine::VectorX best_of_siconos(const LocalProblem& problem) {
+    return engine::VectorX::Zero(problem.free.size());
 }
+
+}  // namespace pushfactor::tests::problems
+
+#endif

@@ -2,16 +2,18 @@
 #pragma once
 
 #include "demos/pages/table.h"
-#include "demos/reports/error/contact_problems/contact_errors.h"
-#include "demos/reports/error/contact_problems/fclib_file.h"
-#include "demos/reports/error/frozen_problem.h"
 #include "demos/reports/error/work_plot.h"
+#include "tests/peers/problems/contact_errors.h"
+#include "tests/peers/problems/rows_of_contacts.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
+
+using demos::Table;
+using demos::reports::error::WorkLine;
 
 struct ProblemPoint {
     std::string problem, method;
@@ -39,4 +41,4 @@ std::vector<WorkLine> lines_of(const std::vector<ProblemPoint>& points);
 double time_to(double error, const std::vector<ProblemPoint>& points, const std::string& problem,
                const std::string& method);
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -1,4 +1,4 @@
-#include "demos/reports/error/contact_problems/rows_of_contacts.h"
+#include "tests/peers/problems/rows_of_contacts.h"
 
 #include "demos/text/errors.h"
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 namespace {
 
@@ -21,7 +21,7 @@ using engine::VectorX;
 constexpr int unknowns = 6;  // of a body: three of its centre, three of its turning
 
 [[noreturn]] void refuse(const GlobalProblem& problem, const std::string& what) {
-    throw UsageError(
+    throw demos::UsageError(
         fmt::format("{}: {}: only problems of rigid bodies can be written as rows", problem.title, what));
 }
 
@@ -139,7 +139,8 @@ FrozenProblem rows_over_bodies(const GlobalProblem& problem) {
             rows.push_back(row);
         }
     }
-    return {problem.title, std::move(rows), std::move(system)};
+    engine::Columns guess = engine::Columns::Zero(problem.given.size(), 1);
+    return {problem.title, std::move(rows), std::move(system), std::move(guess)};
 }
 
 std::optional<GlobalProblem> global_form(const FrozenProblem& problem) {
@@ -199,4 +200,4 @@ engine::VectorX impulses_of(const engine::Columns& lambda) {
     return lambda.col(0);
 }
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace pushfactor::demos::reports::error {
+namespace pushfactor::tests::problems {
 
 // Times of a solver, one per problem [s]; infinite where it failed.
 struct SolverTimes {
@@ -26,4 +26,4 @@ struct Profile {
 // All solvers must have times for the same problems. Problems that none solves count as solved by none.
 std::vector<Profile> profiles_of(const std::vector<SolverTimes>& solvers);
 
-}  // namespace pushfactor::demos::reports::error
+}  // namespace pushfactor::tests::problems
