@@ -56,9 +56,13 @@ struct Run {
 std::vector<Setting> bullet_settings();
 std::vector<Setting> ode_settings();
 std::vector<Setting> mujoco_settings();
+std::vector<Setting> box3d_settings();
+std::vector<Setting> jolt_settings();
 
 std::vector<Series> bullet_series();
 std::vector<Series> ode_series();
 std::vector<Series> mujoco_series();
+std::vector<Series> box3d_series();
+std::vector<Series> jolt_series();
 
 }  // namespace pushfactor::tests::peers

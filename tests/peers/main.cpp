@@ -104,7 +104,8 @@ int run(const std::vector<std::string>& arguments) {
     const std::vector<Case> wanted = chosen(cases(arguments[1]), {arguments.begin() + 3, arguments.end()});
 
     std::vector<Setting> settings = bullet_settings();
-    for (auto more : {ode_settings(), mujoco_settings()}) settings.insert(settings.end(), more.begin(), more.end());
+    for (auto more : {ode_settings(), mujoco_settings(), box3d_settings(), jolt_settings()})
+        settings.insert(settings.end(), more.begin(), more.end());
     std::cout << program.version << '\n';
     std::ofstream csv(out + "/compare.csv");
     write_csv_header(csv);

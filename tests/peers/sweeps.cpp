@@ -149,7 +149,8 @@ void write_sweeps(const Program& program, std::ostream& csv) {
            "cpu_s_per_simulated_s_min,cpu_s_per_simulated_s_median,cpu_s_per_simulated_s_p95,"
            "cpu_s_per_simulated_s_first_two_s,cpu_s_per_simulated_s_last_s,outcome\n";
     std::vector<Series> all = bullet_series();
-    for (auto more : {ode_series(), mujoco_series()}) all.insert(all.end(), more.begin(), more.end());
+    for (auto more : {ode_series(), mujoco_series(), box3d_series(), jolt_series()})
+        all.insert(all.end(), more.begin(), more.end());
     for (const ErrorCase& of : error_cases()) {
         const Scene scene = scene_of(program, of.arguments);
         for (const Series& series : all) {

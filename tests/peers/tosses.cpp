@@ -80,7 +80,8 @@ void write(const Setting& setting, const reality::Tosses& all, std::ostream& csv
 void write_tosses(const std::string& measured, std::ostream& csv) {
     const reality::Tosses all = reality::read_tosses(measured);
     csv << "engine,what,at_s,value,error\n";
-    for (const auto& settings : {bullet_settings(), ode_settings(), mujoco_settings()}) {
+    for (const auto& settings :
+         {bullet_settings(), ode_settings(), mujoco_settings(), box3d_settings(), jolt_settings()}) {
         for (const Setting& setting : settings) {
             if (std::ranges::find(setting.cases, "tosses") == setting.cases.end()) continue;
             std::cerr << "tosses: " << setting.engine << ", " << setting.name << ' ';
