@@ -5,7 +5,7 @@
 
 #include "demos/commands/words.h"
 #include "demos/options/choices.h"
-#include "demos/runs/run_files.h"
+#include "demos/runs/recorder.h"
 
 #include <optional>
 #include <string>

@@ -3,13 +3,14 @@
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
 #include "demos/pictures/film/frame_writer.h"
-#include "demos/pictures/film/sequence.h"
+#include "demos/pictures/film/take_frames.h"
 #include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
-#include "demos/runs/observed_run.h"
+#include "demos/runs/recorder.h"
+#include "demos/runs/trajectory.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 // One scene to render, and its output folder.
 struct Job {
-    pictures::Sequence sequence;
+    Sequence sequence;
     fs::path folder;
     std::string film;  // mark of its frames
 };
@@ -40,7 +41,7 @@ void warn_of_strangers(const fs::path& folder, const Frames& frames) {
 }
 
 Job understand_job(const std::string& scene, const Render& request) {
-    Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}, .film = {}};
+    Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     if (request.shard) {
         const auto shard = parse_shard(*request.shard);
         if (!shard)
@@ -68,87 +69,66 @@ void write_config(const Job& job, const Render& request) {
     }
 }
 
-std::vector<ObservedRun> start_runs(const Job& job, const Render& request) {
-    std::vector<ObservedRun> runs;
-    for (const ComparedRun& panel : job.sequence.panels) {
-        runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
-    }
-    return runs;
-}
-
 // Throws what a thread threw; keeps the frames so far.
-void make_frames(const Job& job, const Render& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
-                 pictures::StageTimes* times) {
+void make_frames(const Job& job, const Render& request, Session& session, Recorder* recorder,
+                 const pictures::Pictures& pictures, pictures::StageTimes* times) {
     const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
-    take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
+    take_frames(session, recorder, pictures, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
                                     job.folder.string()));
     writer.finish();
-    if (takers.replay) takers.replay->finish();
+    if (pictures.replay) pictures.replay->finish();
 }
 
 // Without a simulation there is no summary.
 void render_trajectory(Job& job, const Render& request, pictures::Studio& studio, pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
-    const pictures::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
+    const Session::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
     pictures::SurveyOnce survey(job.sequence.frames, go_to);
     pictures::add_overview(job.sequence.panels, survey);
-    const Choices& choices = job.sequence.panels.front().choices;
-    Simulation simulation(choices);
-    const pictures::Film film(studio, job.sequence.panels, {&simulation}, survey);
+    Session session(job.sequence, false, go_to);
+    pictures::Film film(studio, session, survey);
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);
-    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
-                                 job.film);
-    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
-    draw_frames(job.sequence, simulation, trajectory, film, writer.queue(), [&](long drawn) { bar.show(drawn); });
-    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
-                                    job.folder.string()));
-    writer.finish();
+    make_frames(job, request, session, nullptr, {.film = &film}, times);
 }
 
 void render_job(Job& job, const Render& request, std::optional<pictures::Studio>& studio,
                 pictures::StageTimes* times) {
     pictures::SurveyOnce survey(job.sequence.frames);
     pictures::add_overview(job.sequence.panels, survey);
-    std::vector<ObservedRun> runs = start_runs(job, request);
-    std::vector<const Simulation*> simulations;
-    for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
-    pictures::Takers takers;
-    if (studio) takers.film.emplace(*studio, job.sequence.panels, simulations, survey);
+    Session session(job.sequence, request.timing);
+    Recorder recorder(session, request.files, request.timing, job.folder);
+    std::optional<pictures::Film> film;
+    if (studio) film.emplace(*studio, session, survey);
+    std::optional<pictures::Replay> replay;
     if (request.replay) {
-        takers.replay.emplace(
-            pictures::ReplayChoices{
-                .file = *request.replay,
-                .steps_a_frame = job.sequence.frames.front().size() > 1 ? job.sequence.frames.front()[1].step : 1,
-                .poses_only = request.replay_poses_only,
-                .command = request.line},
-            job.sequence.panels, simulations);
+        const Frames& frames = job.sequence.frames.front();
+        replay.emplace(pictures::ReplayChoices{.file = *request.replay,
+                                               .steps_a_frame = frames.size() > 1 ? frames[1].step : 1,
+                                               .poses_only = request.replay_poses_only,
+                                               .command = request.line},
+                       session);
     }
     if (request.glb) {
-        runs.front().add(
-            pictures::glb_record(*request.glb, job.sequence.panels, survey, runs.front().simulation()));
+        recorder.add(pictures::glb_record(*request.glb, job.sequence.panels, survey, session.run(0)));
     }
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);
     try {
-        make_frames(job, request, runs, takers, times);
+        make_frames(job, request, session, &recorder,
+                    {.film = film ? &*film : nullptr, .replay = replay ? &*replay : nullptr}, times);
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
-        if (takers.replay) say(takers.replay->keep(error.what()));
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            say(runs[i].keep_records() + runs[i].warnings(job.sequence.panels[i].label));
-        }
+        say((replay ? replay->keep(error.what()) : "") + recorder.keep_records() + recorder.warnings());
         throw;
     }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
-               finish(job.sequence, runs, studio ? studio->driver() : ""));
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        say(runs[i].warnings(job.sequence.panels[i].label));
-    }
+               summary_of(session, recorder.finish(), studio ? studio->driver() : ""));
+    say(recorder.warnings());
 }
 
 // On standard error, because data may be on standard output.

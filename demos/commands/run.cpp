@@ -6,7 +6,7 @@
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
-#include "demos/runs/observed_run.h"
+#include "demos/runs/recorder.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -33,20 +33,21 @@ std::filesystem::path folder_of_outputs(const Run& request) {
 }
 
 // Takes all steps. If something stops them earlier, the files keep the steps so far.
-void go_through(ObservedRun& observed, const std::string& name, long steps, pictures::Replay* replay, long every) {
+void go_through(Session& session, Recorder& recorder, pictures::Replay* replay, long steps) {
+    std::vector<Observer*> observers{&recorder};
+    if (replay) observers.push_back(replay);
     try {
-        ProgressBar bar(name, steps);
-        if (replay) replay->record();
-        for (long step = 1; step <= steps; ++step) {
-            stop_if_interrupted(fmt::format("{} of {} steps are done", step - 1, steps));
-            observed.advance();
-            if (replay && step % every == 0) replay->record();
-            bar.show(step);
-        }
+        ProgressBar bar(session.sequence().scene(), steps);
+        session.play(observers, [&](const Simulation& run) {
+            bar.show(run.sample().step);
+            stop_if_interrupted(fmt::format("{} of {} steps are done", run.sample().step, steps));
+            return true;
+        });
+        bar.show(steps);
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
-        say(observed.keep_records() + (replay ? replay->keep(error.what()) : "") + observed.warnings());
+        say(recorder.keep_records() + (replay ? replay->keep(error.what()) : "") + recorder.warnings());
         throw;
     }
 }
@@ -95,23 +96,25 @@ void carry_out(const Run& request) {
         frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
         pictures::add_overview(runs, survey);
     }
-    ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
-    if (request.glb) observed.add(pictures::glb_record(*request.glb, runs, survey, observed.simulation()));
+    Session session({.panels = runs, .frames = {Frames(every, static_cast<std::size_t>(steps / every) + 1)}},
+                    request.timing);
+    Recorder recorder(session, request.files, request.timing, folder_of_outputs(request));
+    if (request.glb) recorder.add(pictures::glb_record(*request.glb, runs, survey, session.run(0)));
     std::optional<pictures::Replay> replay;
     if (request.replay) {
         replay.emplace(pictures::ReplayChoices{.file = *request.replay,
                                                .steps_a_frame = every,
                                                .poses_only = request.replay_poses_only,
                                                .command = request.line},
-                       runs, std::vector{&observed.simulation()});
+                       session);
     }
-    go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
+    go_through(session, recorder, replay ? &*replay : nullptr, steps);
     if (replay) replay->finish();
-    const std::string summary = observed.finish();
+    const std::string summary = recorder.finish().front();
     const std::vector<std::optional<std::string>> data = data_files(request);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
-    say(observed.warnings());
+    say(recorder.warnings());
 }
 
 Entry run_entry() {

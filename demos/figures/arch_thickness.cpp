@@ -1,7 +1,7 @@
 // Not in the paper: how thin an arch of free blocks can be, by bisection of runs, and by limit analysis.
 #include "demos/figures/figure.h"
 #include "demos/pages/figure_output.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/named/arch.h"
 
 #include <fmt/format.h>
@@ -33,13 +33,14 @@ bool stands(int count, double thick, double friction) {
     const double crown = std::max_element(start.begin(), start.end(), [](const auto& a, const auto& b) {
                              return a.position.y() < b.position.y();
                          })->position.y();
-    while (run.sample().step < whole_steps(run.settings())) {
-        run.advance();
-        for (std::size_t i = 0; i < start.size(); ++i) {
-            if ((run.scene().world.bodies[i].position - start[i].position).norm() > fallen * crown) return false;
-        }
-    }
-    return true;
+    bool in_place = true;
+    play(run, [&](const Simulation& now) {
+        in_place = std::ranges::equal(now.scene().world.bodies, start, [&](const auto& body, const auto& at_start) {
+            return (body.position - at_start.position).norm() <= fallen * crown;
+        });
+        return in_place && before_end(now);
+    });
+    return in_place;
 }
 
 // Between a value at which the arch falls and one at which it stands.

@@ -4,7 +4,7 @@
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
 Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const Choices choices = run_of("corner", {});
     Simulation run(choices);
-    while (run.sample().step < whole_steps(choices.settings)) run.advance();
+    play(run, before_end);
     const Corner corner = look_at(run);
     const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];
 

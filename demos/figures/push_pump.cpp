@@ -1,7 +1,7 @@
 // Not in the paper: a push that is not solved well adds energy by lifting bodies.
 #include "demos/figures/figure.h"
 #include "demos/pages/figure_output.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/families/family.h"
 
 #include <fmt/format.h>
@@ -43,10 +43,10 @@ double rise(const SceneDescription& scene, const Way& way, int of_a_step) {
     const auto energy = [&] { return run.sample().kinetic_energy + run.sample().potential_energy; };
     const double start = energy();
     double largest = 0.0;
-    while (run.sample().time < seconds) {
-        run.advance();
+    play(run, [&](const Simulation& now) {
         largest = std::max(largest, energy() - start);
-    }
+        return now.sample().time < seconds;
+    });
     return largest;
 }
 

@@ -22,24 +22,33 @@ namespace {
 using pictures::Layout;
 using pictures::Size;
 
-long step_of(const Rational& time, const Settings& settings) {
-    return static_cast<long>((time / settings.dt).numerator);
+long step_of(const Rational& time, const Choices& run) {
+    return static_cast<long>((time / run.settings.dt).numerator);
+}
+
+bool goes_on(const Simulation&) {
+    stop_if_interrupted("the figure is not written");
+    return true;
 }
 
 // Calls `show` with the index of each cell and its run at the cell's time.
-template <typename Show>
-void play(const Strip& strip, const Show& show) {
+void play(const Strip& strip, const std::function<void(std::size_t cell, const Simulation& run)>& show) {
+    struct Cells : Observer {
+        std::function<void(std::size_t)> show;
+        void frame(std::size_t number) override { show(number); }
+    };
     for (std::size_t r = 0; r < strip.runs.size(); ++r) {
-        const Choices& choices = strip.runs[r];
-        Simulation run(choices);
+        std::vector<Frame> frames;
+        std::vector<std::size_t> indices;
         for (std::size_t i = 0; i < strip.cells.size(); ++i) {
             if (strip.cells[i].row != r) continue;
-            while (run.sample().step < step_of(strip.cells[i].time, choices.settings)) {
-                stop_if_interrupted("the figure is not written");
-                run.advance();
-            }
-            show(i, run);
+            frames.push_back({step_of(strip.cells[i].time, strip.runs[r]), ""});
+            indices.push_back(i);
         }
+        Session session({.panels = {{.label = "", .choices = strip.runs[r]}}, .frames = {frames}});
+        Cells cells;
+        cells.show = [&](std::size_t number) { show(indices[number], session.run(0)); };
+        session.play_frames({&cells}, goes_on);
     }
 }
 
@@ -140,28 +149,18 @@ void add_labels(const Strip& strip, const Room& room, const std::vector<renderer
 
 // The runs side by side, all up to the last time of the strip.
 void write_replay(const Strip& strip, const std::string& command, const std::filesystem::path& file) {
-    std::vector<ComparedRun> panels;
-    std::vector<Simulation> runs;
-    runs.reserve(strip.runs.size());
-    std::vector<const Simulation*> shown;
+    Sequence sequence;
     for (std::size_t r = 0; r < strip.runs.size(); ++r) {
-        panels.push_back({.label = label_of(strip, r), .choices = strip.runs[r]});
-        FrameChoices& frames = panels.back().choices.frames;
+        FrameChoices& frames = sequence.panels.emplace_back(label_of(strip, r), strip.runs[r]).choices.frames;
         frames.camera = {.view = strip.view, .fit = strip.fit};
         if (strip.overlay) frames.overlay = {*strip.overlay};
-        shown.push_back(&runs.emplace_back(panels.back().choices));
     }
-    Rational end;
-    for (const Cell& cell : strip.cells) {
-        if (cell.time.value() > end.value()) end = cell.time;
-    }
-    pictures::Replay replay({.file = file, .command = command}, panels, shown);
-    replay.record();
-    for (long step = 1; step <= step_of(end, panels.front().choices.settings); ++step) {
-        stop_if_interrupted("the figure is not written");
-        for (Simulation& run : runs) run.advance();
-        replay.record();
-    }
+    long end = 0;
+    for (const Cell& cell : strip.cells) end = std::max(end, step_of(cell.time, strip.runs.front()));
+    sequence.frames.resize(strip.runs.size(), Frames(1, static_cast<std::size_t>(end) + 1));
+    Session session(sequence);
+    pictures::Replay replay({.file = file, .command = command}, session);
+    session.play_frames({&replay}, goes_on);
     replay.finish();
 }
 

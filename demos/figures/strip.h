@@ -4,7 +4,7 @@
 #include "demos/figures/figure.h"
 #include "demos/options/overlay_choice.h"
 #include "demos/pages/figure_output.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <functional>
 #include <optional>

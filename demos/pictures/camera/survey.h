@@ -2,12 +2,10 @@
 // pictures, and scale and camera must not change from frame to frame. Made only for options that need it.
 #pragma once
 
-#include "demos/options/comparison.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/outline.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -34,17 +32,15 @@ inline bool needs_survey(const FrameChoices& choices) {
 void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places);
 void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
 
-// Brings a run to a step, which is not before its last one.
-using GoTo = std::function<void(Simulation& run, long step)>;
-
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames,
+              const Session::GoTo& go_to = {});
 
 // The same, made when it is first asked for: an overview and a camera that fits need one run, not two.
 class SurveyOnce {
   public:
     // `frames` must outlive it.
-    explicit SurveyOnce(const std::vector<Frames>& frames, GoTo go_to = {})
+    explicit SurveyOnce(const std::vector<Frames>& frames, Session::GoTo go_to = {})
         : frames_(frames), go_to_(std::move(go_to)) {}
 
     const Survey& of(const std::vector<ComparedRun>& panels) {
@@ -54,7 +50,7 @@ class SurveyOnce {
 
   private:
     const std::vector<Frames>& frames_;
-    GoTo go_to_;
+    Session::GoTo go_to_;
     std::optional<Survey> made_;
 };
 

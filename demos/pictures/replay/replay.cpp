@@ -62,18 +62,18 @@ void check_replay_name(const std::filesystem::path& file) {
     throw UsageError(fmt::format("--replay {}: must end in .html", file.string()));
 }
 
-Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-               const std::vector<const Simulation*>& runs)
+Replay::Replay(const ReplayChoices& choices, const Session& session)
     : choices_(choices),
-      frames_(panels.front().choices.frames),
+      frames_(session.choices(0).frames),
       file_(choices.file),
-      has_camera_(panels.front().choices.description.has_camera || frames_.camera.view) {
+      has_camera_(session.choices(0).description.has_camera || frames_.camera.view) {
     long numbers = 1;
-    for (const Simulation* const run : runs) {
-        const BuiltScene& scene = run->scene();
+    for (std::size_t panel = 0; panel < session.size(); ++panel) {
+        const Simulation& run = session.run(panel);
+        const BuiltScene& scene = run.scene();
         std::vector<double> sizes;
         for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
-        Track track{.simulation = run,
+        Track track{.simulation = &run,
                     .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
                     .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
@@ -93,7 +93,7 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
         tracks_.push_back(std::move(track));
     }
     block_length_ = std::clamp(most_numbers / numbers, 16L, 256L);
-    write_head(panels);
+    write_head(session.sequence().panels);
 }
 
 // As add_overview() and the film have them, which run the scene once before they draw it: the page gets its cameras
@@ -155,7 +155,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     }
 }
 
-void Replay::record() {
+void Replay::frame(std::size_t) {
     std::map<OverlayKind, double> largest;
     for (Track& track : tracks_) record(track, largest);
     for (const auto& [kind, value] : largest) {

@@ -1,14 +1,12 @@
 // A run, or several side by side, as one HTML file that plays in a browser.
 #pragma once
 
-#include "demos/options/comparison.h"
-#include "demos/options/frame_options.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/outline.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/page.h"
 #include "demos/platform/output_file.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <array>
 #include <map>
@@ -32,15 +30,13 @@ struct ReplayChoices {
 
 // Written block by block while the runs go on: memory does not grow with their length, but for a few numbers per
 // frame. The file appears whole in finish(), or not at all.
-class Replay {
+class Replay : public Observer {
   public:
-    // `runs` are those of the panels, in the same order, at their start; they must outlive the replay. Throws
-    // OutputError as OutputFile does.
-    Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-           const std::vector<const Simulation*>& runs);
+    // `session` is at its start and must outlive the replay. Throws OutputError as OutputFile does.
+    Replay(const ReplayChoices& choices, const Session& session);
 
     // Adds the current state of all runs as the next frame.
-    void record();
+    void frame(std::size_t number) override;
 
     // Completes the file with the frames so far. `note` tells why there are no more; empty for a whole run.
     void finish(const std::string& note = "");

@@ -137,7 +137,7 @@ Expectation read_expectation(const fs::path& folder, const GivenOptions& given) 
     std::string name = scene->text;
     const bool is_file = name.ends_with(".json") && !fs::exists(name);
     if (is_file && fs::exists(folder / name)) name = (folder / name).string();
-    expected.sequence = pictures::plan_sequence(name, expected.given);
+    expected.sequence = plan_sequence(name, expected.given);
     return expected;
 }
 

@@ -1,8 +1,8 @@
 // A folder of `render` as an expectation: how its pictures were made, and what its summary says.
 #pragma once
 
-#include "demos/pictures/film/sequence.h"
 #include "demos/reports/check/verdict.h"
+#include "demos/runs/session.h"
 #include "demos/text/json.h"
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace pushfactor::demos::reports::check {
 struct Expectation {
     std::filesystem::path folder;
     GivenOptions given;
-    pictures::Sequence sequence;
+    Sequence sequence;
     std::optional<Json> summary;  // summary.json, as it was written with the pictures
 
     // Whether this program with `driver` made the pictures; unknown for a program that was modified.

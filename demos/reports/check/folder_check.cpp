@@ -1,11 +1,13 @@
 #include "demos/reports/check/folder_check.h"
 
 #include "demos/pictures/camera/survey.h"
+#include "demos/pictures/film/take_frames.h"
 #include "demos/platform/progress.h"
 #include "demos/reports/check/comparison.h"
 #include "demos/reports/check/exhibits.h"
 #include "demos/reports/check/stopwatch.h"
 #include "demos/reports/check/trajectory.h"
+#include "demos/runs/recorder.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -19,20 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using pictures::FrameQueue;
-using pictures::Sequence;
 using pictures::StageWatch;
-
-// Of a run, step by step. It has no file of its own.
-class TrajectoryRecord final : public Record {
-  public:
-    explicit TrajectoryRecord(std::shared_ptr<TrajectoryCheck> check) : check_(std::move(check)) {}
-    void observe(const Simulation& simulation) override { check_->observe(simulation); }
-    void finish() override {}
-    std::string file_name() const override { return ""; }
-
-  private:
-    std::shared_ptr<TrajectoryCheck> check_;
-};
 
 // Takes the verdicts in the order of the frames.
 class Jury {
@@ -73,17 +62,6 @@ void add_missing(const Sequence& sequence, std::vector<PictureVerdict>& verdicts
     }
 }
 
-std::vector<ObservedRun> start_runs(const Sequence& sequence, const FolderJob& job, const Rules& rules,
-                                    const Update* update) {
-    RunFiles files;
-    if (update && rules.trajectory) files.trajectory = update->staged("trajectory.csv").string();
-    std::vector<ObservedRun> runs;
-    for (const ComparedRun& panel : sequence.panels) {
-        runs.emplace_back(panel.choices, files, false, job.pages / job.anchor);
-    }
-    return runs;
-}
-
 }  // namespace
 
 FolderVerdict check_folder(const Expectation& expected, const Rules& rules, const FolderJob& job,
@@ -92,18 +70,19 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     Sequence sequence = expected.sequence;
     pictures::SurveyOnce survey(sequence.frames);
     pictures::add_overview(sequence.panels, survey);
-    std::vector<ObservedRun> runs = start_runs(sequence, job, rules, update);
-    std::shared_ptr<TrajectoryCheck> trajectory;
+    Session session(sequence);
+    RunFiles files;
+    if (update && rules.trajectory) files.trajectory = update->staged("trajectory.csv").string();
+    Recorder recorder(session, files, false, job.pages / job.anchor);
+    TrajectoryCheck* trajectory = nullptr;
     const bool has_trajectory = fs::exists(expected.folder / "trajectory.csv");
     if (rules.physics && rules.trajectory && has_trajectory) {
-        trajectory = std::make_shared<TrajectoryCheck>(expected.folder / "trajectory.csv", *rules.trajectory);
-        trajectory->observe(runs.front().simulation());
-        runs.front().add(std::make_unique<TrajectoryRecord>(trajectory));
+        auto record = std::make_unique<TrajectoryCheck>(expected.folder / "trajectory.csv", *rules.trajectory);
+        trajectory = record.get();
+        trajectory->observe(session.run(0));
+        recorder.add(std::move(record));
     }
-    std::vector<const Simulation*> simulations;
-    for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
-    pictures::Takers takers;
-    takers.film.emplace(studio, sequence.panels, simulations, survey);
+    pictures::Film film(studio, session, survey);
 
     const bool same = expected.was_made_with(studio.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());
@@ -117,7 +96,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
         FrameQueue queue([&](const std::string& name, const renderer::Image& image,
                              StageWatch& watch) { return jury.look(name, image, watch); },
                          nullptr);
-        take_frames(sequence, runs, takers, queue, nullptr, job.progress);
+        take_frames(session, &recorder, {.film = &film}, queue, nullptr, job.progress);
     } catch (const NonFiniteError& error) {
         verdict.runs.push_back({.subject = "run", .holds = false, .text = error.what()});
     }
@@ -125,7 +104,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     verdict.pictures = jury.verdicts();
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
-    const std::string summary = finish(sequence, runs, studio.driver());
+    const std::string summary = summary_of(session, recorder.finish(), studio.driver());
     for (RunVerdict& one : compare_runs(expected, Json::parse(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }

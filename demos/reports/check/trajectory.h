@@ -2,6 +2,7 @@
 #pragma once
 
 #include "demos/reports/check/verdict.h"
+#include "demos/runs/records.h"
 #include "demos/scenes/motions/pose_reader.h"
 
 #include <filesystem>
@@ -10,14 +11,17 @@
 
 namespace pushfactor::demos::reports::check {
 
-class TrajectoryCheck {
+// Written to no file.
+class TrajectoryCheck final : public Record {
   public:
     // `file` is that of `--trajectory`; it is read line by line. A pose may differ by `tolerance` [m], and [rad] in
     // orientation. Throws UsageError for a file that is not such a table.
     TrajectoryCheck(const std::filesystem::path& file, double tolerance);
 
     // Compares the lines of this instant, if there are any.
-    void observe(const Simulation& simulation);
+    void observe(const Simulation& simulation) override;
+    void finish() override {}
+    std::string file_name() const override { return ""; }
 
     // After the last step.
     RunVerdict verdict() const;
