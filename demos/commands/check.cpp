@@ -1,12 +1,12 @@
+#include "demos/checks/check_page.h"
+#include "demos/checks/folder_check.h"
+#include "demos/checks/picture_folders.h"
 #include "demos/commands/commands.h"
 #include "demos/pages/job_summary.h"
 #include "demos/pages/junit.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/platform/version.h"
-#include "demos/reports/check/check_page.h"
-#include "demos/reports/check/folder_check.h"
-#include "demos/reports/check/picture_folders.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 
@@ -23,7 +23,7 @@ namespace pushfactor::demos::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace reports::check;
+using namespace checks;
 
 Rules understand_rules(const Check& request) {
     Rules rules;

@@ -1,6 +1,6 @@
 // Not in the paper: how thin an arch of free blocks can be, by bisection of runs, and by limit analysis.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/runs/session.h"
 #include "demos/scenes/named/arch.h"
 

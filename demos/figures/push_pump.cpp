@@ -1,6 +1,6 @@
 // Not in the paper: a push that is not solved well adds energy by lifting bodies.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/runs/session.h"
 #include "demos/scenes/families/family.h"
 

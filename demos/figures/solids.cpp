@@ -1,6 +1,6 @@
 // Not in the paper: the wave along a row of dominoes, and how fast regular solids lose their energy.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/named/platonic.h"
 

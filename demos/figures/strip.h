@@ -2,8 +2,8 @@
 #pragma once
 
 #include "demos/figures/figure.h"
+#include "demos/figures/figure_output.h"
 #include "demos/options/overlay_choice.h"
-#include "demos/pages/figure_output.h"
 #include "demos/runs/session.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Work and time per step of each scene, and the savings from absent parts: cost.csv, side_by_side.csv, plots, and
 // files of the scenes with everything and of the common worlds.
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/cost/ledger.h"
 #include "demos/reports/cost/neighbours.h"

@@ -1,7 +1,7 @@
 // Errors of methods against their work: error.csv (whole runs), frozen.csv (systems of one moment), consistency.csv
 // (scenes against themselves at smaller steps), and their plots.
-#include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
+#include "demos/reports/about.h"
 #include "demos/reports/error/contact_problems/contact_moments.h"
 #include "demos/reports/error/contact_problems/problem_sections.h"
 #include "demos/reports/error/contact_problems/rows_of_contacts.h"

@@ -1,6 +1,6 @@
 #include "demos/reports/atlas/plot.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/atlas/outcomes.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"

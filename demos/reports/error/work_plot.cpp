@@ -1,6 +1,6 @@
 #include "demos/reports/error/work_plot.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/error/plot_layout.h"
 #include "demos/text/palette.h"
 

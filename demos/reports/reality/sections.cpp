@@ -1,6 +1,6 @@
 #include "demos/reports/reality/sections.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/reality/closed_forms.h"
 #include "demos/reports/reality/dice.h"
 #include "demos/reports/reality/packing.h"

@@ -1,6 +1,6 @@
 // The law of contact that fits every other toss, and how far it goes on the others; beside other engines where
 // their results are given.
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/pieces/replay_run.h"

@@ -1,6 +1,6 @@
 #include "demos/reports/error/contact_problems/problem_sections.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/error/contact_problems/profiles.h"
 #include "demos/text/csv.h"
 #include "demos/text/numbers.h"
