@@ -1,6 +1,6 @@
 #include "demos/checks/check_page.h"
 
-#include "demos/checks/exhibits.h"
+#include "demos/checks/worst_pictures.h"
 #include "demos/pages/document.h"
 #include "demos/pages/html.h"
 #include "demos/pages/page_table.h"
@@ -145,7 +145,7 @@ std::string page_of(std::span<const FolderVerdict> folders, const std::string& m
     const std::string opening = fmt::format(
         "Checked with {}. Up to {} pictures of a folder are shown, the worst first; in the difference dark red is "
         "small and white large.",
-        made_with, Exhibits::most);
+        made_with, WorstPictures::most);
     const std::array<std::string, 4> assets{"page.css", "check.css", "page.js", "check.js"};
     return document(headline(folders), opening, body, assets);
 }

@@ -1,9 +1,9 @@
 #include "demos/checks/folder_check.h"
 
 #include "demos/checks/comparison.h"
-#include "demos/checks/exhibits.h"
 #include "demos/checks/stopwatch.h"
 #include "demos/checks/trajectory.h"
+#include "demos/checks/worst_pictures.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/film/take_frames.h"
 #include "demos/platform/progress.h"
@@ -24,10 +24,10 @@ using pictures::FrameQueue;
 using pictures::StageWatch;
 
 // Takes the verdicts in the order of the frames.
-class Jury {
+class PictureVerdicts {
   public:
-    Jury(const fs::path& folder, const Comparison& comparison, const FolderJob& job, Update* update)
-        : folder_(folder), comparison_(comparison), exhibits_(job.pages / job.anchor), update_(update) {}
+    PictureVerdicts(const fs::path& folder, const Comparison& comparison, const FolderJob& job, Update* update)
+        : folder_(folder), comparison_(comparison), worst_(job.pages / job.anchor), update_(update) {}
 
     FrameQueue::End look(const std::string& name, const renderer::Image& image, StageWatch&) {
         const Stopwatch own;
@@ -37,20 +37,20 @@ class Jury {
     }
 
     void take(const Compared& compared) {
-        exhibits_.offer(compared);
+        worst_.offer(compared);
         if (update_ && !compared.verdict.holds()) update_->stage(compared.verdict.name, compared.actual);
         verdicts_.push_back(compared.verdict);
     }
 
     std::vector<PictureVerdict> verdicts() {
-        exhibits_.mark(verdicts_);
+        worst_.mark(verdicts_);
         return verdicts_;
     }
 
   private:
     const fs::path& folder_;
     Comparison comparison_;
-    Exhibits exhibits_;
+    WorstPictures worst_;
     Update* update_;
     std::vector<PictureVerdict> verdicts_;
 };
@@ -65,7 +65,7 @@ void add_missing(const Sequence& sequence, std::vector<PictureVerdict>& verdicts
 }  // namespace
 
 FolderVerdict check_folder(const Expectation& expected, const Rules& rules, const FolderJob& job,
-                           pictures::Studio& studio, Update* update) {
+                           pictures::OffscreenRenderer& offscreen, Update* update) {
     const Stopwatch stopwatch;
     Sequence sequence = expected.sequence;
     pictures::SurveyOnce survey(sequence.frames);
@@ -82,29 +82,29 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
         trajectory->observe(session.run(0));
         recorder.add(std::move(record));
     }
-    pictures::Film film(studio, session, survey);
+    pictures::Film film(offscreen, session, survey);
 
-    const bool same = expected.was_made_with(studio.driver());
+    const bool same = expected.was_made_with(offscreen.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());
     FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
-    Jury jury(expected.folder,
-              {.tolerance = tolerance,
-               .film = film_mark(sequence.panels.front().choices, expected.given),
-               .same_bytes = same},
-              job, update);
+    PictureVerdicts compared(expected.folder,
+                             {.tolerance = tolerance,
+                              .film = film_mark(sequence.panels.front().choices, expected.given),
+                              .same_bytes = same},
+                             job, update);
     try {
         FrameQueue queue([&](const std::string& name, const renderer::Image& image,
-                             StageWatch& watch) { return jury.look(name, image, watch); },
+                             StageWatch& watch) { return compared.look(name, image, watch); },
                          nullptr);
         take_frames(session, &recorder, {.film = &film}, queue, nullptr, job.progress);
     } catch (const NonFiniteError& error) {
         verdict.runs.push_back({.subject = "run", .holds = false, .text = error.what()});
     }
     stop_if_interrupted("no expected file was changed");
-    verdict.pictures = jury.verdicts();
+    verdict.pictures = compared.verdicts();
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
-    const std::string summary = summary_of(session, recorder.finish(), studio.driver());
+    const std::string summary = summary_of(session, recorder.finish(), offscreen.driver());
     for (RunVerdict& one : compare_runs(expected, Json::parse(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }

@@ -6,7 +6,7 @@
 #include "demos/checks/tolerance.h"
 #include "demos/checks/update.h"
 #include "demos/checks/verdict.h"
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 
 #include <optional>
 
@@ -21,6 +21,6 @@ struct Rules {
 // Renders the expectation again and compares. New pictures and the new summary go to `update` unless it is null. A
 // run that becomes non-finite is a verdict. Throws RunError when interrupted.
 FolderVerdict check_folder(const Expectation& expected, const Rules& rules, const FolderJob& job,
-                           pictures::Studio& studio, Update* update);
+                           pictures::OffscreenRenderer& offscreen, Update* update);
 
 }  // namespace pushfactor::demos::checks

@@ -1,9 +1,9 @@
 #include "demos/checks/picture_folders.h"
 
 #include "demos/checks/comparison.h"
-#include "demos/checks/exhibits.h"
 #include "demos/checks/expectation.h"
 #include "demos/checks/stopwatch.h"
+#include "demos/checks/worst_pictures.h"
 #include "demos/pictures/film/frame_queue.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
@@ -61,7 +61,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
     for (const std::string& name : others) {
         if (names.count(name) == 0) verdict.unexpected.push_back(name);
     }
-    Exhibits exhibits(job.pages / job.anchor);
+    WorstPictures worst(job.pages / job.anchor);
     FrameQueue queue(
         [&](const std::string& name, const renderer::Image&, StageWatch&) -> FrameQueue::End {
             const Stopwatch own;
@@ -74,7 +74,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
             }
             compared->verdict.seconds = own.seconds();
             return [&, compared](StageWatch&) {
-                exhibits.offer(*compared);
+                worst.offer(*compared);
                 verdict.pictures.push_back(compared->verdict);
             };
         },
@@ -87,7 +87,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
     }
     queue.flush();
     stop_if_interrupted("no file was changed");
-    exhibits.mark(verdict.pictures);
+    worst.mark(verdict.pictures);
     verdict.seconds = stopwatch.seconds();
     return verdict;
 }

@@ -143,7 +143,7 @@ class Checks {
   private:
     void work() {
         try {
-            std::optional<pictures::Studio> studio;
+            std::optional<pictures::OffscreenRenderer> offscreen;
             std::string made_for;
             while (const auto next = take()) {
                 std::optional<Expectation> expected;
@@ -154,14 +154,14 @@ class Checks {
                     continue;
                 }
                 const std::string& gl = expected->sequence.panels.front().choices.frames.gl;
-                if (!studio || gl != made_for) {
+                if (!offscreen || gl != made_for) {
                     const std::lock_guard lock(mutex_);  // the first context sets the environment
-                    studio.reset();
-                    studio.emplace(gl);
+                    offscreen.reset();
+                    offscreen.emplace(gl);
                     made_for = gl;
-                    driver_ = studio->driver();
+                    driver_ = offscreen->driver();
                 }
-                check(*next, *expected, *studio);
+                check(*next, *expected, *offscreen);
             }
         } catch (...) {
             const std::lock_guard lock(mutex_);
@@ -184,14 +184,14 @@ class Checks {
                 .runs = {{.subject = "folder", .holds = false, .text = why}}});
     }
 
-    void check(std::size_t i, const Expectation& expected, pictures::Studio& studio) {
+    void check(std::size_t i, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
         FolderJob job = jobs_[i];
         std::optional<ProgressBar> bar;  // of one folder at a time
         if (jobs_at_once(request_) == 1) {
             bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
-        FolderVerdict verdict = check_folder(expected, rules_, job, studio, updates_[i].get());
+        FolderVerdict verdict = check_folder(expected, rules_, job, offscreen, updates_[i].get());
         bar.reset();
         end(i, std::move(verdict));
     }

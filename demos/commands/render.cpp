@@ -83,26 +83,27 @@ void make_frames(const Job& job, const Render& request, Session& session, Record
 }
 
 // Without a simulation there is no summary.
-void render_trajectory(Job& job, const Render& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_trajectory(Job& job, const Render& request, pictures::OffscreenRenderer& offscreen,
+                       pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
     const Session::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
     pictures::SurveyOnce survey(job.sequence.frames, go_to);
     pictures::add_overview(job.sequence.panels, survey);
     Session session(job.sequence, false, go_to);
-    pictures::Film film(studio, session, survey);
+    pictures::Film film(offscreen, session, survey);
     warn_of_strangers(job.folder, job.sequence.frames.front());
     write_config(job, request);
     make_frames(job, request, session, nullptr, {.film = &film}, times);
 }
 
-void render_job(Job& job, const Render& request, std::optional<pictures::Studio>& studio,
+void render_job(Job& job, const Render& request, std::optional<pictures::OffscreenRenderer>& offscreen,
                 pictures::StageTimes* times) {
     pictures::SurveyOnce survey(job.sequence.frames);
     pictures::add_overview(job.sequence.panels, survey);
     Session session(job.sequence, request.timing);
     Recorder recorder(session, request.files, request.timing, job.folder);
     std::optional<pictures::Film> film;
-    if (studio) film.emplace(*studio, session, survey);
+    if (offscreen) film.emplace(*offscreen, session, survey);
     std::optional<pictures::Replay> replay;
     if (request.replay) {
         const Frames& frames = job.sequence.frames.front();
@@ -127,7 +128,7 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Studio>
         throw;
     }
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
-               summary_of(session, recorder.finish(), studio ? studio->driver() : ""));
+               summary_of(session, recorder.finish(), offscreen ? offscreen->driver() : ""));
     say(recorder.warnings());
 }
 
@@ -270,18 +271,19 @@ void carry_out(const Render& request) {
     std::optional<pictures::StageTimes> times;
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
-    std::optional<pictures::Studio> studio;
-    if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
-    if (studio) note_missing_letters(jobs, studio->lettering());
+    std::optional<pictures::OffscreenRenderer> offscreen;
+    if (request.png || request.video)
+        offscreen.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
+    if (offscreen) note_missing_letters(jobs, offscreen->lettering());
     if (request.from_trajectory) {
-        render_trajectory(jobs.front(), request, studio.value(), watch);
+        render_trajectory(jobs.front(), request, offscreen.value(), watch);
     } else {
-        for (Job& job : jobs) render_job(job, request, studio, watch);
+        for (Job& job : jobs) render_job(job, request, offscreen, watch);
     }
-    if (studio && studio->blank() > 0) {
-        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", studio->blank()));
+    if (offscreen && offscreen->blank() > 0) {
+        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", offscreen->blank()));
     }
-    if (times) print_times(jobs, *times, studio.has_value());
+    if (times) print_times(jobs, *times, offscreen.has_value());
 }
 
 Entry render_entry() {

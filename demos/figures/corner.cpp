@@ -63,7 +63,7 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
         picture.dots.push_back(
             {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
     }
-    sheet.paste(output.studio(), std::move(picture), size, output.samples(), 0, 0);
+    sheet.paste(output.offscreen(), std::move(picture), size, output.samples(), 0, 0);
     const float letters = output.letters(50.0f);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
@@ -77,7 +77,7 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
 
 }  // namespace
 
-Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
+SectionContent sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const Choices choices = run_of("corner", {});
     Simulation run(choices);
     play(run, before_end);
@@ -111,16 +111,16 @@ Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
                      corner.axes[1].dot(corner.velocity)),
          1.0f);
 
-    Plate plate;
-    output.save(sheet, std::string(figure.name), plate);
-    plate.caption = fmt::format(
+    SectionContent content;
+    output.save(sheet, std::string(figure.name), content);
+    content.caption = fmt::format(
         "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
         "rows "
         "are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N "
         "upwards.",
         run.sample().time);
-    plate.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
-    return plate;
+    content.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

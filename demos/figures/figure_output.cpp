@@ -44,9 +44,9 @@ std::string FigureOutput::save(const renderer::Image& image, const std::string& 
     return name + ".png";
 }
 
-void FigureOutput::save(const Sheet& sheet, const std::string& name, Plate& plate) const {
-    write(folder_ / (name + ".png"), png_of(sheet, studio_.lettering(), format_));
-    plate.pictures.push_back(name + ".png");
+void FigureOutput::save(const Sheet& sheet, const std::string& name, SectionContent& content) const {
+    write(folder_ / (name + ".png"), png_of(sheet, offscreen_.lettering(), format_));
+    content.pictures.push_back(name + ".png");
     if (!format_.print) return;
     // The picture alone, which gnuplot puts under the texts.
     const fs::path bare = folder_ / (name + ".bare.png");
@@ -61,7 +61,7 @@ void FigureOutput::save(const Sheet& sheet, const std::string& name, Plate& plat
                                {"across", static_cast<double>(sheet.width())},
                                {"down", static_cast<double>(sheet.height())}},
                  .format = format_},
-                text_data(sheet), folder_, plate);
+                text_data(sheet), folder_, content);
     } catch (...) {
         fs::remove(bare);
         throw;
@@ -69,7 +69,7 @@ void FigureOutput::save(const Sheet& sheet, const std::string& name, Plate& plat
     fs::remove(bare);
 }
 
-void FigureOutput::plot(const Table& table, const std::string& name, double aspect, Plate& plate) const {
+void FigureOutput::plot(const Table& table, const std::string& name, double aspect, SectionContent& content) const {
     // In one column of a page plots are higher, because their letters are not smaller.
     const bool narrow = format_.print && format_.width < 50.0 * format_.print->letter_pixels();
     add_plot({.script = name,
@@ -78,7 +78,7 @@ void FigureOutput::plot(const Table& table, const std::string& name, double aspe
               .width = format_.width,
               .aspect = narrow ? std::min(0.72 * aspect, 1.2) : aspect,
               .format = format_},
-             csv_text(table), folder_, plate);
+             csv_text(table), folder_, content);
 }
 
 }  // namespace pushfactor::demos::figures

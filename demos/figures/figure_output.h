@@ -1,4 +1,4 @@
-// Output of figures: a folder, a format, a studio, and gnuplot for plots.
+// Output of figures: a folder, a format, a offscreen, and gnuplot for plots.
 #pragma once
 
 #include "demos/figures/printing/format.h"
@@ -6,7 +6,7 @@
 #include "demos/options/named_run.h"
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 
 #include <filesystem>
 #include <string>
@@ -20,7 +20,7 @@ class FigureOutput {
     int width() const { return format_.width; }      // pixels, of every figure
     int samples() const { return format_.samples; }  // renderings averaged per picture
     const FigureFormat& format() const { return format_; }
-    pictures::Studio& studio() { return studio_; }
+    pictures::OffscreenRenderer& offscreen() { return offscreen_; }
     std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
     // Size of the font in pixels: that of the print; on a screen so many of them fit across a figure.
@@ -29,17 +29,17 @@ class FigureOutput {
     // Writes the picture as NAME.png and returns that name. Throws OutputError.
     std::string save(const renderer::Image& image, const std::string& name) const;
 
-    // Writes the sheet as NAME.png and, for print, as NAME.pdf, and adds them to the plate. Throws OutputError.
-    void save(const Sheet& sheet, const std::string& name, Plate& plate) const;
+    // Writes the sheet as NAME.png and, for print, as NAME.pdf, and adds them to the content. Throws OutputError.
+    void save(const Sheet& sheet, const std::string& name, SectionContent& content) const;
 
     // Writes NAME.csv and, where gnuplot is installed, draws it with assets/plots/NAME.gp as NAME.png, NAME.svg
-    // and, for print, NAME.pdf. Adds the files to the plate; without gnuplot its caption says what to install.
-    void plot(const Table& table, const std::string& name, double aspect, Plate& plate) const;
+    // and, for print, NAME.pdf. Adds the files to the content; without gnuplot its caption says what to install.
+    void plot(const Table& table, const std::string& name, double aspect, SectionContent& content) const;
 
   private:
     std::filesystem::path folder_;
     FigureFormat format_;
-    pictures::Studio studio_;
+    pictures::OffscreenRenderer offscreen_;
 };
 
 }  // namespace pushfactor::demos::figures

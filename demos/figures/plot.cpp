@@ -107,25 +107,25 @@ const char* const what_plots_need =
 
 }  // namespace
 
-void add_plot(const Plot& plot, const std::string& text, const fs::path& folder, Plate& plate) {
+void add_plot(const Plot& plot, const std::string& text, const fs::path& folder, SectionContent& content) {
     write_file(folder / plot.data, text);
-    plate.files.push_back(plot.data);
+    content.files.push_back(plot.data);
     if (!find_program("gnuplot")) {
-        if (!plate.caption.ends_with(what_plots_need)) plate.caption += what_plots_need;
+        if (!content.caption.ends_with(what_plots_need)) content.caption += what_plots_need;
         return;
     }
-    plate.pictures.push_back(draw(plot, "png", folder));
-    plate.files.push_back(draw(plot, "svg", folder));
-    if (plot.format.print) plate.files.push_back(draw(plot, "pdf", folder));
+    content.pictures.push_back(draw(plot, "png", folder));
+    content.files.push_back(draw(plot, "svg", folder));
+    if (plot.format.print) content.files.push_back(draw(plot, "pdf", folder));
 }
 
-void add_pdf(const Plot& plot, const std::string& text, const fs::path& folder, Plate& plate) {
+void add_pdf(const Plot& plot, const std::string& text, const fs::path& folder, SectionContent& content) {
     if (!find_program("gnuplot")) {
-        plate.caption += " Its PDF needs gnuplot, which is not installed (Debian: apt install gnuplot-nox).";
+        content.caption += " Its PDF needs gnuplot, which is not installed (Debian: apt install gnuplot-nox).";
         return;
     }
     write_file(folder / plot.data, text);
-    plate.files.push_back(draw(plot, "pdf", folder));
+    content.files.push_back(draw(plot, "pdf", folder));
     fs::remove(folder / plot.data);
 }
 

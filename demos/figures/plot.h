@@ -24,11 +24,13 @@ struct Plot {
 };
 
 // Writes `text` as the plot's data into `folder` and, where gnuplot is installed, draws NAME.png, NAME.svg and, for
-// print, NAME.pdf. Adds the files to the plate; without gnuplot its caption says what to install. Throws
+// print, NAME.pdf. Adds the files to the content; without gnuplot its caption says what to install. Throws
 // OutputError with the message of gnuplot.
-void add_plot(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
+void add_plot(const Plot& plot, const std::string& text, const std::filesystem::path& folder,
+              SectionContent& content);
 
-// The same as NAME.pdf alone, without data among the plate's files.
-void add_pdf(const Plot& plot, const std::string& text, const std::filesystem::path& folder, Plate& plate);
+// The same as NAME.pdf alone, without data among the content's files.
+void add_pdf(const Plot& plot, const std::string& text, const std::filesystem::path& folder,
+             SectionContent& content);
 
 }  // namespace pushfactor::demos

@@ -56,7 +56,7 @@ std::vector<double> forces_between(const Simulation& run) {
 
 }  // namespace
 
-Plate intersecting_motion(FigureOutput& output, const Figure& figure) {
+SectionContent intersecting_motion(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s", "height_none_m", "upward_speed_none_m_per_s", "height_persistent_m",
                             "upward_speed_persistent_m_per_s", "height_single_frame_m",
                             "upward_speed_single_frame_m_per_s"},
@@ -75,20 +75,20 @@ Plate intersecting_motion(FigureOutput& output, const Figure& figure) {
             table);
         column += 2;
     }
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "Height of the topmost centre and the largest stored upward velocity of the intersecting stack (preset "
         "paper). "
         "It reaches {:.1f} m without a push (the cubes stay inside each other), {:.1f} m with a persistent one and "
         "{:.1f} m with a single-frame push; 10.8 m is the height at rest.",
         most[0], most[1], most[2]);
-    output.plot(table, std::string(figure.name), 1.6, plate);
-    plate.commands = {command_text("run", "intersecting-stack",
-                                   {{"preset", "paper"}, {"push", "persistent"}, {"trajectory", "motion.csv"}})};
-    return plate;
+    output.plot(table, std::string(figure.name), 1.6, content);
+    content.commands = {command_text("run", "intersecting-stack",
+                                     {{"preset", "paper"}, {"push", "persistent"}, {"trajectory", "motion.csv"}})};
+    return content;
 }
 
-Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
+SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s", "persistent_1", "persistent_0.2", "single_frame_1"}, .rows = {}};
     struct Case {
         const char* push;
@@ -122,21 +122,21 @@ Plate pendulum_energy(FigureOutput& output, const Figure& figure) {
         left.push_back(table.rows.back()[column].number());
         ++column;
     }
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "Energy of a pendulum's swing over two minutes at 60 steps per second, as a share of what it had at the "
         "start. For "
         "distances the persistent push is the right one: after 120 s {:.1f} % is left with beta 1, {:.1f} % with "
         "beta 0.2; "
         "a single-frame push takes the correction out of the velocity each step, and {:.1f} % is left.",
         100.0 * left[0], 100.0 * left[1], 100.0 * left[2]);
-    output.plot(table, std::string(figure.name), 1.9, plate);
-    plate.commands = {command_text("run", "pendulum-wave",
-                                   {{"count", "1"}, {"distance-push", "single-frame"}, {"seconds", "120"}})};
-    return plate;
+    output.plot(table, std::string(figure.name), 1.9, content);
+    content.commands = {command_text("run", "pendulum-wave",
+                                     {{"count", "1"}, {"distance-push", "single-frame"}, {"seconds", "120"}})};
+    return content;
 }
 
-Plate stack_forces(FigureOutput& output, const Figure& figure) {
+SectionContent stack_forces(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s"}, .rows = {}};
     const OptionTexts options{{"seconds", "10"}};
     const Choices choices = run_of("stack", options);
@@ -146,16 +146,16 @@ Plate stack_forces(FigureOutput& output, const Figure& figure) {
     std::vector<double> last;
     follow(
         choices, 1, [&](const Simulation& run) { return last = forces_between(run); }, table);
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "Contact forces of the stack, summed over the points below each cube, in the first two seconds; default "
         "settings. After 10 s they are {:.4f}, {:.4f}, {:.4f}, {:.4f} and {:.4f} N: what each pair has to carry is "
         "60, 48, "
         "36, 24 and 12 N.",
         last[0], last[1], last[2], last[3], last[4]);
-    output.plot(table, std::string(figure.name), 1.9, plate);
-    plate.commands = {command_text("run", "stack", {{"rows", "rows.csv"}})};
-    return plate;
+    output.plot(table, std::string(figure.name), 1.9, content);
+    content.commands = {command_text("run", "stack", {{"rows", "rows.csv"}})};
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

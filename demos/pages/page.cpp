@@ -38,7 +38,7 @@ std::vector<std::string> anchors_of(std::span<const Section> sections) {
 // "✓ holds: 12 ✗ fails: 1" of the section's table; empty without verdicts.
 std::string marks_of(const Section& section) {
     std::string text;
-    const auto counts = marks_in(section.plate.table);
+    const auto counts = marks_in(section.content.table);
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] > 0) text += " " + mark_html(static_cast<Mark>(i), counts[i]);
     }
@@ -57,11 +57,11 @@ std::string contents(std::span<const Section> sections, const std::vector<std::s
 }
 
 std::string figure_of(const Section& section) {
-    const Plate& plate = section.plate;
-    const std::string caption = plate.caption.empty() ? "" : shown(plate.caption);
-    if (plate.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
-    std::string text = plate.pictures.size() == 2 ? "<figure class=\"pair\">\n" : "<figure>\n";
-    for (const std::string& picture : plate.pictures) {
+    const SectionContent& content = section.content;
+    const std::string caption = content.caption.empty() ? "" : shown(content.caption);
+    if (content.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
+    std::string text = content.pictures.size() == 2 ? "<figure class=\"pair\">\n" : "<figure>\n";
+    for (const std::string& picture : content.pictures) {
         text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", html::link_to(picture),
                             html::escaped(section.heading));
     }
@@ -70,7 +70,7 @@ std::string figure_of(const Section& section) {
 }
 
 std::string commands_of(const Section& section) {
-    const std::vector<std::string>& commands = section.plate.commands;
+    const std::vector<std::string>& commands = section.content.commands;
     if (commands.empty()) return "";
     std::string text =
         fmt::format("<details>\n<summary>{}</summary>\n",
@@ -81,15 +81,15 @@ std::string commands_of(const Section& section) {
 }
 
 std::string files_of(const Section& section) {
-    if (section.plate.files.empty()) return "";
+    if (section.content.files.empty()) return "";
     std::string text = "<p class=\"files\">Files:";
-    for (const std::string& file : section.plate.files)
+    for (const std::string& file : section.content.files)
         text += fmt::format(" <a href=\"{}\">{}</a>", html::link_to(file), html::escaped(file));
     return text + "</p>\n";
 }
 
 std::string replays_of(const Section& section) {
-    const std::vector<std::string>& replays = section.plate.replays;
+    const std::vector<std::string>& replays = section.content.replays;
     if (replays.empty()) return "";
     const auto link = [](const std::string& replay, const std::string& text) {
         return fmt::format(" <a href=\"{}\">{}</a>", html::link_to(replay), html::escaped(text));
@@ -105,7 +105,7 @@ std::string section_text(const Section& section, const std::string& anchor, bool
     return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n",
                        anchor, shown(section.heading)) +
            (marks.empty() ? "" : fmt::format("<p class=\"verdicts\">{}</p>\n", marks)) + figure_of(section) +
-           replays_of(section) + table_html(section.plate.table, section.heading) + commands_of(section) +
+           replays_of(section) + table_html(section.content.table, section.heading) + commands_of(section) +
            files_of(section) + (has_contents ? "<p class=\"up\"><a href=\"#contents\">↑ Contents</a></p>\n" : "") +
            "</section>\n";
 }

@@ -10,7 +10,7 @@
 namespace pushfactor::demos {
 
 // Content under one heading. Files are in the folder of the page.
-struct Plate {
+struct SectionContent {
     std::vector<std::string> pictures;   // PNG
     std::vector<std::string> files;      // other formats: SVG, CSV
     std::vector<std::string> replays{};  // HTML, opened by their names
@@ -22,7 +22,7 @@ struct Plate {
 struct Section {
     std::string name;  // of the anchor
     std::string heading;
-    Plate plate;
+    SectionContent content;
 };
 
 // The HTML text, with style and script from assets/pages; numbers have four digits. Throws OutputError if these are

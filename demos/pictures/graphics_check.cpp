@@ -1,6 +1,6 @@
 #include "demos/pictures/graphics_check.h"
 
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/platform/assets.h"
 #include "renderer/base/renderer_error.h"

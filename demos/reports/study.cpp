@@ -6,7 +6,7 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
 #include "demos/reports/about.h"
-#include "demos/reports/pieces/crew.h"
+#include "demos/reports/pieces/make_pieces.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -60,8 +60,8 @@ class Recorder : public Observer {
     long last_recorded_ = 0;  // step; a non-finite one is not recorded
 };
 
-// The summary of a session as JSON, with program and driver: what drew (Studio::driver()), empty if nothing was
-// drawn.
+// The summary of a session as JSON, with program and driver: what drew (OffscreenRenderer::driver()), empty if
+// nothing was drawn.
 std::string summary_of(const Session& session, const std::vector<std::string>& summaries,
                        const std::string& driver);
 

@@ -8,7 +8,7 @@
 namespace pushfactor::demos {
 
 Sheet Sheet::blank(int width, int height, const FigureFormat& format) {
-    const glm::vec3 white(1.0f), night(0.086f, 0.094f, 0.114f), studio = renderer::Background().colour;
+    const glm::vec3 white(1.0f), night(0.086f, 0.094f, 0.114f), offscreen = renderer::Background().colour;
     Sheet sheet;
     if (format.background == Background::none) {
         // Far enough apart for all opacities, and both can be exposed.
@@ -17,19 +17,19 @@ Sheet Sheet::blank(int width, int height, const FigureFormat& format) {
         }
     } else {
         const bool dark = format.theme == Theme::dark;
-        sheet.layers.push_back({.paper = dark ? night : white, .behind = dark ? 2.0f * night : studio});
+        sheet.layers.push_back({.paper = dark ? night : white, .behind = dark ? 2.0f * night : offscreen});
     }
     for (SheetLayer& layer : sheet.layers) layer.image = renderer::blank_image(width, height, layer.paper);
     return sheet;
 }
 
-void Sheet::paste(pictures::Studio& studio, renderer::Picture picture, const pictures::Size& size, int samples,
-                  int x, int y) {
+void Sheet::paste(pictures::OffscreenRenderer& offscreen, renderer::Picture picture, const pictures::Size& size,
+                  int samples, int x, int y) {
     const bool cut_out = layers.size() > 1;
     if (cut_out) picture.ground.reset();
     for (SheetLayer& layer : layers) {
         picture.background = {.colour = layer.behind, .haze = !cut_out};
-        renderer::paste(layer.image, studio.draw(picture, size, samples), x, y);
+        renderer::paste(layer.image, offscreen.draw(picture, size, samples), x, y);
     }
 }
 

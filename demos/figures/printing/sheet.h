@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/figures/printing/format.h"
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 #include "renderer/images/canvas.h"
 
 #include <string>
@@ -34,8 +34,8 @@ struct Sheet {
     int height() const { return layers.front().image.height; }
 
     // Draws the picture into each layer with its upper left pixel at (x, y); without ground for transparency.
-    void paste(pictures::Studio& studio, renderer::Picture picture, const pictures::Size& size, int samples, int x,
-               int y);
+    void paste(pictures::OffscreenRenderer& offscreen, renderer::Picture picture, const pictures::Size& size,
+               int samples, int x, int y);
 };
 
 // The PNG of the image, with or without its texts.

@@ -18,8 +18,8 @@ constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' vie
 
 }  // namespace
 
-Film::Film(Studio& studio, const Session& session, SurveyOnce& survey)
-    : studio_(studio),
+Film::Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& survey)
+    : offscreen_(offscreen),
       session_(session),
       choices_(session.choices(0).frames),
       caption_(caption_of(session.choices(0))) {
@@ -121,7 +121,7 @@ std::vector<LegendLine> Film::legend(const View& view) const {
 }
 
 void Film::write(renderer::Image& sheet, double time) const {
-    const Lettering& lettering = studio_.lettering();
+    const Lettering& lettering = offscreen_.lettering();
     const float size = letter_size(sheet.height);
     const renderer::Rectangle all{0.0f, 0.0f, static_cast<float>(sheet.width), static_cast<float>(sheet.height)};
     for (std::size_t i = 0; i < labels_.size(); ++i) {
@@ -146,7 +146,7 @@ void Film::draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image
     const renderer::Picture& picture = moment.pictures[panel];
     const std::vector<Moment>& open = moment.open[panel];
     if (open.size() < 2) {
-        studio_.draw(std::span(&picture, 1), layout_.cell, choices_.samples, image, panel);
+        offscreen_.draw(std::span(&picture, 1), layout_.cell, choices_.samples, image, panel);
         return;
     }
     const double end = open.back().time;
@@ -154,7 +154,7 @@ void Film::draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image
     spread_out.back().arrows = picture.arrows;
     spread_out.back().dots = picture.dots;
     spread_out.back().mark_scale = picture.mark_scale;
-    studio_.draw(spread_out, layout_.cell, choices_.samples, image, panel);
+    offscreen_.draw(spread_out, layout_.cell, choices_.samples, image, panel);
 }
 
 void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
@@ -166,7 +166,7 @@ void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
         sheet = assemble(layout_, images);
     }
     write(sheet, moment.time);
-    studio_.end("captions");
+    offscreen_.end("captions");
 }
 
 }  // namespace pushfactor::demos::pictures

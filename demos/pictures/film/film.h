@@ -22,7 +22,7 @@ class Film {
   public:
     // `session` is at its start and must outlive the film. The survey of the panels is made if the frame options
     // need it. Throws UsageError for an overlay of parts that the scene lacks.
-    Film(Studio& studio, const Session& session, SurveyOnce& survey);
+    Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& survey);
 
     // Called after each step of a run.
     void note(std::size_t panel);
@@ -46,7 +46,7 @@ class Film {
     std::vector<LegendLine> legend(const View& view) const;
     void write(renderer::Image& sheet, double time) const;
 
-    Studio& studio_;
+    OffscreenRenderer& offscreen_;
     const Session& session_;
     FrameChoices choices_;
     std::vector<std::string> labels_;

@@ -224,7 +224,7 @@ std::string colour_of_solver(const std::string& method) {
     return "grey";
 }
 
-void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate) {
+void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate) {
     const Axes axes = axes_of(plot);
     std::string names, colours, dashes, marks;
     bool failures = false;

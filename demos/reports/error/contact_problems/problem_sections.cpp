@@ -130,8 +130,8 @@ std::vector<ProblemPoint> ProblemSections::all() const {
     return points;
 }
 
-Plate ProblemSections::profile(double error, const std::filesystem::path& folder,
-                               const std::string& machine) const {
+SectionContent ProblemSections::profile(double error, const std::filesystem::path& folder,
+                                        const std::string& machine) const {
     const std::vector<ProblemPoint> points = all();
     const std::vector<std::string> problems = names_in(points_, &ProblemPoint::problem);
     std::vector<SolverTimes> solvers;
@@ -140,7 +140,7 @@ Plate ProblemSections::profile(double error, const std::filesystem::path& folder
         for (const std::string& problem : problems) solver.times.push_back(time_to(error, points, problem, method));
     }
     const std::vector<Profile> profiles = profiles_of(solvers);
-    Plate plate;
+    SectionContent plate;
     TextTable table{{"method", "solved", "fastest on", "within 2 times the fastest", "within 10 times"}};
     std::string names, colours, dashes;
     double last = 10.0;

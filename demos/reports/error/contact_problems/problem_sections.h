@@ -23,7 +23,7 @@ class ProblemSections {
                        const std::string& machine);
 
     // Dolan-Moré profiles of all methods over the problems so far.
-    Plate profile(double error, const std::filesystem::path& folder, const std::string& machine) const;
+    SectionContent profile(double error, const std::filesystem::path& folder, const std::string& machine) const;
 
     const std::vector<ProblemPoint>& points() const { return points_; }  // ours
 

@@ -12,7 +12,7 @@
 namespace pushfactor::demos::checks {
 
 // A picture's name without what would make a file name too long.
-inline std::string exhibit_name(const std::string& name) {
+inline std::string short_file_name(const std::string& name) {
     constexpr std::size_t longest = 200;
     const std::size_t slash = name.rfind('/'), begin = slash == std::string::npos ? 0 : slash + 1;
     if (name.size() - begin <= longest) return name;
@@ -21,21 +21,21 @@ inline std::string exhibit_name(const std::string& name) {
 
 // Names of the files in the folder of the page.
 inline std::string expected_file(const std::string& name) {
-    return exhibit_name(name) + ".expected.png";
+    return short_file_name(name) + ".expected.png";
 }
 inline std::string actual_file(const std::string& name) {
-    return exhibit_name(name) + ".actual.png";
+    return short_file_name(name) + ".actual.png";
 }
 inline std::string difference_file(const std::string& name) {
-    return exhibit_name(name) + ".difference.png";
+    return short_file_name(name) + ".difference.png";
 }
 
-class Exhibits {
+class WorstPictures {
   public:
     static constexpr std::size_t most = 20;
 
     // Pictures go to `folder`, which is made with the first one. Those of an earlier check are removed.
-    explicit Exhibits(std::filesystem::path folder);
+    explicit WorstPictures(std::filesystem::path folder);
 
     // Keeps the pictures on disk while they are among the worst.
     void offer(const Compared& compared);

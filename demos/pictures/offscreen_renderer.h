@@ -18,20 +18,20 @@ struct Size {
     int width = 0, height = 0;  // pixels
 };
 
-class Studio {
+class OffscreenRenderer {
   public:
     // `gl` is "osmesa", "egl", or empty for the first available. `times`, if not null, receives the stages of each
     // picture. Throws renderer::RendererError if there is no such offscreen context.
-    explicit Studio(const std::string& gl = {}, StageTimes* times = nullptr);
+    explicit OffscreenRenderer(const std::string& gl = {}, StageTimes* times = nullptr);
 
     // Averages `samples` renderings. Throws renderer::RendererError for what cannot be drawn.
     renderer::Image draw(const renderer::Picture& picture, const Size& size, int samples);
 
-    // The same into `image`, whose memory is reused. Content equal to that of the last picture of the same `seat`,
-    // 0, 1, ..., is not drawn again; each seat takes the memory of some images.
+    // The same into `image`, whose memory is reused. Content equal to that of the last picture of the same `slot`,
+    // 0, 1, ..., is not drawn again; each slot takes the memory of some images.
     // With several pictures the samples are spread over them, in their order, for motion blur.
     void draw(std::span<const renderer::Picture> pictures, const Size& size, int samples, renderer::Image& image,
-              std::size_t seat = 0);
+              std::size_t slot = 0);
 
     // Adds the time since the last picture to this stage.
     void end(const std::string& stage) const {
@@ -47,14 +47,14 @@ class Studio {
     std::string driver() const { return context_->description() + ", " + renderer::gl_version_of(*context_); }
 
   private:
-    struct Seat {
+    struct CachedRenderer {
         std::tuple<int, int, int> made_for{};  // width, height, samples
         std::unique_ptr<renderer::Renderer> renderer;
     };
 
     StageTimes* times_;
     std::unique_ptr<renderer::OffscreenContext> context_;
-    std::vector<Seat> seats_;
+    std::vector<CachedRenderer> renderers_;
     Lettering lettering_;
     long blank_ = 0;
 };

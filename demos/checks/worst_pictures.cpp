@@ -1,4 +1,4 @@
-#include "demos/checks/exhibits.h"
+#include "demos/checks/worst_pictures.h"
 
 #include "demos/platform/output_file.h"
 
@@ -24,7 +24,7 @@ bool is_exhibit(const std::filesystem::path& file) {
 
 }  // namespace
 
-Exhibits::Exhibits(std::filesystem::path folder) : folder_(std::move(folder)) {
+WorstPictures::WorstPictures(std::filesystem::path folder) : folder_(std::move(folder)) {
     if (!std::filesystem::is_directory(folder_)) return;
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
@@ -34,7 +34,7 @@ Exhibits::Exhibits(std::filesystem::path folder) : folder_(std::move(folder)) {
     for (const auto& file : old) std::filesystem::remove(file, ignored);
 }
 
-void Exhibits::offer(const Compared& compared) {
+void WorstPictures::offer(const Compared& compared) {
     if (compared.verdict.holds()) return;
     if (kept_.size() >= most) {
         if (compared.verdict.badness <= kept_.front().first) return;
@@ -47,20 +47,20 @@ void Exhibits::offer(const Compared& compared) {
     std::push_heap(kept_.begin(), kept_.end(), std::greater<>());
 }
 
-void Exhibits::mark(std::vector<PictureVerdict>& verdicts) const {
+void WorstPictures::mark(std::vector<PictureVerdict>& verdicts) const {
     std::set<std::string> names;
     for (const auto& [badness, name] : kept_) names.insert(name);
     for (PictureVerdict& verdict : verdicts) verdict.shown = names.count(verdict.name) > 0;
 }
 
-void Exhibits::write(const Compared& compared) const {
+void WorstPictures::write(const Compared& compared) const {
     const std::string& name = compared.verdict.name;
     write_bytes(folder_ / expected_file(name), compared.expected);
     write_bytes(folder_ / actual_file(name), compared.actual);
     write_bytes(folder_ / difference_file(name), compared.difference);
 }
 
-void Exhibits::remove(const std::string& name) const {
+void WorstPictures::remove(const std::string& name) const {
     for (const std::string& file : {expected_file(name), actual_file(name), difference_file(name)}) {
         std::error_code ignored;
         std::filesystem::remove(folder_ / file, ignored);

@@ -19,7 +19,7 @@ struct Cell {
     std::string label;  // "t = 0.5 s"
 };
 
-struct Strip {
+struct PictureGrid {
     std::vector<Choices> runs{};
     std::vector<Cell> cells{};          // in display order; those of one run by time
     std::vector<std::string> titles{};  // of the rows, in a margin on the left; \n separates lines
@@ -32,9 +32,9 @@ struct Strip {
     std::function<void(const Cell& cell, const Simulation& run)> look{};
 };
 
-Sheet draw_strip(FigureOutput& output, const Strip& strip);
+Sheet draw_grid(FigureOutput& output, const PictureGrid& grid);
 
 // The same as a figure's picture.
-Plate draw_plate(FigureOutput& output, const Figure& figure, const Strip& strip);
+SectionContent draw_figure(FigureOutput& output, const Figure& figure, const PictureGrid& grid);
 
 }  // namespace pushfactor::demos::figures

@@ -1,4 +1,4 @@
-#include "demos/reports/pieces/crew.h"
+#include "demos/reports/pieces/make_pieces.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,11 +18,11 @@ namespace {
 // Ends a piece in progress.
 struct Dropped {};
 
-class Crew {
+class WorkerPool {
   public:
     using Keep = std::function<void(const Piece&, const Json&)>;
 
-    Crew(std::span<const Piece* const> pieces, int jobs, const Keep& keep) : pieces_(pieces), keep_(keep) {
+    WorkerPool(std::span<const Piece* const> pieces, int jobs, const Keep& keep) : pieces_(pieces), keep_(keep) {
         const auto most = static_cast<std::size_t>(std::max(1, jobs));
         for (std::size_t i = 0; i < std::min(most, pieces.size()); ++i) {
             workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
@@ -30,12 +30,12 @@ class Crew {
     }
 
     // Requests all stops before the first join.
-    ~Crew() {
+    ~WorkerPool() {
         for (std::jthread& worker : workers_) worker.request_stop();
     }
 
-    Crew(const Crew&) = delete;
-    Crew& operator=(const Crew&) = delete;
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
 
     // Number of pieces made since the last call; waits briefly if there are none. Throws what a piece threw.
     std::size_t fetch() {
@@ -81,10 +81,10 @@ class Crew {
 void make_pieces(std::span<const Piece* const> pieces, int jobs,
                  const std::function<void(const Piece&, const Json& result)>& keep,
                  const std::function<void()>& made, const std::function<void()>& check) {
-    Crew crew(pieces, jobs, keep);
+    WorkerPool workers(pieces, jobs, keep);
     for (std::size_t done = 0; done < pieces.size();) {
         check();
-        for (std::size_t news = crew.fetch(); news > 0; --news, ++done) made();
+        for (std::size_t news = workers.fetch(); news > 0; --news, ++done) made();
     }
 }
 

@@ -1,4 +1,4 @@
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 
 #include "demos/platform/assets.h"
 
@@ -16,22 +16,22 @@ std::optional<renderer::ContextKind> kind_of(const std::string& gl) {
 
 }  // namespace
 
-Studio::Studio(const std::string& gl, StageTimes* times)
+OffscreenRenderer::OffscreenRenderer(const std::string& gl, StageTimes* times)
     : times_(times), context_(renderer::open_offscreen_context(kind_of(gl))) {
     if (times_) times_->end_drawing("set up");
 }
 
-renderer::Image Studio::draw(const renderer::Picture& picture, const Size& size, int samples) {
+renderer::Image OffscreenRenderer::draw(const renderer::Picture& picture, const Size& size, int samples) {
     renderer::Image image;
     draw(std::span(&picture, 1), size, samples, image);
     return image;
 }
 
-void Studio::draw(std::span<const renderer::Picture> pictures, const Size& size, int samples,
-                  renderer::Image& image, std::size_t seat) {
+void OffscreenRenderer::draw(std::span<const renderer::Picture> pictures, const Size& size, int samples,
+                             renderer::Image& image, std::size_t slot) {
     if (times_) times_->begin_drawing();
-    if (seats_.size() <= seat) seats_.resize(seat + 1);
-    auto& [made_for, renderer] = seats_[seat];
+    if (renderers_.size() <= slot) renderers_.resize(slot + 1);
+    auto& [made_for, renderer] = renderers_[slot];
     const std::tuple wanted{size.width, size.height, samples};
     if (!renderer || wanted != made_for) {
         renderer.reset();
@@ -47,7 +47,7 @@ void Studio::draw(std::span<const renderer::Picture> pictures, const Size& size,
 
 StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
     constexpr int frames = 20;
-    Studio studio(gl);
+    OffscreenRenderer offscreen(gl);
     renderer::Image image;
     StageTime start;
     for (int frame = 0; frame <= frames; ++frame) {
@@ -55,7 +55,7 @@ StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
         // A new camera per frame, so that nothing can be reused.
         renderer::Picture picture{.camera = {}, .bodies = {{.shape = renderer::Sphere{0.2f}}}};
         picture.camera.eye.x = 0.1f * static_cast<float>(frame);
-        studio.draw(std::span(&picture, 1), size, 1, image);
+        offscreen.draw(std::span(&picture, 1), size, 1, image);
     }
     const StageTime end = process_time();
     return {.wall = (end.wall - start.wall) / frames, .cpu = (end.cpu - start.cpu) / frames};

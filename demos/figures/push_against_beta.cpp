@@ -1,34 +1,34 @@
 // Not in the paper: the effect of the push factor at different beta, step by step.
 #include "demos/figures/figure.h"
-#include "demos/figures/strip.h"
+#include "demos/figures/picture_grid.h"
 
 #include <fmt/format.h>
 
 namespace pushfactor::demos::figures {
 
-Plate push_against_beta(FigureOutput& output, const Figure& figure) {
+SectionContent push_against_beta(FigureOutput& output, const Figure& figure) {
     struct Row {
         std::string push, beta;
     };
     const std::vector<Row> rows{
         {"persistent", "0.2"}, {"single-frame", "0.05"}, {"single-frame", "0.2"}, {"single-frame", "0.8"}};
-    Strip strip{.columns = 10};
-    strip.cell_aspect = 0.42;
+    PictureGrid grid{.columns = 10};
+    grid.cell_aspect = 0.42;
     for (const Row& row : rows) {
-        strip.runs.push_back(
+        grid.runs.push_back(
             run_of("intersecting-stack", {{"push", row.push}, {"beta", row.beta}, {"seconds", "1"}}));
-        strip.titles.push_back(fmt::format("{}\nβ = {}", row.push, row.beta));
+        grid.titles.push_back(fmt::format("{}\nβ = {}", row.push, row.beta));
         for (const int step : {0, 1, 2, 3, 4, 6, 8, 10, 12, 16}) {
-            strip.cells.push_back(
-                {.row = strip.runs.size() - 1, .time = make_rational(step, 60), .label = fmt::format("{}", step)});
+            grid.cells.push_back(
+                {.row = grid.runs.size() - 1, .time = make_rational(step, 60), .label = fmt::format("{}", step)});
         }
     }
     std::vector<double> tops;
-    strip.look = [&](const Cell& cell, const Simulation& run) {
+    grid.look = [&](const Cell& cell, const Simulation& run) {
         if (cell.time == Rational{4, 15}) tops.push_back(run.scene().world.bodies.back().position.y());
     };
-    Plate plate = draw_plate(output, figure, strip);
-    plate.caption = fmt::format(
+    SectionContent content = draw_figure(output, figure, grid);
+    content.caption = fmt::format(
         "The intersecting stack after so many steps of 1/60 s. A persistent push throws the cubes apart; a "
         "single-frame "
         "push sets them down, and the sooner, the larger beta is: each step leaves 1 - beta of an overlap. Centre "
@@ -37,10 +37,10 @@ Plate push_against_beta(FigureOutput& output, const Figure& figure) {
         "without "
         "overlap it is 10.8 m. Otherwise default settings.",
         tops[0], tops[1], tops[2], tops[3]);
-    plate.commands = {
+    content.commands = {
         command_text("render", "intersecting-stack",
                      {{"push", "single-frame"}, {"compare", "beta=0.05,0.2,0.8"}, {"seconds", "0.5"}})};
-    return plate;
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures
