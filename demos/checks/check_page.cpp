@@ -1,8 +1,8 @@
 #include "demos/checks/check_page.h"
 
 #include "demos/checks/worst_pictures.h"
-#include "demos/pages/document.h"
 #include "demos/pages/html.h"
+#include "demos/pages/page.h"
 #include "demos/pages/page_table.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/checks/verdict.h"
-#include "demos/pages/verdicts.h"
+#include "demos/pages/verdict_files.h"
 
 #include <span>
 #include <string>

@@ -1,7 +1,6 @@
 #include "demos/checks/folder_check.h"
 
 #include "demos/checks/comparison.h"
-#include "demos/checks/stopwatch.h"
 #include "demos/checks/trajectory.h"
 #include "demos/checks/worst_pictures.h"
 #include "demos/pictures/camera/survey.h"

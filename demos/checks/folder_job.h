@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -12,6 +13,15 @@ struct FolderJob {
     std::string anchor;           // of the verdict
     std::filesystem::path pages;  // folder of the page
     std::function<void(long)> progress = [](long) {};
+};
+
+class Stopwatch {
+  public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace pushfactor::demos::checks

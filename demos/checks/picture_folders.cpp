@@ -2,7 +2,6 @@
 
 #include "demos/checks/comparison.h"
 #include "demos/checks/expectation.h"
-#include "demos/checks/stopwatch.h"
 #include "demos/checks/worst_pictures.h"
 #include "demos/pictures/film/frame_queue.h"
 #include "demos/platform/progress.h"

@@ -6,6 +6,7 @@
 #include "demos/pictures/film/take_frames.h"
 #include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/recorded_session.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
@@ -28,18 +29,6 @@ struct Job {
     std::string film;  // mark of its frames
 };
 
-// Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
-void warn_of_strangers(const fs::path& folder, const Frames& frames) {
-    long strangers = 0;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename();
-        if (entry.path().extension() == ".png" && !frames.has(name)) ++strangers;
-    }
-    if (strangers > 0) {
-        note(fmt::format("{} holds {} other PNG files that this run does not touch", folder.string(), strangers));
-    }
-}
-
 Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     if (request.shard) {
@@ -50,15 +39,24 @@ Job understand_job(const std::string& scene, const Render& request) {
     }
     if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
-    if (request.glb) pictures::check_glb(*request.glb, job.sequence.panels.front().choices);
+    if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
 }
 
-// Shards of one film write the same file; a folder with another film is not for them.
-void write_config(const Job& job, const Render& request) {
+// Writes config.json. Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to
+// delete. Shards of one film write the same file; a folder with another film is not for them.
+void prepare_folder(const Job& job, const Render& request) {
+    const auto strangers = std::ranges::count_if(fs::directory_iterator(job.folder), [&](const auto& entry) {
+        return entry.path().extension() == ".png" &&
+               !job.sequence.frames.front().has(entry.path().filename().string());
+    });
+    if (strangers > 0) {
+        note(fmt::format("{} holds {} other PNG files that this run does not touch", job.folder.string(),
+                         strangers));
+    }
     const fs::path file = job.folder / "config.json";
     const std::string text = config_text(job.sequence.panels.front().choices, request.given);
     if (!request.shard) {
@@ -79,7 +77,6 @@ void make_frames(const Job& job, const Render& request, Session& session, Record
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
                                     job.folder.string()));
     writer.finish();
-    if (pictures.replay) pictures.replay->finish();
 }
 
 // Without a simulation there is no summary.
@@ -91,8 +88,7 @@ void render_trajectory(Job& job, const Render& request, pictures::OffscreenRende
     pictures::add_overview(job.sequence.panels, survey);
     Session session(job.sequence, false, go_to);
     pictures::Film film(offscreen, session, survey);
-    warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_config(job, request);
+    prepare_folder(job, request);
     make_frames(job, request, session, nullptr, {.film = &film}, times);
 }
 
@@ -100,36 +96,18 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Offscre
                 pictures::StageTimes* times) {
     pictures::SurveyOnce survey(job.sequence.frames);
     pictures::add_overview(job.sequence.panels, survey);
-    Session session(job.sequence, request.timing);
-    Recorder recorder(session, request.files, request.timing, job.folder);
+    pictures::RecordedSession recorded(job.sequence, request.files, request.timing, job.folder, survey);
     std::optional<pictures::Film> film;
-    if (offscreen) film.emplace(*offscreen, session, survey);
-    std::optional<pictures::Replay> replay;
-    if (request.replay) {
-        const Frames& frames = job.sequence.frames.front();
-        replay.emplace(pictures::ReplayChoices{.file = *request.replay,
-                                               .steps_a_frame = frames.size() > 1 ? frames[1].step : 1,
-                                               .poses_only = request.replay_poses_only,
-                                               .command = request.line},
-                       session);
-    }
-    if (request.glb) {
-        recorder.add(pictures::glb_record(*request.glb, job.sequence.panels, survey, session.run(0)));
-    }
-    warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_config(job, request);
-    try {
-        make_frames(job, request, session, &recorder,
-                    {.film = film ? &*film : nullptr, .replay = replay ? &*replay : nullptr}, times);
-    } catch (const OutputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        say((replay ? replay->keep(error.what()) : "") + recorder.keep_records() + recorder.warnings());
-        throw;
-    }
+    if (offscreen) film.emplace(*offscreen, recorded.session, survey);
+    prepare_folder(job, request);
+    recorded.play([&] {
+        make_frames(job, request, recorded.session, &recorded.recorder,
+                    {.film = film ? &*film : nullptr, .replay = recorded.replay ? &*recorded.replay : nullptr},
+                    times);
+    });
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
-               summary_of(session, recorder.finish(), offscreen ? offscreen->driver() : ""));
-    say(recorder.warnings());
+               summary_of(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
+    say(recorded.recorder.warnings());
 }
 
 // On standard error, because data may be on standard output.
@@ -202,7 +180,6 @@ AnyCommand read_render(Words& words) {
     command.shard = words.take("shard");
     command.out = words.take("out");
     command.png = take_switch(words, "frames", true);
-    command.line = words.line();
     command.scenes = words.take_names();
     command.given = take_simulation(words, command.scenes, !command.timing);
     const bool stills = command.given.find("at") != nullptr;
@@ -225,30 +202,28 @@ AnyCommand read_render(Words& words) {
         }
         return words.take(option);
     };
-    command.files = {.csv = take("csv", one_scene | one_run | simulation),
-                     .trajectory = take("trajectory", one_scene | one_run | simulation),
-                     .rows = take("rows", one_scene | one_run | simulation),
-                     .errors = take("errors", one_scene | one_run | simulation),
-                     .save_state = take("save-state", one_scene | one_run | simulation),
-                     .measures = {}};
-    if (take("measure", one_scene | simulation)) command.files.measures = words.take_all("measure");
+    for (const char* const data : {"csv", "trajectory", "rows", "errors", "save-state"}) {
+        take(data, one_scene | one_run | simulation);
+    }
+    take("measure", one_scene | simulation);
     command.summary = take("summary", one_scene | simulation);
     command.video = take("video", one_scene | sequence | whole);
-    command.replay = take("replay", one_scene | sequence | simulation);
-    command.glb = take("glb", one_scene | one_run | sequence | simulation);
-    command.replay_poses_only = take_poses_only(words, command.replay.has_value());
+    take("replay", one_scene | sequence | simulation);
+    take("glb", one_scene | one_run | sequence | simulation);
+    command.files = take_files(words);
     take("from-trajectory", one_scene | one_run);
 
-    const bool draws = command.png || command.video, models = command.glb || command.replay;
-    if (!draws && !command.replay) throw UsageError("--frames off: must be with --video or --replay");
+    const bool draws = command.png || command.video, models = command.files.glb || command.files.replay;
+    if (!draws && !command.files.replay) throw UsageError("--frames off: must be with --video or --replay");
     const bool film = !stills && (draws || models);
     take_frames(words, (draws ? of_pictures : 0u) | (draws && words.given("shutter") ? of_shutter : 0u) |
                            (film ? of_film : 0u) | (command.files.trajectory ? of_trajectory : 0u) |
                            (models ? of_models : 0u));
     require_shown_overlays(
-        words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
+        words,
+        {.pictures = draws, .glb = command.files.glb.has_value(), .replay = command.files.replay.has_value()});
     if (command.video) pictures::check_video_name(*command.video);
-    if (command.replay) pictures::check_replay_name(*command.replay);
+    if (command.files.replay) pictures::check_replay_name(*command.files.replay);
     words.refuse_rest(stills ? "render --at, which makes stills" : draws ? "render" : "render --frames off");
     return command;
 }

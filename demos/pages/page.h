@@ -25,6 +25,11 @@ struct Section {
     SectionContent content;
 };
 
+// The HTML text of a page with the styles and scripts of these names in assets/pages, in that order. `opening` is
+// text, `body` HTML. Throws OutputError if an asset is missing.
+std::string document(const std::string& title, const std::string& opening, const std::string& body,
+                     std::span<const std::string> assets);
+
 // The HTML text, with style and script from assets/pages; numbers have four digits. Throws OutputError if these are
 // missing.
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections);

@@ -3,7 +3,7 @@
 
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
-#include "demos/pages/verdicts.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/platform/progress.h"
 #include "demos/reports/pieces/piece.h"
 #include "demos/reports/pieces/store.h"

@@ -15,9 +15,11 @@
 namespace pushfactor::demos {
 
 // What a run writes: files written step by step, the final state, and measures that are not always made. Paths; "-"
-// is standard output.
+// is standard output. The Recorder makes neither glb nor replay (pictures/recorded_session.h).
 struct RunFiles {
-    std::optional<std::string> csv, trajectory, rows, errors, save_state;
+    std::optional<std::string> csv, trajectory, rows, errors, save_state, glb, replay;
+    bool replay_poses_only = false;
+    std::string command;                // that makes them, as the reader of a replay sees it
     std::vector<std::string> measures;  // of the scene, which the summary is to have although they cost time
 
     bool operator==(const RunFiles&) const = default;

@@ -1,7 +1,6 @@
 #include "demos/pictures/camera/survey.h"
 
 #include "demos/pictures/camera/balls.h"
-#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
@@ -18,25 +17,27 @@ class Surveyor : public Observer {
   public:
     using Maxima = std::map<OverlayKind, std::vector<double>>;
 
-    Surveyor(const Session& session, Outline& outline, Maxima& maxima, Survey& found)
+    Surveyor(const Session& session, Maxima& maxima, Survey& found)
         : run_(session.run(0)),
           frames_(session.sequence().frames.front()),
           choices_(session.choices(0).frames),
           ghosts_(plan_ghosts(choices_, run_.settings().dt)),
-          near_(surroundings(movable_balls(run_.scene()))),
-          places_(run_.scene().bodies.size()),
-          outline_(outline),
+          extents_(run_, choices_.camera.fit),
           maxima_(maxima),
           found_(found) {
         step(0);
     }
 
+    // If the next frame shows this step.
     void step(std::size_t) override {
-        if (choices_.camera.fit && is_shown()) add_moving(run_.scene(), near_, outline_);
+        const double dt = run_.settings().dt.value(), now = run_.sample().time;
+        const double frame_time = dt * static_cast<double>(frames_[next_].step);
+        const bool ghost = std::ranges::binary_search(ghosts_, run_.sample().step);
+        if (ghost || now > frame_time - choices_.trail_seconds() - 0.5 * dt) extents_.add_outline();
     }
 
     void frame(std::size_t number) override {
-        add_places(run_.scene(), places_);
+        extents_.add_places();
         for (const OverlayItem& item : choices_.overlay) {
             double most = 0.0;
             for (const Quantity& quantity : quantities(run_.scene(), item.kind)) {
@@ -51,46 +52,43 @@ class Surveyor : public Observer {
         next_ = number + 1;
     }
 
-    void end() {
-        add_corners(places_, run_.scene(), found_.reached);
-        if (choices_.camera.fit) add_support(run_.scene(), outline_);
-    }
+    const Extents& extents() const { return extents_; }
 
   private:
-    // Whether the next frame shows this step.
-    bool is_shown() const {
-        const double dt = run_.settings().dt.value();
-        const double frame_time = dt * static_cast<double>(frames_[next_].step);
-        return std::ranges::binary_search(ghosts_, run_.sample().step) ||
-               run_.sample().time > frame_time - choices_.trail_seconds() - 0.5 * dt;
-    }
-
     const Simulation& run_;
     const Frames& frames_;
     const FrameChoices& choices_;
     std::vector<long> ghosts_;
-    Eigen::AlignedBox3d near_;
-    std::vector<Eigen::AlignedBox3d> places_;
+    Extents extents_;
     std::size_t next_ = 0;  // frame
-    Outline& outline_;
     Maxima& maxima_;
     Survey& found_;
 };
 
 }  // namespace
 
-void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
+Extents::Extents(const Simulation& run, bool fit)
+    : run_(run), fit_(fit), near_(surroundings(movable_balls(run.scene()))), places_(run.scene().bodies.size()) {}
+
+void Extents::add_outline() {
+    if (fit_) add_moving(run_.scene(), near_, outline_);
+}
+
+void Extents::add_places() {
+    const BuiltScene& scene = run_.scene();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (goes_about(scene.bodies[i])) places_[i].extend(scene.world.bodies[i].position);
     }
 }
 
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].isEmpty()) continue;
+void Extents::add_to(Outline& outline, std::vector<Ball>& reached) const {
+    outline.add(outline_);
+    if (fit_) add_support(run_.scene(), outline);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i].isEmpty()) continue;
         for (int corner = 0; corner < 8; ++corner) {
-            balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
-                             .radius = bounding_radius(scene.bodies[i])});
+            reached.push_back({.centre = places_[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
+                               .radius = bounding_radius(run_.scene().bodies[i])});
         }
     }
 }
@@ -102,7 +100,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>&
     Outline outline;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         Session session({.panels = {panels[p]}, .frames = {frames[p]}}, false, go_to);
-        Surveyor surveyor(session, outline, maxima, found);
+        Surveyor surveyor(session, maxima, found);
         try {
             session.play_frames({&surveyor}, [](const Simulation&) {
                 stop_if_interrupted("nothing was drawn yet");
@@ -111,7 +109,7 @@ Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>&
         } catch (const NonFiniteError&) {
             // The run that is drawn reports it.
         }
-        surveyor.end();
+        surveyor.extents().add_to(outline, found.reached);
         if (p + 1 == panels.size()) found.subject = subject_of(session.run(0).scene(), outline);
     }
     for (auto& [kind, values] : maxima) {

@@ -27,10 +27,26 @@ inline bool needs_survey(const FrameChoices& choices) {
     return choices.camera.fit || !choices.overlay.empty();
 }
 
-// The box around all places of each body that moves, so that memory does not grow with the run; and its corners as
-// balls of the body's size.
-void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places);
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
+// What a run reaches, collected as it goes on.
+class Extents {
+  public:
+    // `run` is at its start and must outlive this. The outline is collected if the camera is to fit it.
+    Extents(const Simulation& run, bool fit);
+
+    void add_outline();
+    // Of the bodies that move; the box around all places of each, so that memory does not grow with the run.
+    void add_places();
+
+    // Adds the outline with what supports it, and the corners of the boxes as balls of the bodies' sizes.
+    void add_to(Outline& outline, std::vector<Ball>& reached) const;
+
+  private:
+    const Simulation& run_;
+    bool fit_;
+    Eigen::AlignedBox3d near_;  // where a body is worth showing
+    Outline outline_;
+    std::vector<Eigen::AlignedBox3d> places_;  // of each body
+};
 
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
 Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames,

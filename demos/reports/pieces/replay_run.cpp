@@ -38,11 +38,8 @@ std::string replay_of(const std::string& scene, const OptionTexts& options, cons
     const Scratch folder;
     const fs::path file = folder.path() / "replay.html";
     const Choices choices = run_of(scene, options);
-    const long every = pictures::steps_a_replay_frame(choices);
-    const Frames frames(every, static_cast<std::size_t>(whole_steps(choices.settings) / every) + 1);
-    Session session({.panels = {{.label = "", .choices = choices}}, .frames = {frames}});
+    Session session({.panels = {{.label = "", .choices = choices}}, .frames = {pictures::replay_frames(choices)}});
     pictures::Replay replay({.file = file,
-                             .steps_a_frame = every,
                              .poses_only = true,
                              .command = command_text("run", scene, options) + " --replay replay.html"},
                             session);

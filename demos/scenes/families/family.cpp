@@ -2,6 +2,7 @@
 
 #include "demos/scenes/families/all_families.h"
 #include "demos/text/numbers.h"
+#include "demos/text/text_hash.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,12 @@ namespace pushfactor::demos::families {
 
 namespace {
 
-// A separate seed for each parameter of each family (FNV-1a and splitmix64), so that drawn values are independent
-// of each other.
+// A separate seed for each parameter of each family, so that drawn values are independent of
+// each other.
 int seed_of(int seed, std::string_view family, std::string_view parameter, int attempt) {
-    std::uint64_t z = 0xcbf29ce484222325U;
-    for (const std::string_view text : {family, parameter}) {
-        for (const char c : text) z = (z ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    }
-    z += static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
-         static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return static_cast<int>((z ^ (z >> 31)) & 0x7fffffffU);
+    const std::uint64_t draw = static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
+                               static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
+    return static_cast<int>(mixed_bits(fnv_hash(parameter, fnv_hash(family)) + draw) & 0x7fffffffU);
 }
 
 // To three digits, for readability.

@@ -1,7 +1,10 @@
-// Verdicts of a check, for files that CI servers read.
+// Verdicts of a check as files that CI servers read: JUnit XML and Markdown.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <ctime>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,5 +30,13 @@ struct SuiteVerdict {
         return std::count_if(cases.begin(), cases.end(), [](const auto& one) { return !one.failure.empty(); });
     }
 };
+
+// Follows the schemas of Jenkins' xUnit plugin (junit-10.xsd) and of Ant (JUnit.xsd). `time` is that of the run.
+std::string junit_xml(std::span<const SuiteVerdict> suites, std::time_t time);
+
+// GitHub's Markdown: the headline, a table of the suites, and one of the failures, the worst first. What would
+// exceed `most_bytes` is left out, and it says so; GitHub takes 1 MiB per step.
+std::string job_summary(const std::string& headline, std::span<const SuiteVerdict> suites,
+                        std::size_t most_bytes = 500'000);
 
 }  // namespace pushfactor::demos
