@@ -152,7 +152,8 @@ void add_labels(const PictureGrid& grid, const Room& room, const std::vector<ren
 void write_replay(const PictureGrid& grid, const std::string& command, const std::filesystem::path& file) {
     Sequence sequence;
     for (std::size_t r = 0; r < grid.runs.size(); ++r) {
-        FrameChoices& frames = sequence.panels.emplace_back(label_of(grid, r), grid.runs[r]).choices.frames;
+        sequence.panels.push_back({.label = label_of(grid, r), .choices = grid.runs[r]});
+        FrameChoices& frames = sequence.panels.back().choices.frames;
         frames.camera = {.view = grid.view, .fit = grid.fit};
         if (grid.overlay) frames.overlay = {*grid.overlay};
     }

@@ -32,8 +32,10 @@ constexpr std::array limits{
 }  // namespace
 
 demos::Parameter small_range(const Family& family, const demos::Parameter& range) {
-    const auto limit = std::ranges::find_if(
-        limits, [&](const Limit& each) { return each.family == family.name && each.parameter == range.name; });
+    const auto is_of = [&](const Limit& each) {
+        return each.family == family.name && each.parameter == range.name;
+    };
+    const auto* const limit = std::find_if(limits.begin(), limits.end(), is_of);
     demos::Parameter small = range;
     if (limit != limits.end()) small.high = limit->high;
     return small;
