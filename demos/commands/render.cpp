@@ -83,7 +83,10 @@ void make_frames(const Job& job, const Render& request, Session& session, Record
 void render_trajectory(Job& job, const Render& request, pictures::OffscreenRenderer& offscreen,
                        pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
-    const Session::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
+    const Session::GoTo go_to = [&](Simulation& run, long step) {
+        if (run.sample().step == 0) trajectory.place(run, 0);  // is it of this run?
+        trajectory.place(run, step);
+    };
     pictures::SurveyOnce survey(job.sequence.frames, go_to);
     pictures::add_overview(job.sequence.panels, survey);
     Session session(job.sequence, false, go_to);

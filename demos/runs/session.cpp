@@ -31,9 +31,11 @@ Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
 Session::Session(Sequence sequence, bool timing, GoTo go_to)
     : sequence_(std::move(sequence)), go_to_(std::move(go_to)) {
     for (const ComparedRun& panel : sequence_.panels) {
-        Simulation& run = timing ? runs_.emplace_back(panel.choices.on_one_thread(), thread_cpu_us)
-                                 : runs_.emplace_back(panel.choices);
-        if (go_to_) go_to_(run, 0);  // is it of this run?
+        if (timing) {
+            runs_.emplace_back(panel.choices.on_one_thread(), thread_cpu_us);
+        } else {
+            runs_.emplace_back(panel.choices);
+        }
     }
 }
 
