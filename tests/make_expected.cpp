@@ -8,8 +8,8 @@
 int main() {
     using namespace pushfactor;
     for (const renderer::golden::Sample& sample : renderer::golden::samples()) {
-        renderer::Studio studio(renderer::golden::width, renderer::golden::height, sample.samples);
-        renderer::golden::write_image(renderer::golden::golden_file(sample), studio.render(sample.picture));
+        renderer::OffscreenRenderer offscreen(renderer::golden::width, renderer::golden::height, sample.samples);
+        renderer::golden::write_image(renderer::golden::golden_file(sample), offscreen.render(sample.picture));
     }
     for (const auto& [name, scene] : demos::reports::stability::scenes_with_files()) {
         demos::write_file(demos::reports::stability::file_of(name), demos::scene_file_text(scene));

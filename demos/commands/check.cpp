@@ -1,12 +1,11 @@
+#include "demos/checks/check_page.h"
+#include "demos/checks/folder_check.h"
+#include "demos/checks/picture_folders.h"
 #include "demos/commands/commands.h"
-#include "demos/pages/job_summary.h"
-#include "demos/pages/junit.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/platform/version.h"
-#include "demos/reports/check/check_page.h"
-#include "demos/reports/check/folder_check.h"
-#include "demos/reports/check/picture_folders.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 
@@ -23,7 +22,7 @@ namespace pushfactor::demos::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace reports::check;
+using namespace checks;
 
 Rules understand_rules(const Check& request) {
     Rules rules;
@@ -143,7 +142,7 @@ class Checks {
   private:
     void work() {
         try {
-            std::optional<pictures::Studio> studio;
+            std::optional<pictures::OffscreenRenderer> offscreen;
             std::string made_for;
             while (const auto next = take()) {
                 std::optional<Expectation> expected;
@@ -154,14 +153,14 @@ class Checks {
                     continue;
                 }
                 const std::string& gl = expected->sequence.panels.front().choices.frames.gl;
-                if (!studio || gl != made_for) {
+                if (!offscreen || gl != made_for) {
                     const std::lock_guard lock(mutex_);  // the first context sets the environment
-                    studio.reset();
-                    studio.emplace(gl);
+                    offscreen.reset();
+                    offscreen.emplace(gl);
                     made_for = gl;
-                    driver_ = studio->driver();
+                    driver_ = offscreen->driver();
                 }
-                check(*next, *expected, *studio);
+                check(*next, *expected, *offscreen);
             }
         } catch (...) {
             const std::lock_guard lock(mutex_);
@@ -184,14 +183,14 @@ class Checks {
                 .runs = {{.subject = "folder", .holds = false, .text = why}}});
     }
 
-    void check(std::size_t i, const Expectation& expected, pictures::Studio& studio) {
+    void check(std::size_t i, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
         FolderJob job = jobs_[i];
         std::optional<ProgressBar> bar;  // of one folder at a time
         if (jobs_at_once(request_) == 1) {
             bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
-        FolderVerdict verdict = check_folder(expected, rules_, job, studio, updates_[i].get());
+        FolderVerdict verdict = check_folder(expected, rules_, job, offscreen, updates_[i].get());
         bar.reset();
         end(i, std::move(verdict));
     }

@@ -5,7 +5,7 @@
 
 #include "demos/commands/words.h"
 #include "demos/options/choices.h"
-#include "demos/runs/run_files.h"
+#include "demos/runs/recorder.h"
 
 #include <optional>
 #include <string>
@@ -39,10 +39,7 @@ struct Run {
     GivenOptions given;
     RunFiles files;
     std::optional<std::string> summary;  // path; "-" is standard output
-    std::optional<std::string> glb, replay;
-    bool replay_poses_only = false;
     bool timing = false;
-    std::string line;  // as typed
 
     bool operator==(const Run&) const = default;
 };
@@ -51,12 +48,9 @@ struct Render {
     std::vector<std::string> scenes;
     GivenOptions given;
     RunFiles files;
-    std::optional<std::string> summary, video, glb, replay;
-    bool replay_poses_only = false;
+    std::optional<std::string> summary, video, out, shard, from_trajectory;
     bool timing = false;
     bool png = true;
-    std::optional<std::string> out, shard, from_trajectory;
-    std::string line;
 
     bool operator==(const Render&) const = default;
 };

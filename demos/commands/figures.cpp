@@ -1,8 +1,8 @@
 #include "demos/commands/commands.h"
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
+#include "demos/figures/printing/latex.h"
 #include "demos/pages/live_links.h"
-#include "demos/pages/printing/latex.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
@@ -87,12 +87,12 @@ FigureFormat format_of(const Figures& command) {
 
 // What a document takes in, where there is a PDF.
 void write_latex(Section& section, const Print& print, const std::filesystem::path& folder) {
-    const std::vector<std::string> files = section.plate.files;
+    const std::vector<std::string> files = section.content.files;
     for (const std::string& file : files) {
         if (!file.ends_with(".pdf")) continue;
-        section.plate.files.insert(section.plate.files.end(), {section.name + ".tex", "pushfactor.bib"});
+        section.content.files.insert(section.content.files.end(), {section.name + ".tex", "pushfactor.bib"});
         write_file(folder / (section.name + ".tex"),
-                   latex_figure(section.name, file, print, section.plate.caption));
+                   latex_figure(section.name, file, print, section.content.caption));
     }
 }
 

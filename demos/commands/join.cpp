@@ -1,8 +1,8 @@
 #include "demos/commands/commands.h"
-#include "demos/pictures/film/sequence.h"
 #include "demos/pictures/film/video.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
+#include "demos/runs/session.h"
 #include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/read_png.h"
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The film that all folders have frames of, and the mark of its frames.
-pictures::Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
+Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
     const fs::path first = fs::path(folders.front()) / "config.json";
     for (const std::string& folder : folders) {
         const fs::path config = fs::path(folder) / "config.json";
@@ -37,13 +37,13 @@ pictures::Sequence film_of(const std::vector<std::string>& folders, std::string&
     if (!scene) throw UsageError(fmt::format("{}: scene: must be given", first.string()));
     if (given.find("at"))
         throw UsageError(fmt::format("--join {}: must be a sequence, not stills", folders.front()));
-    pictures::Sequence film = pictures::plan_sequence(scene->text, given);
+    Sequence film = plan_sequence(scene->text, given);
     mark = film_mark(film.panels.front().choices, given);
     return film;
 }
 
 // Where each frame is.
-std::vector<fs::path> files_of(const pictures::Sequence& film, const std::vector<std::string>& folders) {
+std::vector<fs::path> files_of(const Sequence& film, const std::vector<std::string>& folders) {
     std::vector<fs::path> files;
     std::vector<std::string> missing;
     for (const Frame& frame : film.frames.front()) {
@@ -83,7 +83,7 @@ renderer::Image picture_in(const fs::path& file, const std::string& mark) {
 void carry_out(const Join& command) {
     pictures::require_ffmpeg(command.video);
     std::string mark;
-    const pictures::Sequence film = film_of(command.folders, mark);
+    const Sequence film = film_of(command.folders, mark);
     const std::vector<fs::path> files = files_of(film, command.folders);
     const FrameChoices& frames = film.panels.front().choices.frames;
     pictures::Video video(command.video, frames.width, frames.height, frames.film_rate());

@@ -3,13 +3,15 @@
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
 #include "demos/pictures/film/frame_writer.h"
-#include "demos/pictures/film/sequence.h"
+#include "demos/pictures/film/take_frames.h"
 #include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/recorded_session.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
-#include "demos/runs/observed_run.h"
+#include "demos/runs/recorder.h"
+#include "demos/runs/trajectory.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -22,25 +24,13 @@ namespace fs = std::filesystem;
 
 // One scene to render, and its output folder.
 struct Job {
-    pictures::Sequence sequence;
+    Sequence sequence;
     fs::path folder;
     std::string film;  // mark of its frames
 };
 
-// Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to delete.
-void warn_of_strangers(const fs::path& folder, const Frames& frames) {
-    long strangers = 0;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename();
-        if (entry.path().extension() == ".png" && !frames.has(name)) ++strangers;
-    }
-    if (strangers > 0) {
-        note(fmt::format("{} holds {} other PNG files that this run does not touch", folder.string(), strangers));
-    }
-}
-
 Job understand_job(const std::string& scene, const Render& request) {
-    Job job{.sequence = pictures::plan_sequence(scene, request.given), .folder = {}, .film = {}};
+    Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     if (request.shard) {
         const auto shard = parse_shard(*request.shard);
         if (!shard)
@@ -49,15 +39,24 @@ Job understand_job(const std::string& scene, const Render& request) {
     }
     if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
-    if (request.glb) pictures::check_glb(*request.glb, job.sequence.panels.front().choices);
+    if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
 }
 
-// Shards of one film write the same file; a folder with another film is not for them.
-void write_config(const Job& job, const Render& request) {
+// Writes config.json. Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to
+// delete. Shards of one film write the same file; a folder with another film is not for them.
+void prepare_folder(const Job& job, const Render& request) {
+    const auto strangers = std::ranges::count_if(fs::directory_iterator(job.folder), [&](const auto& entry) {
+        return entry.path().extension() == ".png" &&
+               !job.sequence.frames.front().has(entry.path().filename().string());
+    });
+    if (strangers > 0) {
+        note(fmt::format("{} holds {} other PNG files that this run does not touch", job.folder.string(),
+                         strangers));
+    }
     const fs::path file = job.folder / "config.json";
     const std::string text = config_text(job.sequence.panels.front().choices, request.given);
     if (!request.shard) {
@@ -68,87 +67,50 @@ void write_config(const Job& job, const Render& request) {
     }
 }
 
-std::vector<ObservedRun> start_runs(const Job& job, const Render& request) {
-    std::vector<ObservedRun> runs;
-    for (const ComparedRun& panel : job.sequence.panels) {
-        runs.emplace_back(panel.choices, request.files, request.timing, job.folder);
-    }
-    return runs;
-}
-
 // Throws what a thread threw; keeps the frames so far.
-void make_frames(const Job& job, const Render& request, std::vector<ObservedRun>& runs, pictures::Takers& takers,
-                 pictures::StageTimes* times) {
+void make_frames(const Job& job, const Render& request, Session& session, Recorder* recorder,
+                 const pictures::Pictures& pictures, pictures::StageTimes* times) {
     const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
-    take_frames(job.sequence, runs, takers, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
+    take_frames(session, recorder, pictures, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
                                     job.folder.string()));
     writer.finish();
-    if (takers.replay) takers.replay->finish();
 }
 
 // Without a simulation there is no summary.
-void render_trajectory(Job& job, const Render& request, pictures::Studio& studio, pictures::StageTimes* times) {
+void render_trajectory(Job& job, const Render& request, pictures::OffscreenRenderer& offscreen,
+                       pictures::StageTimes* times) {
     Trajectory trajectory(*request.from_trajectory);
-    const pictures::GoTo go_to = [&](Simulation& run, long step) { trajectory.place(run, step); };
+    const Session::GoTo go_to = [&](Simulation& run, long step) {
+        if (run.sample().step == 0) trajectory.place(run, 0);  // is it of this run?
+        trajectory.place(run, step);
+    };
     pictures::SurveyOnce survey(job.sequence.frames, go_to);
     pictures::add_overview(job.sequence.panels, survey);
-    const Choices& choices = job.sequence.panels.front().choices;
-    Simulation simulation(choices);
-    const pictures::Film film(studio, job.sequence.panels, {&simulation}, survey);
-    warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_config(job, request);
-    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
-                                 job.film);
-    ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
-    draw_frames(job.sequence, simulation, trajectory, film, writer.queue(), [&](long drawn) { bar.show(drawn); });
-    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
-                                    job.folder.string()));
-    writer.finish();
+    Session session(job.sequence, false, go_to);
+    pictures::Film film(offscreen, session, survey);
+    prepare_folder(job, request);
+    make_frames(job, request, session, nullptr, {.film = &film}, times);
 }
 
-void render_job(Job& job, const Render& request, std::optional<pictures::Studio>& studio,
+void render_job(Job& job, const Render& request, std::optional<pictures::OffscreenRenderer>& offscreen,
                 pictures::StageTimes* times) {
     pictures::SurveyOnce survey(job.sequence.frames);
     pictures::add_overview(job.sequence.panels, survey);
-    std::vector<ObservedRun> runs = start_runs(job, request);
-    std::vector<const Simulation*> simulations;
-    for (const ObservedRun& run : runs) simulations.push_back(&run.simulation());
-    pictures::Takers takers;
-    if (studio) takers.film.emplace(*studio, job.sequence.panels, simulations, survey);
-    if (request.replay) {
-        takers.replay.emplace(
-            pictures::ReplayChoices{
-                .file = *request.replay,
-                .steps_a_frame = job.sequence.frames.front().size() > 1 ? job.sequence.frames.front()[1].step : 1,
-                .poses_only = request.replay_poses_only,
-                .command = request.line},
-            job.sequence.panels, simulations);
-    }
-    if (request.glb) {
-        runs.front().add(
-            pictures::glb_record(*request.glb, job.sequence.panels, survey, runs.front().simulation()));
-    }
-    warn_of_strangers(job.folder, job.sequence.frames.front());
-    write_config(job, request);
-    try {
-        make_frames(job, request, runs, takers, times);
-    } catch (const OutputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (takers.replay) say(takers.replay->keep(error.what()));
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            say(runs[i].keep_records() + runs[i].warnings(job.sequence.panels[i].label));
-        }
-        throw;
-    }
+    pictures::RecordedSession recorded(job.sequence, request.files, request.timing, job.folder, survey);
+    std::optional<pictures::Film> film;
+    if (offscreen) film.emplace(*offscreen, recorded.session, survey);
+    prepare_folder(job, request);
+    recorded.play([&] {
+        make_frames(job, request, recorded.session, &recorded.recorder,
+                    {.film = film ? &*film : nullptr, .replay = recorded.replay ? &*recorded.replay : nullptr},
+                    times);
+    });
     write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
-               finish(job.sequence, runs, studio ? studio->driver() : ""));
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        say(runs[i].warnings(job.sequence.panels[i].label));
-    }
+               summary_of(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
+    say(recorded.recorder.warnings());
 }
 
 // On standard error, because data may be on standard output.
@@ -221,7 +183,6 @@ AnyCommand read_render(Words& words) {
     command.shard = words.take("shard");
     command.out = words.take("out");
     command.png = take_switch(words, "frames", true);
-    command.line = words.line();
     command.scenes = words.take_names();
     command.given = take_simulation(words, command.scenes, !command.timing);
     const bool stills = command.given.find("at") != nullptr;
@@ -244,30 +205,28 @@ AnyCommand read_render(Words& words) {
         }
         return words.take(option);
     };
-    command.files = {.csv = take("csv", one_scene | one_run | simulation),
-                     .trajectory = take("trajectory", one_scene | one_run | simulation),
-                     .rows = take("rows", one_scene | one_run | simulation),
-                     .errors = take("errors", one_scene | one_run | simulation),
-                     .save_state = take("save-state", one_scene | one_run | simulation),
-                     .measures = {}};
-    if (take("measure", one_scene | simulation)) command.files.measures = words.take_all("measure");
+    for (const char* const data : {"csv", "trajectory", "rows", "errors", "save-state"}) {
+        take(data, one_scene | one_run | simulation);
+    }
+    take("measure", one_scene | simulation);
     command.summary = take("summary", one_scene | simulation);
     command.video = take("video", one_scene | sequence | whole);
-    command.replay = take("replay", one_scene | sequence | simulation);
-    command.glb = take("glb", one_scene | one_run | sequence | simulation);
-    command.replay_poses_only = take_poses_only(words, command.replay.has_value());
+    take("replay", one_scene | sequence | simulation);
+    take("glb", one_scene | one_run | sequence | simulation);
+    command.files = take_files(words);
     take("from-trajectory", one_scene | one_run);
 
-    const bool draws = command.png || command.video, models = command.glb || command.replay;
-    if (!draws && !command.replay) throw UsageError("--frames off: must be with --video or --replay");
+    const bool draws = command.png || command.video, models = command.files.glb || command.files.replay;
+    if (!draws && !command.files.replay) throw UsageError("--frames off: must be with --video or --replay");
     const bool film = !stills && (draws || models);
     take_frames(words, (draws ? of_pictures : 0u) | (draws && words.given("shutter") ? of_shutter : 0u) |
                            (film ? of_film : 0u) | (command.files.trajectory ? of_trajectory : 0u) |
                            (models ? of_models : 0u));
     require_shown_overlays(
-        words, {.pictures = draws, .glb = command.glb.has_value(), .replay = command.replay.has_value()});
+        words,
+        {.pictures = draws, .glb = command.files.glb.has_value(), .replay = command.files.replay.has_value()});
     if (command.video) pictures::check_video_name(*command.video);
-    if (command.replay) pictures::check_replay_name(*command.replay);
+    if (command.files.replay) pictures::check_replay_name(*command.files.replay);
     words.refuse_rest(stills ? "render --at, which makes stills" : draws ? "render" : "render --frames off");
     return command;
 }
@@ -290,18 +249,19 @@ void carry_out(const Render& request) {
     std::optional<pictures::StageTimes> times;
     if (request.timing) times.emplace();
     pictures::StageTimes* const watch = times ? &*times : nullptr;
-    std::optional<pictures::Studio> studio;
-    if (request.png || request.video) studio.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
-    if (studio) note_missing_letters(jobs, studio->lettering());
+    std::optional<pictures::OffscreenRenderer> offscreen;
+    if (request.png || request.video)
+        offscreen.emplace(jobs.front().sequence.panels.front().choices.frames.gl, watch);
+    if (offscreen) note_missing_letters(jobs, offscreen->lettering());
     if (request.from_trajectory) {
-        render_trajectory(jobs.front(), request, studio.value(), watch);
+        render_trajectory(jobs.front(), request, offscreen.value(), watch);
     } else {
-        for (Job& job : jobs) render_job(job, request, studio, watch);
+        for (Job& job : jobs) render_job(job, request, offscreen, watch);
     }
-    if (studio && studio->blank() > 0) {
-        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", studio->blank()));
+    if (offscreen && offscreen->blank() > 0) {
+        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", offscreen->blank()));
     }
-    if (times) print_times(jobs, *times, studio.has_value());
+    if (times) print_times(jobs, *times, offscreen.has_value());
 }
 
 Entry render_entry() {

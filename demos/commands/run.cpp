@@ -1,13 +1,10 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
-#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/gltf/glb_record.h"
-#include "demos/pictures/replay/replay.h"
+#include "demos/pictures/recorded_session.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
-#include "demos/runs/observed_run.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -17,38 +14,18 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-std::vector<std::optional<std::string>> data_files(const Run& request) {
-    const RunFiles& files = request.files;
-    return {files.csv, files.trajectory, files.rows, files.errors, files.save_state, request.glb, request.replay};
+std::vector<std::optional<std::string>> data_files(const RunFiles& files) {
+    return {files.csv, files.trajectory, files.rows, files.errors, files.save_state, files.glb, files.replay};
 }
 
 // Folder of the first output file; the working folder without one.
 std::filesystem::path folder_of_outputs(const Run& request) {
-    std::vector<std::optional<std::string>> files = data_files(request);
-    files.insert(files.begin(), request.summary);
+    std::vector<std::optional<std::string>> files{request.summary};
+    std::ranges::copy(data_files(request.files), std::back_inserter(files));
     for (const auto& file : files) {
         if (file && *file != "-") return std::filesystem::path(*file).parent_path();
     }
     return {};
-}
-
-// Takes all steps. If something stops them earlier, the files keep the steps so far.
-void go_through(ObservedRun& observed, const std::string& name, long steps, pictures::Replay* replay, long every) {
-    try {
-        ProgressBar bar(name, steps);
-        if (replay) replay->record();
-        for (long step = 1; step <= steps; ++step) {
-            stop_if_interrupted(fmt::format("{} of {} steps are done", step - 1, steps));
-            observed.advance();
-            if (replay && step % every == 0) replay->record();
-            bar.show(step);
-        }
-    } catch (const OutputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        say(observed.keep_records() + (replay ? replay->keep(error.what()) : "") + observed.warnings());
-        throw;
-    }
 }
 
 std::vector<Option> run_options() {
@@ -62,56 +39,55 @@ std::vector<Option> run_options() {
 
 AnyCommand read_run(Words& words) {
     Run command;
-    command.files = take_files(words);
+    RunFiles& files = command.files;
+    files = take_files(words);
     command.summary = words.take("summary");
-    command.glb = words.take("glb");
-    command.replay = words.take("replay");
     command.timing = words.take_flag("timing");
-    command.line = words.line();
-    command.replay_poses_only = take_poses_only(words, command.replay.has_value());
     std::vector<std::string> scenes = words.take_names();
     command.given = take_simulation(words, scenes, !command.timing);
     command.scene = only_scene(scenes);
-    const bool models = command.glb || command.replay;
-    words.take("fps", models || command.files.trajectory, "with --trajectory, --glb or --replay");
+    const bool models = files.glb || files.replay;
+    words.take("fps", models || files.trajectory, "with --trajectory, --glb or --replay");
     for (const char* const name : {"camera", "overlay"}) words.take(name, models, "with --glb or --replay");
-    require_shown_overlays(words, {.glb = command.glb.has_value(), .replay = command.replay.has_value()});
-    if (command.replay) pictures::check_replay_name(*command.replay);
+    require_shown_overlays(words, {.glb = files.glb.has_value(), .replay = files.replay.has_value()});
+    if (files.replay) pictures::check_replay_name(*files.replay);
     return command;
 }
 
 }  // namespace
 
 void carry_out(const Run& request) {
-    std::vector<ComparedRun> runs{{.label = "", .choices = understand(request.scene, request.given)}};
-    const Choices& choices = runs.front().choices;
+    const RunFiles& files = request.files;
+    Sequence sequence{.panels = {{.label = "", .choices = understand(request.scene, request.given)}},
+                      .frames = std::vector<Frames>(1)};
+    const Choices& choices = sequence.panels.front().choices;
     const long steps = whole_steps(choices.settings);
     note_cut_time(choices);
-    const long every = request.replay ? pictures::steps_a_replay_frame(choices) : 1;
-    std::vector<Frames> frames;
-    pictures::SurveyOnce survey(frames);
-    if (request.glb) {
-        pictures::check_glb(*request.glb, choices);
-        frames.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
-        pictures::add_overview(runs, survey);
+    if (files.replay) sequence.frames = {pictures::replay_frames(choices)};
+    std::vector<Frames> keys;  // of the glTF file
+    pictures::SurveyOnce survey(keys);
+    if (files.glb) {
+        pictures::check_glb(*files.glb, choices);
+        keys.push_back(plan_frames(choices.frames, choices.settings.dt, steps));
+        pictures::add_overview(sequence.panels, survey);
     }
-    ObservedRun observed(choices, request.files, request.timing, folder_of_outputs(request));
-    if (request.glb) observed.add(pictures::glb_record(*request.glb, runs, survey, observed.simulation()));
-    std::optional<pictures::Replay> replay;
-    if (request.replay) {
-        replay.emplace(pictures::ReplayChoices{.file = *request.replay,
-                                               .steps_a_frame = every,
-                                               .poses_only = request.replay_poses_only,
-                                               .command = request.line},
-                       runs, std::vector{&observed.simulation()});
-    }
-    go_through(observed, choices.description.name, steps, replay ? &*replay : nullptr, every);
-    if (replay) replay->finish();
-    const std::string summary = observed.finish();
-    const std::vector<std::optional<std::string>> data = data_files(request);
+    pictures::RecordedSession recorded(sequence, files, request.timing, folder_of_outputs(request), survey);
+    recorded.play([&] {
+        std::vector<Observer*> observers{&recorded.recorder};
+        if (recorded.replay) observers.push_back(&*recorded.replay);
+        ProgressBar bar(sequence.scene(), steps);
+        recorded.session.play(observers, [&](const Simulation& run) {
+            bar.show(run.sample().step);
+            stop_if_interrupted(fmt::format("{} of {} steps are done", run.sample().step, steps));
+            return true;
+        });
+        bar.show(steps);
+    });
+    const std::string summary = recorded.finish().front();
+    const std::vector<std::optional<std::string>> data = data_files(files);
     const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
-    say(observed.warnings());
+    say(recorded.recorder.warnings());
 }
 
 Entry run_entry() {

@@ -121,21 +121,23 @@ bool take_switch(Words& words, const std::string& name, bool otherwise) {
     return text ? *text == "on" : otherwise;
 }
 
-bool take_poses_only(Words& words, bool has_replay) {
-    const auto text = words.take("replay-data", has_replay, "with --replay");
-    if (text && *text != "all" && *text != "poses") {
-        throw UsageError(fmt::format("--replay-data {}: must be all or poses", *text));
-    }
-    return text && *text == "poses";
-}
-
 RunFiles take_files(Words& words) {
-    return {.csv = words.take("csv"),
-            .trajectory = words.take("trajectory"),
-            .rows = words.take("rows"),
-            .errors = words.take("errors"),
-            .save_state = words.take("save-state"),
-            .measures = words.take_all("measure")};
+    RunFiles files;
+    files.csv = words.take("csv");
+    files.trajectory = words.take("trajectory");
+    files.rows = words.take("rows");
+    files.errors = words.take("errors");
+    files.save_state = words.take("save-state");
+    files.measures = words.take_all("measure");
+    files.glb = words.take("glb");
+    files.replay = words.take("replay");
+    const auto data = words.take("replay-data", files.replay.has_value(), "with --replay");
+    if (data && *data != "all" && *data != "poses") {
+        throw UsageError(fmt::format("--replay-data {}: must be all or poses", *data));
+    }
+    files.replay_poses_only = data == "poses";
+    files.command = words.line();
+    return files;
 }
 
 void require_shown_overlays(const Words& words, const Shown& outputs) {

@@ -3,7 +3,7 @@
 
 #include "demos/commands/words.h"
 #include "demos/options/choices.h"
-#include "demos/runs/run_files.h"
+#include "demos/runs/recorder.h"
 
 #include <optional>
 #include <string>
@@ -30,10 +30,7 @@ void take_frames(Words& words, unsigned uses);
 // Whether --NAME on|off is on; `otherwise` if it is not given.
 bool take_switch(Words& words, const std::string& name, bool otherwise);
 
-// Takes --replay-data.
-bool take_poses_only(Words& words, bool has_replay);
-
-// Takes --csv, --trajectory, --rows and --save-state.
+// Takes --csv, --trajectory and the other files that are made step by step.
 RunFiles take_files(Words& words);
 
 struct Shown {

@@ -1,7 +1,7 @@
 // Not in the paper: how thin an arch of free blocks can be, by bisection of runs, and by limit analysis.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
-#include "demos/runs/simulation.h"
+#include "demos/figures/figure_output.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/named/arch.h"
 
 #include <fmt/format.h>
@@ -33,13 +33,14 @@ bool stands(int count, double thick, double friction) {
     const double crown = std::max_element(start.begin(), start.end(), [](const auto& a, const auto& b) {
                              return a.position.y() < b.position.y();
                          })->position.y();
-    while (run.sample().step < whole_steps(run.settings())) {
-        run.advance();
-        for (std::size_t i = 0; i < start.size(); ++i) {
-            if ((run.scene().world.bodies[i].position - start[i].position).norm() > fallen * crown) return false;
-        }
-    }
-    return true;
+    bool in_place = true;
+    play(run, [&](const Simulation& now) {
+        in_place = std::ranges::equal(now.scene().world.bodies, start, [&](const auto& body, const auto& at_start) {
+            return (body.position - at_start.position).norm() <= fallen * crown;
+        });
+        return in_place && before_end(now);
+    });
+    return in_place;
 }
 
 // Between a value at which the arch falls and one at which it stands.
@@ -54,7 +55,7 @@ double bisect(double falls, double holds, const Stands& stands_at) {
 
 }  // namespace
 
-Plate arch_thickness(FigureOutput& output, const Figure& figure) {
+SectionContent arch_thickness(FigureOutput& output, const Figure& figure) {
     Table table{{"voussoirs", "least_thickness", "least_thickness_limit_analysis", "least_friction",
                  "least_friction_limit_analysis", "milankovitch"}};
     double farthest = 0.0;
@@ -68,8 +69,8 @@ Plate arch_thickness(FigureOutput& output, const Figure& figure) {
         farthest = std::max({farthest, std::abs(thin / thinnest - 1.0), std::abs(smooth / smoothest - 1.0)});
         table.rows.push_back({count, thin, thinnest, smooth, smoothest, scenes::milankovitch});
     }
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "The thinnest semicircular arch that stands, as a share of its mean radius, against the number of its "
         "voussoirs, and the least friction of one of {} of the radius. Dots: bisection of runs of {:.0f} s with "
         "the "
@@ -77,11 +78,11 @@ Plate arch_thickness(FigureOutput& output, const Figure& figure) {
         "{} "
         "(Milankovitch 1907). They differ by {:.2g} % at most.",
         thickness, run_seconds, scenes::milankovitch, 100.0 * farthest);
-    output.plot(table, std::string(figure.name), 1.6, plate);
-    plate.commands = {
+    output.plot(table, std::string(figure.name), 1.6, content);
+    content.commands = {
         "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.12 --seconds 60",
         "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.09 --friction 10 --seconds 4"};
-    return plate;
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

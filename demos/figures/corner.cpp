@@ -1,10 +1,10 @@
 // Figure 11, "Sphere resting in a V shaped corner", with the rows of J of section 12.2 as the engine has them.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
         picture.dots.push_back(
             {.position = pictures::to_glm(corner.points[i]), .colour = pictures::to_glm(colours[i])});
     }
-    sheet.paste(output.studio(), std::move(picture), size, output.samples(), 0, 0);
+    sheet.paste(output.offscreen(), std::move(picture), size, output.samples(), 0, 0);
     const float letters = output.letters(50.0f);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
@@ -77,10 +77,10 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
 
 }  // namespace
 
-Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
+SectionContent sphere_in_corner(FigureOutput& output, const Figure& figure) {
     const Choices choices = run_of("corner", {});
     Simulation run(choices);
-    while (run.sample().step < whole_steps(choices.settings)) run.advance();
+    play(run, before_end);
     const Corner corner = look_at(run);
     const Vector3 sum = corner.lambda[0] * corner.axes[0] + corner.lambda[1] * corner.axes[1];
 
@@ -111,16 +111,16 @@ Plate sphere_in_corner(FigureOutput& output, const Figure& figure) {
                      corner.axes[1].dot(corner.velocity)),
          1.0f);
 
-    Plate plate;
-    output.save(sheet, std::string(figure.name), plate);
-    plate.caption = fmt::format(
+    SectionContent content;
+    output.save(sheet, std::string(figure.name), content);
+    content.caption = fmt::format(
         "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
         "rows "
         "are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N "
         "upwards.",
         run.sample().time);
-    plate.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
-    return plate;
+    content.commands = {"pushfactor run assets/scenes/corner.json --rows rows.csv"};
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

@@ -1,7 +1,7 @@
 // Not in the paper: a push that is not solved well adds energy by lifting bodies.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
-#include "demos/runs/simulation.h"
+#include "demos/figures/figure_output.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/families/family.h"
 
 #include <fmt/format.h>
@@ -43,16 +43,16 @@ double rise(const SceneDescription& scene, const Way& way, int of_a_step) {
     const auto energy = [&] { return run.sample().kinetic_energy + run.sample().potential_energy; };
     const double start = energy();
     double largest = 0.0;
-    while (run.sample().time < seconds) {
-        run.advance();
+    play(run, [&](const Simulation& now) {
         largest = std::max(largest, energy() - start);
-    }
+        return now.sample().time < seconds;
+    });
     return largest;
 }
 
 }  // namespace
 
-Plate push_pump(FigureOutput& output, const Figure& figure) {
+SectionContent push_pump(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"sweeps_a_step"}, .rows = {}};
     for (const Way& way : ways) table.columns.push_back(way.column);
     const SceneDescription scene = wall();
@@ -62,8 +62,8 @@ Plate push_pump(FigureOutput& output, const Figure& figure) {
         for (const Way& way : ways) row.push_back(rise(scene, way, of_a_step));
     }
     const auto at = [&](std::size_t row, std::size_t way) { return table.rows[row][way + 1].number(); };
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "The most by which the energy of a wall of {} bricks rises above its start within {:.0f} s, against the "
         "sweeps "
         "of a step. Few let the wall fall, many solve it; between them the push lifts bricks by more than they "
@@ -73,10 +73,10 @@ Plate push_pump(FigureOutput& output, const Figure& figure) {
         "by "
         "itself at the end of them, {:.2g} J.",
         scene.bodies.size() - 1, seconds, sweeps[shown], at(shown, 1), at(shown, 2), at(shown, 0), at(shown, 3));
-    output.plot(table, std::string(figure.name), 1.6, plate);
-    plate.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
-                      "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"};
-    return plate;
+    output.plot(table, std::string(figure.name), 1.6, content);
+    content.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
+                        "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"};
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

@@ -1,6 +1,6 @@
 // Not in the paper: the wave along a row of dominoes, and how fast regular solids lose their energy.
 #include "demos/figures/figure.h"
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/named/platonic.h"
 
@@ -59,7 +59,7 @@ double wave_speed(const Row& row, double spacing) {
 
 }  // namespace
 
-Plate domino_speed(FigureOutput& output, const Figure& figure) {
+SectionContent domino_speed(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"spacing_heights"}, .rows = {}};
     for (const Row& row : dominoes_shown) {
         table.columns.push_back(fmt::format("speed_{:g}_mm_friction_{}", 1e3 * row.height, row.friction));
@@ -71,19 +71,19 @@ Plate domino_speed(FigureOutput& output, const Figure& figure) {
         for (const Row& row : dominoes_shown) speeds.push_back(wave_speed(row, spacing));
         apart = std::max(apart, std::abs(speeds[2].number() / speeds[1].number() - 1.0));
     }
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "Speed of the wave along a row of {} dominoes against the gap between them, measured from the {}th to the "
         "{}th. Both in units of the height h: speeds of rows of one friction and different sizes fall on one "
         "curve, "
         "to {:.2g} % at most, because only the square root of g h has the unit of a speed.",
         dominoes_of_a_row, first_timed, last_timed, 100.0 * apart);
-    output.plot(table, std::string(figure.name), 1.6, plate);
-    plate.commands = {"pushfactor render dominoes --spacing 0.3 --friction 0.3 --seconds 2"};
-    return plate;
+    output.plot(table, std::string(figure.name), 1.6, content);
+    content.commands = {"pushfactor render dominoes --spacing 0.3 --friction 0.3 --seconds 2"};
+    return content;
 }
 
-Plate platonic_energy(FigureOutput& output, const Figure& figure) {
+SectionContent platonic_energy(FigureOutput& output, const Figure& figure) {
     const auto& solids = scenes::regular_solids();
     Table table{.columns = {"time_s"}, .rows = {}};
     for (const scenes::RegularSolid& solid : solids) table.columns.push_back(std::string(solid.name) + "_j");
@@ -113,20 +113,20 @@ Plate platonic_energy(FigureOutput& output, const Figure& figure) {
             if (energies[kind] > 1e-3) quiet[kind] = run.sample().time;
         }
     }
-    Plate plate;
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.caption = fmt::format(
         "Kinetic energy per body of {:.0f} regular solids of 1 kg and one volume, poured into the funnel. It is "
         "above "
         "1 mJ until",
         std::accumulate(counts.begin(), counts.end(), 0.0));
     for (std::size_t kind = 0; kind < solids.size(); ++kind) {
-        plate.caption +=
+        content.caption +=
             fmt::format("{} {:.1f} s for the {}", kind == 0 ? "" : ",", quiet[kind], solids[kind].name);
     }
-    plate.caption += ".";
-    output.plot(table, std::string(figure.name), 1.6, plate);
-    plate.commands = {"pushfactor render platonic --seconds 6"};
-    return plate;
+    content.caption += ".";
+    output.plot(table, std::string(figure.name), 1.6, content);
+    content.commands = {"pushfactor render platonic --seconds 6"};
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

@@ -248,12 +248,12 @@ long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play
 }
 
 Frame Frames::operator[](std::size_t n) const {
-    if (!stills_.empty()) return stills_[n];
+    if (are_stills()) return stills_[n];
     return {static_cast<long>(n) * every_, fmt::format("frame_{:06}.png", n)};
 }
 
 bool Frames::has(std::string_view name) const {
-    if (!stills_.empty()) return std::ranges::find(stills_, name, &Frame::name) != stills_.end();
+    if (are_stills()) return std::ranges::find(stills_, name, &Frame::name) != stills_.end();
     const auto number = name.starts_with("frame_") && name.ends_with(".png")
                             ? parse_integer(name.substr(6, name.size() - 10))
                             : std::nullopt;

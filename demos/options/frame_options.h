@@ -76,7 +76,9 @@ class Frames {
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
+    bool are_stills() const { return !stills_.empty(); }
     Frame operator[](std::size_t n) const;
+    long every() const { return every_; }  // steps per frame of a film
     Frame front() const { return (*this)[0]; }
     Frame back() const { return (*this)[size_ - 1]; }
     bool has(std::string_view name) const;

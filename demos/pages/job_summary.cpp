@@ -1,5 +1,4 @@
-#include "demos/pages/job_summary.h"
-
+#include "demos/pages/verdict_files.h"
 #include "demos/text/utf8.h"
 
 #include <fmt/format.h>

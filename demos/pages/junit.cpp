@@ -1,6 +1,5 @@
-#include "demos/pages/junit.h"
-
 #include "demos/pages/html.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/text/utf8.h"
 
 #include <fmt/chrono.h>

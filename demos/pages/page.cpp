@@ -1,8 +1,9 @@
 #include "demos/pages/page.h"
 
-#include "demos/pages/document.h"
 #include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
+#include "demos/platform/assets.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ std::vector<std::string> anchors_of(std::span<const Section> sections) {
 // "✓ holds: 12 ✗ fails: 1" of the section's table; empty without verdicts.
 std::string marks_of(const Section& section) {
     std::string text;
-    const auto counts = marks_in(section.plate.table);
+    const auto counts = marks_in(section.content.table);
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] > 0) text += " " + mark_html(static_cast<Mark>(i), counts[i]);
     }
@@ -57,11 +58,11 @@ std::string contents(std::span<const Section> sections, const std::vector<std::s
 }
 
 std::string figure_of(const Section& section) {
-    const Plate& plate = section.plate;
-    const std::string caption = plate.caption.empty() ? "" : shown(plate.caption);
-    if (plate.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
-    std::string text = plate.pictures.size() == 2 ? "<figure class=\"pair\">\n" : "<figure>\n";
-    for (const std::string& picture : plate.pictures) {
+    const SectionContent& content = section.content;
+    const std::string caption = content.caption.empty() ? "" : shown(content.caption);
+    if (content.pictures.empty()) return caption.empty() ? "" : fmt::format("<p>{}</p>\n", caption);
+    std::string text = content.pictures.size() == 2 ? "<figure class=\"pair\">\n" : "<figure>\n";
+    for (const std::string& picture : content.pictures) {
         text += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n", html::link_to(picture),
                             html::escaped(section.heading));
     }
@@ -70,7 +71,7 @@ std::string figure_of(const Section& section) {
 }
 
 std::string commands_of(const Section& section) {
-    const std::vector<std::string>& commands = section.plate.commands;
+    const std::vector<std::string>& commands = section.content.commands;
     if (commands.empty()) return "";
     std::string text =
         fmt::format("<details>\n<summary>{}</summary>\n",
@@ -81,15 +82,15 @@ std::string commands_of(const Section& section) {
 }
 
 std::string files_of(const Section& section) {
-    if (section.plate.files.empty()) return "";
+    if (section.content.files.empty()) return "";
     std::string text = "<p class=\"files\">Files:";
-    for (const std::string& file : section.plate.files)
+    for (const std::string& file : section.content.files)
         text += fmt::format(" <a href=\"{}\">{}</a>", html::link_to(file), html::escaped(file));
     return text + "</p>\n";
 }
 
 std::string replays_of(const Section& section) {
-    const std::vector<std::string>& replays = section.plate.replays;
+    const std::vector<std::string>& replays = section.content.replays;
     if (replays.empty()) return "";
     const auto link = [](const std::string& replay, const std::string& text) {
         return fmt::format(" <a href=\"{}\">{}</a>", html::link_to(replay), html::escaped(text));
@@ -105,12 +106,27 @@ std::string section_text(const Section& section, const std::string& anchor, bool
     return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n",
                        anchor, shown(section.heading)) +
            (marks.empty() ? "" : fmt::format("<p class=\"verdicts\">{}</p>\n", marks)) + figure_of(section) +
-           replays_of(section) + table_html(section.plate.table, section.heading) + commands_of(section) +
+           replays_of(section) + table_html(section.content.table, section.heading) + commands_of(section) +
            files_of(section) + (has_contents ? "<p class=\"up\"><a href=\"#contents\">↑ Contents</a></p>\n" : "") +
            "</section>\n";
 }
 
 }  // namespace
+
+std::string document(const std::string& title, const std::string& opening, const std::string& body,
+                     std::span<const std::string> assets) {
+    std::string styles, scripts;
+    for (const std::string& name : assets)
+        (name.ends_with(".css") ? styles : scripts) += asset_text(asset_folder("pages") / name);
+    return fmt::format(
+               "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+               "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
+               "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<p>{2}</p>\n</header>\n",
+               html::escaped(title), styles, html::escaped(with_short_numbers(opening))) +
+           body +
+           fmt::format("<p id=\"said\" role=\"status\"></p>\n<script>\n{}</script>\n</body>\n</html>\n", scripts);
+}
 
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {
     const std::vector<std::string> anchors = anchors_of(sections);

@@ -10,7 +10,7 @@
 namespace pushfactor::demos {
 
 // Content under one heading. Files are in the folder of the page.
-struct Plate {
+struct SectionContent {
     std::vector<std::string> pictures;   // PNG
     std::vector<std::string> files;      // other formats: SVG, CSV
     std::vector<std::string> replays{};  // HTML, opened by their names
@@ -22,8 +22,13 @@ struct Plate {
 struct Section {
     std::string name;  // of the anchor
     std::string heading;
-    Plate plate;
+    SectionContent content;
 };
+
+// The HTML text of a page with the styles and scripts of these names in assets/pages, in that order. `opening` is
+// text, `body` HTML. Throws OutputError if an asset is missing.
+std::string document(const std::string& title, const std::string& opening, const std::string& body,
+                     std::span<const std::string> assets);
 
 // The HTML text, with style and script from assets/pages; numbers have four digits. Throws OutputError if these are
 // missing.

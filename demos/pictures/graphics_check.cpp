@@ -1,8 +1,9 @@
 #include "demos/pictures/graphics_check.h"
 
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/platform/assets.h"
+#include "demos/text/text_hash.h"
 #include "renderer/base/renderer_error.h"
 
 namespace pushfactor::demos::pictures {
@@ -44,9 +45,7 @@ Graphics check_graphics(renderer::ContextKind kind) {
 }
 
 std::uint64_t hash_of(const renderer::Image& image) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const std::uint8_t byte : image.rgb) hash = (hash ^ byte) * 1099511628211u;
-    return hash;
+    return fnv_hash({reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size()});
 }
 
 }  // namespace pushfactor::demos::pictures

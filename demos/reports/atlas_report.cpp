@@ -51,7 +51,7 @@ std::vector<CellResult> results_of(const AtlasMap& map, const StudyRun& run) {
     return results;
 }
 
-void add_replays(const AtlasMap& map, StudyRun& run, Plate& plate) {
+void add_replays(const AtlasMap& map, StudyRun& run, SectionContent& plate) {
     const std::vector<AtlasCell> cells = cells_with_replay(map, *run.request().grid);
     if (cells.empty()) return;
     make_folder(run.folder() / "cells");
@@ -68,7 +68,7 @@ void make_atlas(StudyRun& run) {
         if (results.empty()) continue;
         add_lines(map, results, table);
         run.sections.push_back(atlas_section(map, results, run.folder()));
-        if (run.request().grid) add_replays(map, run, run.sections.back().plate);
+        if (run.request().grid) add_replays(map, run, run.sections.back().content);
     }
     run.write("atlas.csv", file_text(table));
     run.write_page(fmt::format(

@@ -1,6 +1,6 @@
 // Work and time per step of each scene, and the savings from absent parts: cost.csv, side_by_side.csv, plots, and
 // files of the scenes with everything and of the common worlds.
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
 #include "demos/reports/cost/ledger.h"
@@ -236,7 +236,7 @@ class CostReport {
                 "the solver per step, as the sum of the parts alone and together, and how far the first part is "
                 "from its place when alone. The scenes are in side-by-side/.",
                 page_lines(sums_of(sums_)));
-            run_.sections.back().plate.files = {"side_by_side.csv"};
+            run_.sections.back().content.files = {"side_by_side.csv"};
         }
         run_.write_page(fmt::format(
             "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; "
@@ -247,7 +247,7 @@ class CostReport {
 
     void add(const char* name, const char* heading, const char* caption,
              std::vector<std::vector<std::string>> lines, const std::string& script = "", const Table& data = {}) {
-        Plate plate;
+        SectionContent plate;
         plate.caption = caption;
         plate.table = std::move(lines);
         const bool complete = entries_.size() + sums_.size() == cases_.size() + neighbours_.size();

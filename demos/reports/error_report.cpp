@@ -1,8 +1,8 @@
 // Errors of methods against their work: error.csv (whole runs), frozen.csv (systems of one moment), consistency.csv
 // (scenes against themselves at smaller steps), and their plots.
-#include "demos/pages/about.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
+#include "demos/reports/about.h"
 #include "demos/reports/error/error_pieces.h"
 #include "demos/reports/error/other_engines.h"
 #include "demos/reports/error/work_plot.h"
@@ -137,7 +137,7 @@ class ErrorReport {
         }
         run_.write("error.csv", table_of(points_));
         const auto points = std::span<const ErrorPoint>(points_).subspan(first);
-        Plate plate;
+        SectionContent plate;
         plate.caption = sweep.caption + numbers_of(points);
         WorkPlot plot;
         for (const bool seconds : {false, true}) {
@@ -163,7 +163,7 @@ class ErrorReport {
     }
 
     // Which method reaches an error in the least CPU time; `lines` are over that time.
-    void add_answer(const Experiment& sweep, std::span<const WorkLine> lines, const Plate& drawn) {
+    void add_answer(const Experiment& sweep, std::span<const WorkLine> lines, const SectionContent& drawn) {
         std::vector<std::string>& row = answers_.emplace_back();
         row = {sweep.title, sweep.error_axis};
         for (const double error : answered) {
@@ -182,7 +182,7 @@ class ErrorReport {
         std::ranges::stable_sort(wins, [](const auto& a, const auto& b) { return a.second > b.second; });
         std::vector<std::string> counts;
         for (const auto& [name, count] : wins) counts.push_back(fmt::format("{} {}", name, count));
-        Plate plate;
+        SectionContent plate;
         plate.pictures = answer_pictures_;
         plate.table = answers_;
         plate.caption = fmt::format(
@@ -200,7 +200,7 @@ class ErrorReport {
     void add_others(const Experiment& sweep, WorkPlot plot) {
         const std::vector<ErrorPoint> others = about(plan_.others, sweep.scene, points_.back().errors.front().name);
         if (others.empty()) return;
-        Plate plate;
+        SectionContent plate;
         plate.table = who_is_faster(plot.lines, others);
         plot.name = plain_name("beside_" + sweep.name, '_');
         plot.lines = lines_beside(plot.lines, others);
@@ -223,7 +223,7 @@ class ErrorReport {
                             .machine = run_.machine(),
                             .lines = error::lines_of(points),
                             .theory = {}};
-        Plate plate;
+        SectionContent plate;
         plate.commands = {command_text("run", moment.scene, moment.options)};
         if (run_.request().exported) export_problem(freeze(moment, run_.check()), plot.name);
         add(plot, "Frozen: " + moment.name,
@@ -272,7 +272,8 @@ class ErrorReport {
                         plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")));
     }
 
-    void add(const WorkPlot& plot, const std::string& heading, const std::string& caption, Plate plate = {}) {
+    void add(const WorkPlot& plot, const std::string& heading, const std::string& caption,
+             SectionContent plate = {}) {
         plate.caption = caption;
         draw_work_plot(plot, run_.folder(), plate);
         run_.sections.push_back({plot.name, heading, std::move(plate)});

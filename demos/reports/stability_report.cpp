@@ -180,7 +180,7 @@ class StabilityReport {
             }
         }
         table_.rows.insert(table_.rows.end(), own.rows.begin(), own.rows.end());
-        Plate plate;
+        SectionContent plate;
         plate.table = lines_with_verdicts(own, trials);
         const std::string picture = gallery_.hang(chapter.name, trials);
         if (!picture.empty()) plate.pictures.push_back(picture);

@@ -1,12 +1,11 @@
 #include "demos/reports/study.h"
 
-#include "demos/pages/about.h"
-#include "demos/pages/job_summary.h"
-#include "demos/pages/junit.h"
 #include "demos/pages/live_links.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
-#include "demos/reports/pieces/crew.h"
+#include "demos/reports/about.h"
+#include "demos/reports/pieces/make_pieces.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,11 +3,11 @@
 
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
-#include "demos/pages/verdicts.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/platform/progress.h"
 #include "demos/reports/pieces/piece.h"
 #include "demos/reports/pieces/store.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
 
@@ -142,33 +142,5 @@ Study cost_study();       // work and time per step
 Study atlas_study();      // outcomes over two parameters
 Study reality_study();    // measured motion beside computed motion
 std::vector<Study> all_studies();
-
-inline bool before_end(const Simulation& run) {
-    return run.sample().step < whole_steps(run.settings());
-}
-
-// Steps a run while `goes_on` returns true, and calls the observers after each step.
-template <typename GoesOn, typename... Observers>
-void play(Simulation& run, const GoesOn& goes_on, Observers&... observers) {
-    while (goes_on(run)) {
-        run.advance();
-        (observers.observe(run), ...);
-    }
-}
-
-// Steps a run to its end; `check` is called before each step. Stops and returns false if it becomes non-finite.
-template <typename... Observers>
-bool play_to_end(Simulation& run, const std::function<void()>& check, Observers&... observers) {
-    const auto goes_on = [&check](const Simulation& now) {
-        check();
-        return before_end(now);
-    };
-    try {
-        play(run, goes_on, observers...);
-    } catch (const NonFiniteError&) {
-        return false;
-    }
-    return true;
-}
 
 }  // namespace pushfactor::demos::reports

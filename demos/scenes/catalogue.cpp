@@ -1,15 +1,9 @@
 #include "demos/scenes/catalogue.h"
 
 #include "demos/scenes/named/arch.h"
-#include "demos/scenes/named/chain.h"
-#include "demos/scenes/named/dominoes.h"
 #include "demos/scenes/named/funnel.h"
-#include "demos/scenes/named/heavy_on_light.h"
-#include "demos/scenes/named/intersecting_stack.h"
-#include "demos/scenes/named/pendulum_grid.h"
-#include "demos/scenes/named/pendulum_wave.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/named/platonic.h"
-#include "demos/scenes/named/stack.h"
 
 #include <algorithm>
 #include <array>

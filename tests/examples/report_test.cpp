@@ -20,9 +20,9 @@ void make_solvers(StudyRun& run) {
     const std::string scene = "heavy-on-light";
     const std::string seconds = run.quick() ? "0.5" : "5";
     Table table{{"solver", "residual_m_per_s_median", "max_penetration_m", "outcome"}};
-    Plate plate;
-    plate.caption = scene + ", " + seconds + " s, 25 iterations where a solver counts them.";
-    plate.files = {"solvers.csv"};
+    SectionContent content;
+    content.caption = scene + ", " + seconds + " s, 25 iterations where a solver counts them.";
+    content.files = {"solvers.csv"};
     run.begin(engine::solvers::solver_table().size());
     for (const engine::solvers::SolverEntry& solver : engine::solvers::solver_table()) {
         const OptionTexts options{{"seconds", seconds}, {"solver", std::string(solver.name)}};
@@ -31,12 +31,12 @@ void make_solvers(StudyRun& run) {
         const bool finite = play_to_end(simulation, run.check(), measurements);
         table.rows.push_back({solver.name, measurements.median_residual(), measurements.max_penetration(),
                               finite ? name_of(measurements.outcome()) : "non-finite"});
-        plate.commands.push_back(command_text("run", scene, options));
+        content.commands.push_back(command_text("run", scene, options));
         run.count_run();
     }
     run.write("solvers.csv", csv_text(table));
-    plate.table = page_lines(table);
-    run.sections = {{"solvers", "Solvers", plate}};
+    content.table = page_lines(table);
+    run.sections = {{"solvers", "Solvers", content}};
     run.write_page("One scene, every solver.");
 }
 

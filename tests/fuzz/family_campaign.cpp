@@ -1,5 +1,7 @@
 #include "tests/fuzz/family_campaign.h"
 
+#include "tests/fuzz/members.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,10 +60,10 @@ struct Line {
 demos::families::Member member_of(const FamilyRequest& request, long number) {
     const std::vector<const Family*> families = wanted_families(request.only);
     const auto count = static_cast<long>(families.size());
-    return draw_member(*families[static_cast<std::size_t>(number % count)],
-                       {.seed = request.first_seed + static_cast<int>(number / count),
-                        .small = request.small,
-                        .most_bodies = request.most_bodies});
+    return draw_bounded_member(*families[static_cast<std::size_t>(number % count)],
+                               {.seed = request.first_seed + static_cast<int>(number / count),
+                                .small = request.small,
+                                .most_bodies = request.most_bodies});
 }
 
 std::vector<JudgedMember> judge_members(const FamilyRequest& request, const GoOn& go_on) {

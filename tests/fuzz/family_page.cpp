@@ -79,7 +79,7 @@ class Strips {
   public:
     Strips() {
         try {
-            studio_ = std::make_unique<demos::pictures::Studio>();
+            offscreen_ = std::make_unique<demos::pictures::OffscreenRenderer>();
         } catch (const renderer::RendererError& error) {
             missing_ = error.what();
         }
@@ -89,7 +89,7 @@ class Strips {
 
     // Writes `file`, as far as the run goes. Returns whether there is anything to see.
     bool draw(const JudgedMember& one, const std::string& preset, const std::filesystem::path& file) const {
-        if (!studio_) return false;
+        if (!offscreen_) return false;
         const demos::SceneDescription scene = as_judged(one.member, preset);
         const auto layout = demos::pictures::grid(strip, static_cast<int>(moments.size()), 1);
         std::vector<renderer::Image> images;
@@ -104,7 +104,7 @@ class Strips {
                 const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
                 const demos::View view = camera(simulation.scene(), scene.view, aspect);
                 images.push_back(
-                    studio_->draw(demos::pictures::draw_list(simulation.scene(), view), layout.cell, samples));
+                    offscreen_->draw(demos::pictures::draw_list(simulation.scene(), view), layout.cell, samples));
                 names.push_back(fmt::format("{:.2f} s", simulation.sample().time));
             }
         } catch (const std::exception&) {
@@ -112,7 +112,7 @@ class Strips {
         }
         renderer::Image sheet = demos::pictures::assemble(layout, images);
         for (std::size_t i = 0; i < names.size(); ++i) {
-            studio_->lettering().name(sheet, layout.place(i), names[i], letters);
+            offscreen_->lettering().name(sheet, layout.place(i), names[i], letters);
         }
         const std::vector<std::uint8_t> bytes = renderer::encode_png(sheet);
         demos::write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -120,7 +120,7 @@ class Strips {
     }
 
   private:
-    std::unique_ptr<demos::pictures::Studio> studio_;
+    std::unique_ptr<demos::pictures::OffscreenRenderer> offscreen_;
     std::string missing_;
 };
 
@@ -147,19 +147,19 @@ demos::Section section_of(const Family& family, const std::vector<const JudgedMe
     const JudgedMember& worst = **std::max_element(
         members.begin(), members.end(),
         [](const JudgedMember* a, const JudgedMember* b) { return beyond(a->judgement) < beyond(b->judgement); });
-    demos::Plate plate;
-    plate.caption = caption_of(worst);
-    plate.commands = {worst.member.command()};
+    demos::SectionContent content;
+    content.caption = caption_of(worst);
+    content.commands = {worst.member.command()};
     const std::string picture = std::string(family.name) + ".png";
-    if (strips.draw(worst, preset, folder / picture)) plate.pictures.push_back(picture);
+    if (strips.draw(worst, preset, folder / picture)) content.pictures.push_back(picture);
     for (const JudgedMember* one : members) {
-        if (!ends_elsewhere(*one) || plate.table.size() > most_listed) continue;
-        if (plate.table.empty()) plate.table.push_back({"does not end as predicted", demos::command_column});
-        plate.table.push_back({failures_of(one->judgement), one->member.command()});
+        if (!ends_elsewhere(*one) || content.table.size() > most_listed) continue;
+        if (content.table.empty()) content.table.push_back({"does not end as predicted", demos::command_column});
+        content.table.push_back({failures_of(one->judgement), one->member.command()});
     }
     const auto hold = std::count_if(members.begin(), members.end(),
                                     [](const JudgedMember* one) { return one->judgement.holds(); });
-    return {std::string(family.name), fmt::format("{}: {} of {} hold", family.name, hold, members.size()), plate};
+    return {std::string(family.name), fmt::format("{}: {} of {} hold", family.name, hold, members.size()), content};
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void write_family_page(const std::vector<JudgedMember>& judged, const FamilyRequ
     demos::make_folder(folder);
     const Strips strips;
     std::vector<demos::Section> sections{{"table", "The worst of each property", {}}};
-    sections.front().plate.table = marked_lines(judged);
+    sections.front().content.table = marked_lines(judged);
     for (const Family& family : demos::families::families()) {
         const std::vector<const JudgedMember*> members = of_family(judged, family);
         if (!members.empty()) sections.push_back(section_of(family, members, strips, request.preset, folder));

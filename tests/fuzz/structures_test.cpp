@@ -4,6 +4,7 @@
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 #include "tests/fuzz/family_page.h"
+#include "tests/fuzz/members.h"
 #include "tests/texts.h"
 
 #include <map>
@@ -29,7 +30,7 @@ bool is_claimed(std::string_view family, std::string_view property) {
 }
 
 demos::families::Member member(std::string_view family, const demos::families::GivenValues& given) {
-    return draw_member(*demos::families::find_family(family), {.seed = 1, .given = given, .small = true});
+    return draw_bounded_member(*demos::families::find_family(family), {.seed = 1, .given = given, .small = true});
 }
 
 Prospect ball_above_ground(double speed) {

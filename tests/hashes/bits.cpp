@@ -7,10 +7,10 @@
 #include "demos/options/named_run.h"
 #include "demos/platform/assets.h"
 #include "demos/runs/simulation.h"
-#include "demos/scenes/families/family.h"
 #include "demos/scenes/scene_file.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/solvers/solver.h"
+#include "tests/fuzz/members.h"
 
 #include <fmt/format.h>
 
@@ -127,7 +127,7 @@ class Lines {
         for (const SceneEntry& entry : catalogue()) run({std::string(entry.name), options});
         for (const std::string& name : scene_files()) run({name, options});
         for (const families::Family& family : families::families()) {
-            const families::Member member = draw_member(family, {.small = true});
+            const families::Member member = tests::draw_bounded_member(family, {.small = true});
             const std::string text = member.command() + " >f.json; " + Run{"f.json", options}.text();
             if (!is_wanted(text)) continue;
             const fs::path file = fs::temp_directory_path() / fmt::format("{}.{}.json", family.name, preset);

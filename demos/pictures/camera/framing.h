@@ -44,4 +44,8 @@ View fitted(const View& view, std::span<const Ball> balls, double aspect);
 // The view from the same place with the field of view widened, if necessary, to show `across` to both sides.
 View widened(const View& view, double across, double aspect);
 
+// A view in the direction of `view` of all that is `reached`, up to where the picture would show nothing else; at
+// least of the bodies at the `start`. `aspect` is width over height.
+View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect);
+
 }  // namespace pushfactor::demos::pictures

@@ -1,7 +1,7 @@
 // Layout of several pictures on one sheet.
 #pragma once
 
-#include "demos/pictures/studio.h"
+#include "demos/pictures/offscreen_renderer.h"
 
 #include <functional>
 #include <vector>

@@ -1,12 +1,10 @@
 #include "demos/pictures/camera/survey.h"
 
 #include "demos/pictures/camera/balls.h"
-#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/progress.h"
-#include "demos/runs/measurements.h"
-#include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
+#include "demos/text/median.h"
 
 #include <algorithm>
 
@@ -14,86 +12,105 @@ namespace pushfactor::demos::pictures {
 
 namespace {
 
-// Advances to a step and shows each to `visit`. False if the run becomes non-finite before it; the run that is
-// drawn reports that.
-template <typename Visit>
-bool reaches(Simulation& simulation, long step, const GoTo& go_to, const Visit& visit) {
-    if (go_to) {
-        go_to(simulation, step);
-        visit();
-        return true;
+// Of one panel.
+class Surveyor : public Observer {
+  public:
+    using Maxima = std::map<OverlayKind, std::vector<double>>;
+
+    Surveyor(const Session& session, Maxima& maxima, Survey& found)
+        : run_(session.run(0)),
+          frames_(session.sequence().frames.front()),
+          choices_(session.choices(0).frames),
+          ghosts_(plan_ghosts(choices_, run_.settings().dt)),
+          extents_(run_, choices_.camera.fit),
+          maxima_(maxima),
+          found_(found) {
+        step(0);
     }
-    try {
-        while (simulation.sample().step < step) {
-            stop_if_interrupted("nothing was drawn yet");
-            simulation.advance();
-            visit();
+
+    // If the next frame shows this step.
+    void step(std::size_t) override {
+        const double dt = run_.settings().dt.value(), now = run_.sample().time;
+        const double frame_time = dt * static_cast<double>(frames_[next_].step);
+        const bool ghost = std::ranges::binary_search(ghosts_, run_.sample().step);
+        if (ghost || now > frame_time - choices_.trail_seconds() - 0.5 * dt) extents_.add_outline();
+    }
+
+    void frame(std::size_t number) override {
+        extents_.add_places();
+        for (const OverlayItem& item : choices_.overlay) {
+            double most = 0.0;
+            for (const Quantity& quantity : quantities(run_.scene(), item.kind)) {
+                const double size = quantity.value.norm();
+                most = std::max(most, size);
+                if (size > 0.0 || !has_arrows(item.kind)) found_.shown.insert({item.kind, quantity.kind});
+            }
+            auto& at_frame = maxima_[item.kind];
+            at_frame.resize(frames_.size(), 0.0);
+            at_frame[number] = std::max(at_frame[number], most);
         }
-    } catch (const NonFiniteError&) {
-        return false;
+        next_ = number + 1;
     }
-    return true;
-}
+
+    const Extents& extents() const { return extents_; }
+
+  private:
+    const Simulation& run_;
+    const Frames& frames_;
+    const FrameChoices& choices_;
+    std::vector<long> ghosts_;
+    Extents extents_;
+    std::size_t next_ = 0;  // frame
+    Maxima& maxima_;
+    Survey& found_;
+};
 
 }  // namespace
 
-void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (goes_about(scene.bodies[i])) places[i].extend(scene.world.bodies[i].position);
+Extents::Extents(const Simulation& run, bool fit)
+    : run_(run), fit_(fit), near_(surroundings(movable_balls(run.scene()))), places_(run.scene().bodies.size()) {}
+
+void Extents::add_outline() {
+    if (fit_) add_moving(run_.scene(), near_, outline_);
+}
+
+void Extents::add_places() {
+    const BuiltScene& scene = run_.scene();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (goes_about(scene.bodies[i])) places_[i].extend(scene.world.bodies[i].position);
     }
 }
 
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].isEmpty()) continue;
+void Extents::add_to(Outline& outline, std::vector<Ball>& reached) const {
+    outline.add(outline_);
+    if (fit_) add_support(run_.scene(), outline);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i].isEmpty()) continue;
         for (int corner = 0; corner < 8; ++corner) {
-            balls.push_back({.centre = boxes[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
-                             .radius = bounding_radius(scene.bodies[i])});
+            reached.push_back({.centre = places_[i].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)),
+                               .radius = bounding_radius(run_.scene().bodies[i])});
         }
     }
 }
 
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to) {
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames,
+              const Session::GoTo& go_to) {
     Survey found;
-    std::map<OverlayKind, std::vector<double>> maxima;
+    Surveyor::Maxima maxima;
     Outline outline;
     for (std::size_t p = 0; p < panels.size(); ++p) {
-        const Choices& choices = panels[p].choices;
-        Simulation simulation(choices);
-        const BuiltScene& scene = simulation.scene();
-        std::vector<Eigen::AlignedBox3d> places(scene.bodies.size());
-        const Eigen::AlignedBox3d near = surroundings(movable_balls(scene));
-        const std::vector<long> ghosts = plan_ghosts(choices.frames, choices.settings.dt);
-        const double dt = choices.settings.dt.value();
-        const auto is_shown = [&](double frame_time) {
-            return std::ranges::binary_search(ghosts, simulation.sample().step) ||
-                   simulation.sample().time > frame_time - choices.frames.trail_seconds() - 0.5 * dt;
-        };
-        for (std::size_t f = 0; f < frames[p].size(); ++f) {
-            const double time = dt * static_cast<double>(frames[p][f].step);
-            const auto add_shown = [&] {
-                if (choices.frames.camera.fit && is_shown(time)) add_moving(scene, near, outline);
-            };
-            if (f == 0) add_shown();
-            if (!reaches(simulation, frames[p][f].step, go_to, add_shown)) break;
-            add_places(scene, places);
-            for (const OverlayItem& item : choices.frames.overlay) {
-                double most = 0.0;
-                for (const Quantity& quantity : quantities(scene, item.kind)) {
-                    const double size = quantity.value.norm();
-                    most = std::max(most, size);
-                    if (size > 0.0 || !has_arrows(item.kind)) {
-                        found.shown.insert({item.kind, quantity.kind});
-                    }
-                }
-                auto& at_frame = maxima[item.kind];
-                at_frame.resize(frames[p].size(), 0.0);
-                at_frame[f] = std::max(at_frame[f], most);
-            }
+        Session session({.panels = {panels[p]}, .frames = {frames[p]}}, false, go_to);
+        Surveyor surveyor(session, maxima, found);
+        try {
+            session.play_frames({&surveyor}, [](const Simulation&) {
+                stop_if_interrupted("nothing was drawn yet");
+                return true;
+            });
+        } catch (const NonFiniteError&) {
+            // The run that is drawn reports it.
         }
-        add_corners(places, scene, found.reached);
-        if (choices.frames.camera.fit) add_support(scene, outline);
-        if (p + 1 == panels.size()) found.subject = subject_of(scene, outline);
+        surveyor.extents().add_to(outline, found.reached);
+        if (p + 1 == panels.size()) found.subject = subject_of(session.run(0).scene(), outline);
     }
     for (auto& [kind, values] : maxima) {
         std::erase(values, 0.0);

@@ -2,12 +2,10 @@
 // pictures, and scale and camera must not change from frame to frame. Made only for options that need it.
 #pragma once
 
-#include "demos/options/comparison.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/outline.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,22 +27,36 @@ inline bool needs_survey(const FrameChoices& choices) {
     return choices.camera.fit || !choices.overlay.empty();
 }
 
-// The box around all places of each body that moves, so that memory does not grow with the run; and its corners as
-// balls of the body's size.
-void add_places(const BuiltScene& scene, std::vector<Eigen::AlignedBox3d>& places);
-void add_corners(const std::vector<Eigen::AlignedBox3d>& boxes, const BuiltScene& scene, std::vector<Ball>& balls);
+// What a run reaches, collected as it goes on.
+class Extents {
+  public:
+    // `run` is at its start and must outlive this. The outline is collected if the camera is to fit it.
+    Extents(const Simulation& run, bool fit);
 
-// Brings a run to a step, which is not before its last one.
-using GoTo = std::function<void(Simulation& run, long step)>;
+    void add_outline();
+    // Of the bodies that move; the box around all places of each, so that memory does not grow with the run.
+    void add_places();
+
+    // Adds the outline with what supports it, and the corners of the boxes as balls of the bodies' sizes.
+    void add_to(Outline& outline, std::vector<Ball>& reached) const;
+
+  private:
+    const Simulation& run_;
+    bool fit_;
+    Eigen::AlignedBox3d near_;  // where a body is worth showing
+    Outline outline_;
+    std::vector<Eigen::AlignedBox3d> places_;  // of each body
+};
 
 // `frames` are those of the panels, in the same order. Runs are advanced, or brought to each frame by `go_to`.
-Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames, const GoTo& go_to = {});
+Survey survey(const std::vector<ComparedRun>& panels, const std::vector<Frames>& frames,
+              const Session::GoTo& go_to = {});
 
 // The same, made when it is first asked for: an overview and a camera that fits need one run, not two.
 class SurveyOnce {
   public:
     // `frames` must outlive it.
-    explicit SurveyOnce(const std::vector<Frames>& frames, GoTo go_to = {})
+    explicit SurveyOnce(const std::vector<Frames>& frames, Session::GoTo go_to = {})
         : frames_(frames), go_to_(std::move(go_to)) {}
 
     const Survey& of(const std::vector<ComparedRun>& panels) {
@@ -54,7 +66,7 @@ class SurveyOnce {
 
   private:
     const std::vector<Frames>& frames_;
-    GoTo go_to_;
+    Session::GoTo go_to_;
     std::optional<Survey> made_;
 };
 

@@ -18,39 +18,40 @@ constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' vie
 
 }  // namespace
 
-Film::Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-           SurveyOnce& survey)
-    : studio_(studio),
-      choices_(panels.front().choices.frames),
-      runs_(std::move(runs)),
-      caption_(caption_of(panels.front().choices)) {
-    for (const Simulation* run : runs_) require_shown(run->scene(), choices_.overlay);
+Film::Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& survey)
+    : offscreen_(offscreen),
+      session_(session),
+      choices_(session.choices(0).frames),
+      caption_(caption_of(session.choices(0))) {
+    const std::vector<ComparedRun>& panels = session.sequence().panels;
+    for (std::size_t i = 0; i < panels.size(); ++i) require_shown(scene(i), choices_.overlay);
     if (needs_survey(choices_)) survey_ = survey.of(panels);
 
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {
         labels_.push_back(panels[i].label);
-        const BuiltScene& scene = runs_[i]->scene();
-        const View view = seen_from(scene);
-        const Reach reach = reach_of(movable_balls(scene), view);
+        const View view = seen_from(scene(i));
+        const Reach reach = reach_of(movable_balls(scene(i)), view);
         across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
         up = std::max(up, half_tangent(view));
     }
     const Size sheet{choices_.width, choices_.height};
     layout_ = choices_.camera.fit ? closest_layout(sheet)
                                   : best_layout(sheet, static_cast<int>(panels.size()), across, up);
-    for (const Simulation* run : runs_) {
-        views_.push_back(place_camera(run->scene(), panels.size() > 1 ? across : 0.0));
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        views_.push_back(place_camera(scene(i), panels.size() > 1 ? across : 0.0));
     }
     scales_ = scales_of(choices_.overlay, survey_, views_.front());
-    for (const Simulation* run : runs_) motions_.emplace_back(choices_, *run);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        motions_.emplace_back(choices_, session.run(i));
+        note(i);
+    }
 }
 
 // That whose cells show the subject largest.
 Layout Film::closest_layout(const Size& sheet) const {
-    return best_layout(sheet, static_cast<int>(runs_.size()), [&](const Layout& layout) {
-        const View view =
-            composed(seen_from(runs_.front()->scene()), subject_in(layout.cell), layout.cell_aspect());
+    return best_layout(sheet, static_cast<int>(session_.size()), [&](const Layout& layout) {
+        const View view = composed(seen_from(scene(0)), subject_in(layout.cell), layout.cell_aspect());
         return layout.cell.height / (half_tangent(view) * distance_of(view));
     });
 }
@@ -78,7 +79,7 @@ void Film::note(std::size_t panel) {
 
 // Without marks.
 renderer::Picture Film::coloured(std::size_t panel) const {
-    const Simulation& run = *runs_[panel];
+    const Simulation& run = session_.run(panel);
     renderer::Picture picture = draw_list(run.scene(), turned(choices_.camera, views_[panel], run.sample().time));
     for (const Scale& scale : scales_) {
         if (colours_bodies(scale.kind)) add_overlay(run.scene(), scale.kind, scale.units_a_metre, picture);
@@ -90,7 +91,7 @@ renderer::Picture Film::look(std::size_t panel) const {
     renderer::Picture picture = coloured(panel);
     for (const Scale& scale : scales_) {
         if (colours_bodies(scale.kind)) continue;
-        add_overlay(runs_[panel]->scene(), scale.kind, scale.units_a_metre, picture);
+        add_overlay(scene(panel), scale.kind, scale.units_a_metre, picture);
     }
     motions_[panel].add_trails(picture);
     motions_[panel].add_ghosts(picture);
@@ -98,8 +99,8 @@ renderer::Picture Film::look(std::size_t panel) const {
 }
 
 Snapshot Film::look(const std::string& name) const {
-    Snapshot moment{.name = name, .time = runs_.front()->sample().time, .pictures = {}, .open = {}};
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
+    Snapshot moment{.name = name, .time = session_.run(0).sample().time, .pictures = {}, .open = {}};
+    for (std::size_t i = 0; i < session_.size(); ++i) {
         moment.pictures.push_back(look(i));
         moment.open.push_back(motions_[i].while_open());
         for (Moment& open : moment.open.back()) motions_[i].add_ghosts(open.picture);
@@ -120,7 +121,7 @@ std::vector<LegendLine> Film::legend(const View& view) const {
 }
 
 void Film::write(renderer::Image& sheet, double time) const {
-    const Lettering& lettering = studio_.lettering();
+    const Lettering& lettering = offscreen_.lettering();
     const float size = letter_size(sheet.height);
     const renderer::Rectangle all{0.0f, 0.0f, static_cast<float>(sheet.width), static_cast<float>(sheet.height)};
     for (std::size_t i = 0; i < labels_.size(); ++i) {
@@ -145,7 +146,7 @@ void Film::draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image
     const renderer::Picture& picture = moment.pictures[panel];
     const std::vector<Moment>& open = moment.open[panel];
     if (open.size() < 2) {
-        studio_.draw(std::span(&picture, 1), layout_.cell, choices_.samples, image, panel);
+        offscreen_.draw(std::span(&picture, 1), layout_.cell, choices_.samples, image, panel);
         return;
     }
     const double end = open.back().time;
@@ -153,7 +154,7 @@ void Film::draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image
     spread_out.back().arrows = picture.arrows;
     spread_out.back().dots = picture.dots;
     spread_out.back().mark_scale = picture.mark_scale;
-    studio_.draw(spread_out, layout_.cell, choices_.samples, image, panel);
+    offscreen_.draw(spread_out, layout_.cell, choices_.samples, image, panel);
 }
 
 void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
@@ -165,7 +166,7 @@ void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
         sheet = assemble(layout_, images);
     }
     write(sheet, moment.time);
-    studio_.end("captions");
+    offscreen_.end("captions");
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -4,7 +4,7 @@
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/film/motion.h"
 #include "demos/pictures/overlays/scale.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <vector>
 
@@ -20,13 +20,11 @@ struct Snapshot {
 
 class Film {
   public:
-    // `runs` are those of the panels, in the same order, at their start; they must outlive the film. The survey of
-    // the panels is made if the frame options need it. Throws UsageError for an overlay of parts that the scene
-    // lacks.
-    Film(Studio& studio, const std::vector<ComparedRun>& panels, std::vector<const Simulation*> runs,
-         SurveyOnce& survey);
+    // `session` is at its start and must outlive the film. The survey of the panels is made if the frame options
+    // need it. Throws UsageError for an overlay of parts that the scene lacks.
+    Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& survey);
 
-    // Called after each step of a run, and before the first.
+    // Called after each step of a run.
     void note(std::size_t panel);
 
     // The current state of the runs. Drawing uses only this snapshot, so that the runs may go on meanwhile.
@@ -37,6 +35,7 @@ class Film {
     void draw(const Snapshot& moment, renderer::Image& sheet) const;
 
   private:
+    const BuiltScene& scene(std::size_t panel) const { return session_.run(panel).scene(); }
     View seen_from(const BuiltScene& scene) const;
     Subject subject_in(const Size& cell) const;
     Layout closest_layout(const Size& sheet) const;
@@ -47,9 +46,9 @@ class Film {
     std::vector<LegendLine> legend(const View& view) const;
     void write(renderer::Image& sheet, double time) const;
 
-    Studio& studio_;
+    OffscreenRenderer& offscreen_;
+    const Session& session_;
     FrameChoices choices_;
-    std::vector<const Simulation*> runs_;
     std::vector<std::string> labels_;
     std::string caption_;
     Survey survey_;

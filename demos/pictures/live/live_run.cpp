@@ -2,7 +2,6 @@
 
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/camera/balls.h"
-#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/shell_words.h"

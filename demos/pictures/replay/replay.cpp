@@ -2,12 +2,10 @@
 
 #include "demos/pictures/camera/balls.h"
 #include "demos/pictures/camera/composition.h"
-#include "demos/pictures/camera/overview.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/integers.h"
-#include "demos/pictures/replay/poses.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"
@@ -50,11 +48,12 @@ std::vector<double> units_of(const std::vector<double>& sizes) {
 
 }  // namespace
 
-long steps_a_replay_frame(const Choices& choices) {
+Frames replay_frames(const Choices& choices) {
     const Rational& dt = choices.settings.dt;
-    if (choices.frames.fps) return steps_a_frame(*choices.frames.fps, dt, choices.frames.play_speed);
     const Rational sixtieth = Rational{1, 60} / dt;
-    return (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
+    const long every = choices.frames.fps ? steps_a_frame(*choices.frames.fps, dt, choices.frames.play_speed)
+                                          : (sixtieth.numerator + sixtieth.denominator - 1) / sixtieth.denominator;
+    return {every, static_cast<std::size_t>(whole_steps(choices.settings) / every) + 1};
 }
 
 void check_replay_name(const std::filesystem::path& file) {
@@ -62,23 +61,22 @@ void check_replay_name(const std::filesystem::path& file) {
     throw UsageError(fmt::format("--replay {}: must end in .html", file.string()));
 }
 
-Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-               const std::vector<const Simulation*>& runs)
+Replay::Replay(const ReplayChoices& choices, const Session& session)
     : choices_(choices),
-      frames_(panels.front().choices.frames),
+      steps_a_frame_(session.sequence().frames.front().every()),
+      frames_(session.choices(0).frames),
       file_(choices.file),
-      has_camera_(panels.front().choices.description.has_camera || frames_.camera.view) {
+      has_camera_(session.choices(0).description.has_camera || frames_.camera.view) {
     long numbers = 1;
-    for (const Simulation* const run : runs) {
-        const BuiltScene& scene = run->scene();
+    for (std::size_t panel = 0; panel < session.size(); ++panel) {
+        const Simulation& run = session.run(panel);
+        const BuiltScene& scene = run.scene();
         std::vector<double> sizes;
         for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
-        Track track{.simulation = run,
+        Track track{.simulation = &run,
                     .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
-                    .reached = std::vector<Eigen::AlignedBox3d>(scene.bodies.size()),
-                    .near = surroundings(movable_balls(scene)),
-                    .outline = {},
+                    .extents = Extents(run, frames_.camera.fit),
                     .bodies = recorded_bodies(scene),
                     .sizes = sizes,
                     .poses = {},
@@ -93,7 +91,7 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
         tracks_.push_back(std::move(track));
     }
     block_length_ = std::clamp(most_numbers / numbers, 16L, 256L);
-    write_head(panels);
+    write_head(session.sequence().panels);
 }
 
 // As add_overview() and the film have them, which run the scene once before they draw it: the page gets its cameras
@@ -101,12 +99,8 @@ Replay::Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& pan
 std::vector<View> Replay::views() const {
     std::vector<Ball> reached;
     Outline outline;
-    for (const Track& track : tracks_) {
-        outline.add(track.outline);
-        if (frames_.camera.fit) add_support(track.simulation->scene(), outline);
-    }
+    for (const Track& track : tracks_) track.extents.add_to(outline, reached);
     const Subject subject = subject_of(tracks_.back().simulation->scene(), outline);
-    for (const Track& track : tracks_) add_corners(track.reached, track.simulation->scene(), reached);
     const double aspect = static_cast<double>(frames_.width) / frames_.height;
     std::vector<View> views;
     for (const Track& track : tracks_) {
@@ -127,7 +121,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     about["command"] = choices_.command;
     about["version"] = version_text();
     about["play_speed"] = frames_.play_speed.value();
-    about["seconds_a_frame"] = (first.settings.dt * Rational{choices_.steps_a_frame, 1}).value();
+    about["seconds_a_frame"] = (first.settings.dt * Rational{steps_a_frame_, 1}).value();
     about["width"] = frames_.width;
     about["height"] = frames_.height;
     about["units"] = {{"position", position_unit}, {"orientation", orientation_unit}, {"velocity", velocity_unit}};
@@ -155,7 +149,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     }
 }
 
-void Replay::record() {
+void Replay::frame(std::size_t) {
     std::map<OverlayKind, double> largest;
     for (Track& track : tracks_) record(track, largest);
     for (const auto& [kind, value] : largest) {
@@ -167,9 +161,8 @@ void Replay::record() {
 
 void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
     record_poses(track);
-    const BuiltScene& scene = track.simulation->scene();
-    add_places(scene, track.reached);
-    if (frames_.camera.fit) add_moving(scene, track.near, track.outline);
+    track.extents.add_places();
+    track.extents.add_outline();
     const Sample& sample = track.simulation->sample();
     const std::array measured{sample.kinetic_energy, sample.potential_energy, sample.penetration.max,
                               sample.max_speed, sample.residual};

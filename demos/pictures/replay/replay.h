@@ -1,14 +1,12 @@
 // A run, or several side by side, as one HTML file that plays in a browser.
 #pragma once
 
-#include "demos/options/comparison.h"
-#include "demos/options/frame_options.h"
 #include "demos/pictures/camera/framing.h"
-#include "demos/pictures/camera/outline.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/page.h"
 #include "demos/platform/output_file.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 
 #include <array>
 #include <map>
@@ -20,27 +18,24 @@ namespace pushfactor::demos::pictures {
 // Throws UsageError unless the name ends in .html or is that of standard output.
 void check_replay_name(const std::filesystem::path& file);
 
-// Steps from frame to frame of a replay: those of --fps, else as few as make at most 60 frames per second.
-long steps_a_replay_frame(const Choices& choices);
+// The frames of a replay: those of --fps, else as many as make at most 60 per second.
+Frames replay_frames(const Choices& choices);
 
 struct ReplayChoices {
     std::filesystem::path file;
-    long steps_a_frame = 1;
     bool poses_only = false;  // neither velocities nor forces, which take most of the room
     std::string command;      // that makes the page, as the reader sees it
 };
 
 // Written block by block while the runs go on: memory does not grow with their length, but for a few numbers per
 // frame. The file appears whole in finish(), or not at all.
-class Replay {
+class Replay : public Observer {
   public:
-    // `runs` are those of the panels, in the same order, at their start; they must outlive the replay. Throws
-    // OutputError as OutputFile does.
-    Replay(const ReplayChoices& choices, const std::vector<ComparedRun>& panels,
-           const std::vector<const Simulation*>& runs);
+    // `session` is at its start and must outlive the replay. Throws OutputError as OutputFile does.
+    Replay(const ReplayChoices& choices, const Session& session);
 
     // Adds the current state of all runs as the next frame.
-    void record();
+    void frame(std::size_t number) override;
 
     // Completes the file with the frames so far. `note` tells why there are no more; empty for a whole run.
     void finish(const std::string& note = "");
@@ -55,9 +50,7 @@ class Replay {
         const Simulation* simulation;
         View view;                                                 // of the scene, or a direction alone
         std::vector<Ball> start;                                   // what moves, and what it hangs on
-        std::vector<Eigen::AlignedBox3d> reached;                  // by each body of the scene so far
-        Eigen::AlignedBox3d near;                                  // where a body is worth showing
-        Outline outline;                                           // of all so far, if the camera fits it
+        Extents extents;                                           // so far
         std::vector<std::size_t> bodies;                           // recorded ones
         std::vector<double> sizes;                                 // m, of all bodies
         std::vector<std::vector<std::int64_t>> poses, velocities;  // per quantity and frame
@@ -75,6 +68,7 @@ class Replay {
     void write_blocks();
 
     ReplayChoices choices_;
+    long steps_a_frame_;
     FrameChoices frames_;
     OutputFile file_;
     replay::Page page_;

@@ -1,6 +1,6 @@
 #include "demos/reports/atlas/plot.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/atlas/outcomes.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"
@@ -138,10 +138,10 @@ std::string short_number(double value) {
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
                       const std::filesystem::path& folder) {
     Section section{map.name, map.title, {}};
-    section.plate.caption = fmt::format("{} The numbers: {} of the summary.", map.caption, map.measure.key);
-    section.plate.commands = {pattern_of(map)};
+    section.content.caption = fmt::format("{} The numbers: {} of the summary.", map.caption, map.measure.key);
+    section.content.commands = {pattern_of(map)};
     const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
-    add_plot(plot_of(map, results, xs, ys), data_of(map, results, xs, ys), folder, section.plate);
+    add_plot(plot_of(map, results, xs, ys), data_of(map, results, xs, ys), folder, section.content);
     return section;
 }
 

@@ -1,6 +1,6 @@
 #include "demos/reports/error/work_plot.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/error/plot_layout.h"
 #include "demos/text/palette.h"
 
@@ -216,7 +216,7 @@ std::string colour_of_solver(const std::string& method) {
     return "grey";
 }
 
-void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate) {
+void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate) {
     const Axes axes = axes_of(plot);
     std::string names, colours, dashes, marks;
     bool failures = false;

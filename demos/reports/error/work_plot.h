@@ -53,6 +53,6 @@ struct WorkPlot {
 
 // Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg. Adds the files to the plate;
 // without gnuplot its caption says what to install.
-void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, Plate& plate);
+void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate);
 
 }  // namespace pushfactor::demos::reports::error

@@ -37,21 +37,17 @@ class Scratch {
 std::string replay_of(const std::string& scene, const OptionTexts& options, const std::function<void()>& check) {
     const Scratch folder;
     const fs::path file = folder.path() / "replay.html";
-    const std::vector<ComparedRun> runs{{.label = "", .choices = run_of(scene, options)}};
-    Simulation simulation(runs.front().choices);
-    const long every = pictures::steps_a_replay_frame(runs.front().choices);
+    const Choices choices = run_of(scene, options);
+    Session session({.panels = {{.label = "", .choices = choices}}, .frames = {pictures::replay_frames(choices)}});
     pictures::Replay replay({.file = file,
-                             .steps_a_frame = every,
                              .poses_only = true,
                              .command = command_text("run", scene, options) + " --replay replay.html"},
-                            runs, {&simulation});
-    replay.record();
+                            session);
     try {
-        while (before_end(simulation)) {
+        session.play({&replay}, [&](const Simulation&) {
             check();
-            simulation.advance();
-            if (simulation.sample().step % every == 0) replay.record();
-        }
+            return true;
+        });
         replay.finish();
     } catch (const NonFiniteError& error) {
         replay.finish(error.what());

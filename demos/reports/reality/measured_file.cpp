@@ -1,5 +1,6 @@
 #include "demos/reports/reality/measured_file.h"
 
+#include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -40,9 +39,9 @@ std::string decompressed(const std::filesystem::path& file, const std::string& b
 }  // namespace
 
 std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, const std::string& columns) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) refuse(file, "cannot be read");
-    std::string text((std::istreambuf_iterator<char>(stream)), {});
+    const auto bytes = read_bytes_of(file);
+    if (!bytes) refuse(file, "cannot be read");
+    std::string text = *bytes;
     if (file.extension() == ".gz") text = decompressed(file, text);
     if (!text.starts_with(columns + "\n")) refuse(file, "must begin with " + columns);
     std::vector<std::vector<double>> lines;

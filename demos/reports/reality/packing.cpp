@@ -1,7 +1,7 @@
 #include "demos/reports/reality/packing.h"
 
 #include "demos/platform/assets.h"
-#include "demos/runs/simulation.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/named/platonic.h"
 #include "demos/scenes/random.h"
 #include "demos/text/csv.h"
@@ -162,10 +162,10 @@ class Filling {
     void run(double seconds, const std::function<void()>& check) {
         Simulation simulation(build_scene(scene_, settings_), settings_);
         const long steps = std::lround(seconds / settings_.dt.value());
-        for (long step = 0; step < steps; ++step) {
+        play(simulation, [&](const Simulation& now) {
             check();
-            simulation.advance();
-        }
+            return now.sample().step < steps;
+        });
         deepest_ = simulation.sample().penetration.max;
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
             const engine::Body& now = simulation.scene().world.bodies[i];

@@ -1,6 +1,6 @@
 #include "demos/reports/reality/sections.h"
 
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/reports/reality/closed_forms.h"
 #include "demos/reports/reality/dice.h"
 #include "demos/reports/reality/packing.h"
@@ -28,13 +28,13 @@ void add_closed_forms(StudyRun& run) {
         run.count_run();
     }
     run.write("closed_forms.csv", table);
-    Plate plate;
-    plate.table = page_lines(table);
-    plate.files = {"closed_forms.csv"};
-    plate.caption =
+    SectionContent content;
+    content.table = page_lines(table);
+    content.files = {"closed_forms.csv"};
+    content.caption =
         "Steps of 1 ms (0.1 ms for the rocking block), otherwise default, under each model of friction: the round "
         "cone, a square of two tangents, and the paper's, whose friction does not know the force of its contact.";
-    run.sections.push_back({"closed-forms", "Motions that are known in closed form", plate});
+    run.sections.push_back({"closed-forms", "Motions that are known in closed form", content});
 }
 
 namespace {
@@ -110,10 +110,10 @@ void add_dice(StudyRun& run) {
     }
     run.write("dice.csv", table);
     run.write("dice_fit.csv", fits);
-    Plate plate;
-    plate.table = page_lines(table);
-    plate.files = {"dice.csv", "dice_fit.csv"};
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.table = page_lines(table);
+    content.files = {"dice.csv", "dice_fit.csv"};
+    content.caption = fmt::format(
         "Share of throws of steel dice that end with a square face on top, over their length divided by the edge "
         "of "
         "the square. Measured: Mathematical Gazette 97.16 (2013), 9,329 throws. Computed: {} throws of each, "
@@ -127,8 +127,8 @@ void add_dice(StudyRun& run) {
         "1.16 and 1.23 are in the other order.",
         throws, bounces[best].friction, bounces[best].restitution, bounces.size(), least,
         far.empty() ? "none" : fmt::format("{} of 15 (length over edge {})", far.size(), fmt::join(far, ", ")));
-    add_plot({.script = "dice", .data = "dice.dat", .name = "dice_shares"}, csv_text(table), run.folder(), plate);
-    run.sections.push_back({"dice", "Dice of fifteen lengths", plate});
+    add_plot({.script = "dice", .data = "dice.dat", .name = "dice_shares"}, csv_text(table), run.folder(), content);
+    run.sections.push_back({"dice", "Dice of fifteen lengths", content});
 }
 
 namespace {
@@ -184,10 +184,10 @@ void add_packings(StudyRun& run) {
         dense.add(one.dense, shaken);
     }
     run.write("packings.csv", table);
-    Plate plate;
-    plate.table = page_lines(table);
-    plate.files = {"packings.csv"};
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.table = page_lines(table);
+    content.files = {"packings.csv"};
+    content.caption = fmt::format(
         "Share of the volume that {} equal bodies fill in a box {} m wide, 2 m and more from walls and surface; "
         "all "
         "have the volume of a ball of 1 m. They are poured in layers of 25, each from just above the heap, then "
@@ -198,7 +198,7 @@ void add_packings(StudyRun& run) {
         "that "
         "are computed, or within 0.02 of one.",
         bodies, width, shakes, loose.met, loose.all, dense.met, dense.all);
-    run.sections.push_back({"packings", "Heaps of spheres and regular solids", plate});
+    run.sections.push_back({"packings", "Heaps of spheres and regular solids", content});
 }
 
 }  // namespace pushfactor::demos::reports::reality

@@ -1,6 +1,6 @@
 // The law of contact that fits every other toss, and how far it goes on the others; beside other engines where
 // their results are given.
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/pieces/replay_run.h"
@@ -86,7 +86,8 @@ std::string blocks_of(const std::vector<OtherEngine>& others) {
 }
 
 // The best, the median and the worst toss.
-void add_replays(StudyRun& run, const Tosses& tosses, const Judged& judged, const Law& law, Plate& plate) {
+void add_replays(StudyRun& run, const Tosses& tosses, const Judged& judged, const Law& law,
+                 SectionContent& content) {
     std::vector<std::size_t> order(tosses.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t t) { return judged.position[t]; });
@@ -96,7 +97,7 @@ void add_replays(StudyRun& run, const Tosses& tosses, const Judged& judged, cons
         const std::string file = fmt::format("tosses/{}.json", name), page = fmt::format("tosses/{}.html", name);
         run.write(file, scene_file_text(scene_of(tosses[t], law)));
         run.write(page, replay_of((run.folder() / file).string(), {}, run.check()));
-        plate.replays.push_back(page);
+        content.replays.push_back(page);
     }
 }
 
@@ -108,13 +109,13 @@ void add_bounces(StudyRun& run, const std::vector<ErrorsAt>& bounces) {
         table.rows.push_back({errors.at, errors.position.size(), place.value, place.error, turn.value, turn.error});
     }
     run.write("toss_bounces.csv", table);
-    Plate plate;
-    plate.table = page_lines(table);
-    plate.files = {"toss_bounces.csv"};
-    plate.caption =
+    SectionContent content;
+    content.table = page_lines(table);
+    content.files = {"toss_bounces.csv"};
+    content.caption =
         "Errors just before the next contact, or at the end: position in edges, with one standard deviation of the "
         "mean.";
-    run.sections.push_back({"bounces", "Tosses after each bounce", plate});
+    run.sections.push_back({"bounces", "Tosses after each bounce", content});
 }
 
 // The errors of the fitted tosses over friction and restitution.
@@ -192,10 +193,10 @@ void add_tosses(StudyRun& run) {
     for (const Result& result : results) table.rows.push_back({result.what, result.value, result.error});
     run.write("toss_results.csv", table);
 
-    Plate plate;
-    plate.table = page_table(results, engines);
-    plate.files = {"toss_results.csv", "toss_fit.csv", "toss_errors.csv", "tosses.csv"};
-    plate.caption = fmt::format(
+    SectionContent content;
+    content.table = page_table(results, engines);
+    content.files = {"toss_results.csv", "toss_fit.csv", "toss_errors.csv", "tosses.csv"};
+    content.caption = fmt::format(
         "A cube of 0.1048 m and 0.37 kg, tossed onto a board: {} tosses of ContactNets (Pfrommer, Halm and Posa "
         "2020; "
         "BSD 3-clause), 148 poses a second. Each is computed from its first pose and velocity, with one law of "
@@ -214,14 +215,14 @@ void add_tosses(StudyRun& run) {
               .data = "toss_errors.dat",
               .name = "toss_errors",
               .variables = {{"others", static_cast<double>(engines.size())}}},
-             csv_text(over_time) + blocks_of(engines), run.folder(), plate);
+             csv_text(over_time) + blocks_of(engines), run.folder(), content);
     add_plot({.script = "toss_map",
               .data = "toss_map.dat",
               .name = "toss_map",
               .variables = {{"best_friction", law.friction}, {"best_restitution", law.restitution}}},
-             csv_text(map), run.folder(), plate);
-    add_replays(run, others, judged, law, plate);
-    run.sections.push_back({"tosses", "Tosses of a cube", plate});
+             csv_text(map), run.folder(), content);
+    add_replays(run, others, judged, law, content);
+    run.sections.push_back({"tosses", "Tosses of a cube", content});
     add_bounces(run, errors_by_bounce(others, judged, law));
 }
 

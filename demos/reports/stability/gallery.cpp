@@ -78,7 +78,7 @@ View camera(const SceneDescription& start, const BuiltScene& end, double aspect)
 }
 
 // Blank if the state is beyond single precision.
-renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const Trial& trial) {
+renderer::Image draw(pictures::OffscreenRenderer& offscreen, const pictures::Size& size, const Trial& trial) {
     Choices choices = understand(trial.state().string(), {});
     SceneDescription start = trial.start();
     const Vector3 here = -origin_of(start);
@@ -87,7 +87,7 @@ renderer::Image draw(pictures::Studio& studio, const pictures::Size& size, const
     const BuiltScene scene = build_scene(choices);
     const double aspect = static_cast<double>(size.width) / size.height;
     try {
-        return studio.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);
+        return offscreen.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);
     } catch (const renderer::RendererError&) {
         return renderer::blank_image(size.width, size.height, glm::vec3(0.9f));
     }
@@ -120,10 +120,10 @@ std::string Gallery::hang(const std::string& name, std::span<const Trial> trials
     const pictures::Layout layout =
         pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
     std::vector<renderer::Image> images;
-    for (const Trial* trial : shown) images.push_back(draw(output_->studio(), layout.cell, *trial));
+    for (const Trial* trial : shown) images.push_back(draw(output_->offscreen(), layout.cell, *trial));
     renderer::Image sheet = pictures::assemble(layout, images);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        output_->studio().lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);
+        output_->offscreen().lettering().name(sheet, layout.place(i), label_of(*shown[i]), letters);
     }
     return output_->save(sheet, name);
 }

@@ -1,7 +1,7 @@
 // Thumbnails of the last states of a chapter's runs, on one sheet.
 #pragma once
 
-#include "demos/pages/figure_output.h"
+#include "demos/figures/figure_output.h"
 #include "demos/reports/stability/trial.h"
 
 #include <memory>

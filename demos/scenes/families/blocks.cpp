@@ -78,8 +78,8 @@ Family pyramid() {
     return {"pyramid",
             "A pyramid of cubes of 1 m and 1 kg in one plane, the topmost heavier.",
             "Stands: every cube lies on two others under its own middle, whatever it weighs.",
-            {{{"rows", "N", "number of rows", 0, 2, 20, true}, 2, 5},
-             {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, 1, 1000, Draw::by_decades},
+            {{{"rows", "N", "number of rows", 0, 2, 20, true}},
+             {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, Draw::by_decades},
              friction_of(0.3, 1.0)},
             describe_pyramid};
 }
@@ -89,7 +89,7 @@ Family stacks() {
         "stacks",
         "Independent stacks of two to five cubes, each a little off its axis.",
         "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
-        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, 4, 9, Draw::by_decades}, friction_of(0.3, 1.0)},
+        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
         describe_stacks};
 }
 
@@ -97,9 +97,9 @@ Family ball_on_cubes() {
     return {"ball-on-cubes",
             "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
             "Stands: the ball presses straight down on columns of cubes.",
-            {{{"side", "N", "cubes per side", 0, 2, 4, true}, 2, 3},
-             {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, 50, 5000, Draw::by_decades},
-             {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}, 0, 0.001},
+            {{{"side", "N", "cubes per side", 0, 2, 4, true}},
+             {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, Draw::by_decades},
+             {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}},
              friction_of(0.3, 1.0)},
             describe_ball_on_cubes};
 }

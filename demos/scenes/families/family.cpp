@@ -2,6 +2,7 @@
 
 #include "demos/scenes/families/all_families.h"
 #include "demos/text/numbers.h"
+#include "demos/text/text_hash.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,20 +13,12 @@ namespace pushfactor::demos::families {
 
 namespace {
 
-constexpr int most_draws = 1000;  // attempts to draw a member that is small enough
-
-// A separate seed for each parameter of each family (FNV-1a and splitmix64), so that drawn values are independent
-// of each other.
+// A separate seed for each parameter of each family, so that drawn values are independent of
+// each other.
 int seed_of(int seed, std::string_view family, std::string_view parameter, int attempt) {
-    std::uint64_t z = 0xcbf29ce484222325U;
-    for (const std::string_view text : {family, parameter}) {
-        for (const char c : text) z = (z ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    }
-    z += static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
-         static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return static_cast<int>((z ^ (z >> 31)) & 0x7fffffffU);
+    const std::uint64_t draw = static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15U +
+                               static_cast<std::uint64_t>(attempt) * 0xaf251af3b0f025b5U;
+    return static_cast<int>(mixed_bits(fnv_hash(parameter, fnv_hash(family)) + draw) & 0x7fffffffU);
 }
 
 // To three digits, for readability.
@@ -35,56 +28,7 @@ double rounded(double value) {
     return parse_number(text).value_or(value);
 }
 
-double drawn(const FamilyParameter& parameter, bool small, int seed) {
-    const double low = small ? parameter.small_low : parameter.range.low;
-    const double high = small ? parameter.small_high : parameter.range.high;
-    Random random(seed);
-    const double share = random.in(0.0, 1.0);
-    if (parameter.range.whole && parameter.draw == Draw::evenly)
-        return std::floor(low + share * (high - low + 1.0));
-    double value = low + share * (high - low);
-    if (parameter.draw == Draw::by_decades) value = low * elementary::exp(share * elementary::log(high / low));
-    return std::clamp(parameter.range.whole ? std::round(value) : rounded(value), low, high);
-}
-
-Member draw(const Family& family, const Choice& choice, int attempt) {
-    Member member{.family = &family, .seed = choice.seed, .values = {}, .prospect = {}};
-    ParameterValues values{std::span<const Parameter>()};
-    for (const FamilyParameter& parameter : family.parameters) {
-        const auto given = std::find_if(choice.given.begin(), choice.given.end(),
-                                        [&](const auto& pair) { return pair.first == parameter.range.name; });
-        const int seed = seed_of(choice.seed, family.name, parameter.range.name, attempt);
-        const std::string text =
-            given != choice.given.end() ? given->second : to_text(drawn(parameter, choice.small, seed));
-        if (!values.set(parameter.range, text)) {
-            throw std::invalid_argument(std::string(parameter.range.name) + " " + text + ": must be " +
-                                        parameter.range.allowed());
-        }
-        member.values.emplace_back(parameter.range.name, to_text(values.number(parameter.range.name)));
-    }
-    Random random(seed_of(choice.seed, family.name, "", 0));
-    member.prospect = family.describe(values, random);
-    member.prospect.scene.name = std::string(family.name) + "-" + std::to_string(choice.seed);
-    member.prospect.scene.contacts = true;
-    member.prospect.scene.options["seconds"] = to_text(member.prospect.rest_by + 1.0);
-    return member;
-}
-
 }  // namespace
-
-std::string_view name_of(Ends ends) {
-    switch (ends) {
-        case Ends::rests:
-            return "rests";
-        case Ends::slides:
-            return "slides";
-        case Ends::topples:
-            return "topples";
-        case Ends::stands:
-            break;
-    }
-    return "stands";
-}
 
 std::span<const Family> families() {
     static const std::vector<Family> all{
@@ -108,12 +52,38 @@ std::string Member::command() const {
     return text + " --seed " + std::to_string(seed);
 }
 
-Member draw_member(const Family& family, const Choice& choice) {
-    for (int attempt = 0;; ++attempt) {
-        Member member = draw(family, choice, attempt);
-        const std::size_t bodies = member.prospect.scene.bodies.size();
-        if (!choice.most_bodies || bodies <= *choice.most_bodies || attempt == most_draws) return member;
+std::string drawn_value(const Family& family, const FamilyParameter& parameter, int seed, int attempt) {
+    const auto& [range, draw] = parameter;
+    Random random(seed_of(seed, family.name, range.name, attempt));
+    const double share = random.in(0.0, 1.0);
+    if (range.whole && draw == Draw::evenly) {
+        return to_text(std::floor(range.low + share * (range.high - range.low + 1.0)));
     }
+    double value = range.low + share * (range.high - range.low);
+    if (draw == Draw::by_decades)
+        value = range.low * elementary::exp(share * elementary::log(range.high / range.low));
+    return to_text(std::clamp(range.whole ? std::round(value) : rounded(value), range.low, range.high));
+}
+
+Member draw_member(const Family& family, const Choice& choice) {
+    Member member{.family = &family, .seed = choice.seed, .values = {}, .prospect = {}};
+    ParameterValues values{std::span<const Parameter>()};
+    for (const FamilyParameter& parameter : family.parameters) {
+        const auto given = std::ranges::find(choice.given, parameter.range.name, &GivenValues::value_type::first);
+        const std::string text =
+            given != choice.given.end() ? given->second : drawn_value(family, parameter, choice.seed);
+        if (!values.set(parameter.range, text)) {
+            throw std::invalid_argument(std::string(parameter.range.name) + " " + text + ": must be " +
+                                        parameter.range.allowed());
+        }
+        member.values.emplace_back(parameter.range.name, to_text(values.number(parameter.range.name)));
+    }
+    Random random(seed_of(choice.seed, family.name, "", 0));
+    member.prospect = family.describe(values, random);
+    member.prospect.scene.name = std::string(family.name) + "-" + std::to_string(choice.seed);
+    member.prospect.scene.contacts = true;
+    member.prospect.scene.options["seconds"] = to_text(member.prospect.rest_by + 1.0);
+    return member;
 }
 
 }  // namespace pushfactor::demos::families

@@ -6,7 +6,6 @@
 #include "demos/scenes/random.h"
 #include "demos/scenes/scene_description.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,15 +22,12 @@ using scenes::Random;
 //   slides   some bodies leave their places without falling over
 //   topples  some bodies fall over
 enum class Ends { stands, rests, slides, topples };
-std::string_view name_of(Ends ends);
 
 enum class Draw { evenly, by_decades };
 
-// A parameter: allowed and drawn values are `range.low` to `range.high`; small members, for tests, are drawn from
-// the narrower range.
+// A parameter: allowed and drawn values are `range.low` to `range.high`.
 struct FamilyParameter {
     Parameter range;
-    double small_low = 0.0, small_high = 0.0;
     Draw draw = Draw::evenly;
 };
 
@@ -63,8 +59,6 @@ using GivenValues = std::vector<std::pair<std::string, std::string>>;
 struct Choice {
     int seed = 1;
     GivenValues given{};  // names of the family's parameters, allowed values
-    bool small = false;
-    std::optional<std::size_t> most_bodies{};  // redrawn until there are no more
 };
 
 struct Member {
@@ -75,6 +69,9 @@ struct Member {
 
     std::string command() const;  // prints its scene
 };
+
+// The value that a seed draws for a parameter, as text; another attempt draws another one.
+std::string drawn_value(const Family& family, const FamilyParameter& parameter, int seed, int attempt = 0);
 
 // Draws a member, the same for equal choices. Given values do not change the others. Throws std::invalid_argument
 // for a value that the family does not allow.

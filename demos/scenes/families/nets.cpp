@@ -63,8 +63,8 @@ Family net() {
     return {"net",
             "A square net of bars between knots of 0.5 to 1.5 kg, its border fixed, with a weight in the middle.",
             "Stands: it hangs in the shape in which all bars pull with the same force per length.",
-            {{{"meshes", "N", "meshes per side", 0, 2, 20, true}, 2, 6},
-             {{"mass", "KG", "of the weight, kg", 0, 1, 1000}, 1, 1000, Draw::by_decades}},
+            {{{"meshes", "N", "meshes per side", 0, 2, 20, true}},
+             {{"mass", "KG", "of the weight, kg", 0, 1, 1000}, Draw::by_decades}},
             describe_net};
 }
 

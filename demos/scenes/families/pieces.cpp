@@ -10,15 +10,15 @@ using engine::Quaternion;
 using engine::Vector3;
 
 FamilyParameter friction_of(double low, double high) {
-    return {{"friction", "MU", "friction coefficient", 0, low, high}, low, high};
+    return {{"friction", "MU", "friction coefficient", 0, low, high}};
 }
 
 FamilyParameter inside_of(std::string_view help) {
-    return {{"inside", "0|1", help, 0, 0, 1, true}, 0, 1};
+    return {{"inside", "0|1", help, 0, 0, 1, true}};
 }
 
 FamilyParameter beyond_of(double low, double high, std::string_view help) {
-    return {{"beyond", "X", help, 0, low, high}, low, high};
+    return {{"beyond", "X", help, 0, low, high}};
 }
 
 double less_than_limit(const ParameterValues& values) {

@@ -15,8 +15,8 @@ using engine::Vector3;
 constexpr double pitch = 0.75;  // m between the centres of dropped bodies, none of which is larger
 constexpr double cube = 0.4;    // m
 
-const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, 10, 24, Draw::by_decades};
-const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}, 2, 4};
+const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, Draw::by_decades};
+const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}};
 
 // Places layer by layer, the lowest centre 0.6 m above the ground.
 class Places {
@@ -174,10 +174,10 @@ Family rods() {
     return {"rods",
             "Rods are thrown down on cubes that are dropped.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {{{"count", "N", "number of cubes", 0, 5, 1000, true}, 5, 12, Draw::by_decades},
+            {{{"count", "N", "number of cubes", 0, 5, 1000, true}, Draw::by_decades},
              layers,
-             {{"rods", "N", "number of rods", 0, 3, 500, true}, 3, 8, Draw::by_decades},
-             {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}, 0, 10},
+             {{"rods", "N", "number of rods", 0, 3, 500, true}, Draw::by_decades},
+             {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}},
              friction_of(0.1, 1.0)},
             describe_rods};
 }
@@ -186,9 +186,9 @@ Family plates() {
     return {"plates",
             "Plates of 0.3 to 0.5 m and 1000 kg/m^3 are dropped in layers, nearly flat.",
             "Comes to rest: every impact takes energy and nothing gives any.",
-            {{{"count", "N", "number of plates", 0, 5, 1000, true}, 5, 16, Draw::by_decades},
+            {{{"count", "N", "number of plates", 0, 5, 1000, true}, Draw::by_decades},
              layers,
-             {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}, 0.02, 0.1},
+             {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}},
              friction_of(0.1, 1.0)},
             describe_plates};
 }
@@ -197,7 +197,7 @@ Family funnel() {
     return {"funnel",
             "Balls of 0.5 m fall into a funnel of four planes.",
             "Comes to rest: no ball can roll anywhere but down.",
-            {{{"count", "N", "number of balls", 0, 5, 2000, true}, 5, 12, Draw::by_decades}, friction_of(0.2, 0.8)},
+            {{{"count", "N", "number of balls", 0, 5, 2000, true}, Draw::by_decades}, friction_of(0.2, 0.8)},
             describe_funnel};
 }
 

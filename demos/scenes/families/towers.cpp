@@ -82,27 +82,26 @@ Family round_tower() {
     return {"round-tower",
             "A round tower of planks, each ring turned by half a plank.",
             upright,
-            {{{"planks", "N", "planks per ring", 0, 8, 20, true}, 8, 10},
-             {{"rings", "N", "number of rings", 0, 2, 60, true}, 2, 5, Draw::by_decades},
+            {{{"planks", "N", "planks per ring", 0, 8, 20, true}},
+             {{"rings", "N", "number of rings", 0, 2, 60, true}, Draw::by_decades},
              friction_of(0.3, 1.0)},
             describe_round};
 }
 
 Family square_tower() {
-    return {
-        "square-tower",
-        "A square tower of planks, four per storey, laid like logs.",
-        upright,
-        {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, 2, 8, Draw::by_decades}, friction_of(0.3, 1.0)},
-        describe_square};
+    return {"square-tower",
+            "A square tower of planks, four per storey, laid like logs.",
+            upright,
+            {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
+            describe_square};
 }
 
 Family crossed() {
     return {"crossed",
             "Layers of three planks, each across the one below.",
             upright,
-            {{{"layers", "N", "number of layers", 0, 2, 60, true}, 2, 10, Draw::by_decades},
-             {{"gap", "M", "space between the planks of a layer, m", 0, 0, 0.05}, 0, 0.05},
+            {{{"layers", "N", "number of layers", 0, 2, 60, true}, Draw::by_decades},
+             {{"gap", "M", "space between the planks of a layer, m", 0, 0, 0.05}},
              friction_of(0.3, 1.0)},
             describe_crossed};
 }

@@ -13,9 +13,9 @@ using engine::Vector3;
 const Vector3 brick(0.5, 0.25, 0.25);  // m
 constexpr double kg_per_metre = 2.0;   // of brick; a whole one has 1 kg
 
-const FamilyParameter rows{{"rows", "N", "number of rows", 0, 2, 40, true}, 2, 6, Draw::by_decades};
-const FamilyParameter columns{{"columns", "N", "bricks per row", 0, 2, 40, true}, 2, 5, Draw::by_decades};
-const FamilyParameter gap{{"gap", "M", "space between neighbours, m", 0, 0, 0.02}, 0, 0.02};
+const FamilyParameter rows{{"rows", "N", "number of rows", 0, 2, 40, true}, Draw::by_decades};
+const FamilyParameter columns{{"columns", "N", "bricks per row", 0, 2, 40, true}, Draw::by_decades};
+const FamilyParameter gap{{"gap", "M", "space between neighbours, m", 0, 0, 0.02}};
 
 // Every second row begins and ends with half a brick.
 SceneDescription bricks(const ParameterValues& values) {
@@ -74,8 +74,8 @@ Family wall_hit() {
              columns,
              gap,
              friction_of(0.3, 1.0),
-             {{"mass", "KG", "of the ball, kg", 0, 5, 500}, 5, 500, Draw::by_decades},
-             {{"speed", "M/S", "of the ball, m/s", 0, 5, 20}, 5, 20}},
+             {{"mass", "KG", "of the ball, kg", 0, 5, 500}, Draw::by_decades},
+             {{"speed", "M/S", "of the ball, m/s", 0, 5, 20}}},
             describe_wall_hit};
 }
 

@@ -1,8 +1,7 @@
 // Dominoes of the proportions of the game, 48 x 24 x 7.5 mm, on a table, a gap of half their height between two of
 // them. The first one starts with the angular velocity that takes it a little beyond its balance. All lengths grow
 // with --height, and speeds with its square root.
-#include "demos/scenes/named/dominoes.h"
-
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/named/view.h"
 
 #include <array>

@@ -1,8 +1,7 @@
 // A tower of touching cubes of 1 m and 1 kg, the topmost R times heavier. Each iteration carries a share of the
 // weight down, so the number of iterations needed grows with R.
-#include "demos/scenes/named/heavy_on_light.h"
-
 #include "demos/scenes/named/cube_tower.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <array>
 

@@ -1,8 +1,7 @@
 // Paper section 10.2: the cubes of 10.1 with their centres 2 m apart, an overlap of 0.4 m; the lowest overlaps the
 // ground by 1.2 m. The original method throws them up, the single-frame push sets them down (Figure 7).
-#include "demos/scenes/named/intersecting_stack.h"
-
 #include "demos/scenes/named/cube_tower.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <array>
 

@@ -2,8 +2,7 @@
 // pendulum is attached only to one point in space by a bar. If enough force is applied to one of the spheres
 // resting on top it will push the pendulums to the side and fall through." The paper gives no numbers; with these
 // all five objects are held, and a steady force of 40 N (60 N here by default once asked for) presses one through.
-#include "demos/scenes/named/pendulum_grid.h"
-
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/named/view.h"
 #include "engine/world.h"
 

@@ -2,9 +2,8 @@
 // a distance constraint. The varied length generates the wave like procession". The paper gives no numbers: here
 // ball k makes 40 + k swings in 120 s, so that all are in phase again after two minutes and form two, three and
 // four groups after 60, 40 and 30 s. The balls never touch, and the scene has no collision detection.
-#include "demos/scenes/named/pendulum_wave.h"
-
 #include "demos/scenes/exact_motions/ball_on_bar.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/world.h"
 

@@ -1,8 +1,7 @@
 // Paper section 10.1: cubes of 2.4 m and 1.2 kg, gravity 10 m/s^2, centres 3 m apart, the lowest 2 m above the
 // ground.
-#include "demos/scenes/named/stack.h"
-
 #include "demos/scenes/named/cube_tower.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <array>
 

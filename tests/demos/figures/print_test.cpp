@@ -1,6 +1,6 @@
 // Figures for print: sizes on paper, letters, LaTeX, and colours that stay apart in grey.
-#include "demos/pages/printing/latex.h"
-#include "demos/pages/printing/sheet.h"
+#include "demos/figures/printing/latex.h"
+#include "demos/figures/printing/sheet.h"
 #include "demos/text/numbers.h"
 #include "demos/text/palette.h"
 #include "tests/catch.h"

@@ -24,13 +24,13 @@ int times(const std::string& text, const std::string& part) {
 std::vector<Section> sections_of(std::size_t count) {
     std::vector<Section> sections;
     for (std::size_t i = 0; i < count; ++i)
-        sections.push_back({.name = "one of many", .heading = "Some & <others>", .plate = {}});
+        sections.push_back({.name = "one of many", .heading = "Some & <others>", .content = {}});
     return sections;
 }
 
 std::string page_of(const TextTable& table) {
-    Section section{.name = "table", .heading = "Table", .plate = {}};
-    section.plate.table = table;
+    Section section{.name = "table", .heading = "Table", .content = {}};
+    section.content.table = table;
     return page_text("Title", "Opening", std::vector{section});
 }
 
@@ -88,12 +88,12 @@ TEST_CASE("in a cell long whole numbers are rounded too") {
 
 TEST_CASE("a page is whole whatever its texts are") {
     std::vector<Section> sections = sections_of(5);
-    Plate& plate = sections[1].plate;
-    plate.caption = "a < b && \"c\" -0.0 </p>";
-    plate.pictures = {"a \"b\".png"};
-    plate.files = {"a#b.csv"};
-    plate.commands = {"pushfactor run a.json > b && echo '<p>'", "pushfactor run \"b\""};
-    plate.table = {{"verdict", "<case>", "command"}, {"holds", "a & b", "x < y"}, {"fails", "", ""}, {"perhaps"}};
+    SectionContent& content = sections[1].content;
+    content.caption = "a < b && \"c\" -0.0 </p>";
+    content.pictures = {"a \"b\".png"};
+    content.files = {"a#b.csv"};
+    content.commands = {"pushfactor run a.json > b && echo '<p>'", "pushfactor run \"b\""};
+    content.table = {{"verdict", "<case>", "command"}, {"holds", "a & b", "x < y"}, {"fails", "", ""}, {"perhaps"}};
     const std::string page = page_text("A <title>", "An opening & more", sections);
     check_page(page);
     CHECK(times(page, "<section id=\"one-of-many") == 5);

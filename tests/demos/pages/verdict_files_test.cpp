@@ -1,6 +1,6 @@
 // Files for CI servers.
-#include "demos/pages/job_summary.h"
-#include "demos/pages/junit.h"
+#include "demos/pages/verdict_files.h"
+
 #include "tests/catch.h"
 #include "tests/texts.h"
 

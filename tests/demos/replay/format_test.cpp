@@ -2,7 +2,6 @@
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/forces.h"
 #include "demos/pictures/replay/integers.h"
-#include "demos/pictures/replay/poses.h"
 #include "tests/catch.h"
 #include "tests/demos/replay/decoder.h"
 #include "tests/random.h"

@@ -1,8 +1,8 @@
 // Every scene and a member of every family: the bits do not depend on the number of threads.
 #include "demos/options/named_run.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/scenes/families/family.h"
 #include "tests/catch.h"
+#include "tests/fuzz/members.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"
 
@@ -37,7 +37,7 @@ TEST_CASE("every scene has the same bits with one thread and with more") {
 
 TEST_CASE("members of all families have the same bits with one thread and with more") {
     for (const families::Family& family : families::families()) {
-        const families::Member member = draw_member(family, {.seed = 3, .small = true});
+        const families::Member member = tests::draw_bounded_member(family, {.seed = 3, .small = true});
         INFO(member.command());
         const Settings settings = tests::awake_settings("default");
         const std::uint64_t one = hash_of(member.prospect.scene, settings, 1, 60);

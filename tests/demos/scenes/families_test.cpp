@@ -1,10 +1,10 @@
 // Families of scenes: their members are ordinary scenes, and the random choices depend only on the seed.
 #include "demos/runs/simulation.h"
-#include "demos/scenes/families/family.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
+#include "tests/fuzz/members.h"
 #include "tests/settings.h"
 
 using namespace pushfactor;
@@ -15,7 +15,7 @@ using namespace pushfactor::tests;
 namespace {
 
 Member small_member(const Family& family, int seed) {
-    return draw_member(family, {.seed = seed, .small = true});
+    return tests::draw_bounded_member(family, {.seed = seed, .small = true});
 }
 
 double value_of(const Member& member, std::string_view name) {
@@ -61,18 +61,18 @@ TEST_CASE("what is drawn lies in its range, and fills it") {
             double lowest = parameter.range.high, highest = parameter.range.low;
             double small_highest = parameter.range.low;
             for (int seed = 0; seed < 30; ++seed) {
-                const Choice choice{.seed = seed, .most_bodies = 200};
-                const double value = value_of(draw_member(family, choice), parameter.range.name);
+                const MemberChoice choice{.seed = seed, .most_bodies = 200};
+                const double value = value_of(tests::draw_bounded_member(family, choice), parameter.range.name);
                 const double small = value_of(small_member(family, seed), parameter.range.name);
                 lowest = std::min(lowest, value);
                 highest = std::max(highest, value);
                 small_highest = std::max(small_highest, small);
-                CHECK(small >= parameter.small_low);
+                CHECK(small >= parameter.range.low);
             }
             INFO(family.name << " " << parameter.range.name << ": " << lowest << " to " << highest);
             CHECK(lowest >= parameter.range.low);
             CHECK(highest <= parameter.range.high);
-            CHECK(small_highest <= parameter.small_high);
+            CHECK(small_highest <= small_range(family, parameter.range).high);
             CHECK(lowest < highest);
         }
     }
@@ -81,7 +81,7 @@ TEST_CASE("what is drawn lies in its range, and fills it") {
 TEST_CASE("members are drawn again until they have no more bodies than asked for") {
     for (const Family& family : families::families()) {
         for (int seed = 0; seed < 10; ++seed) {
-            const Member member = draw_member(family, {.seed = seed, .most_bodies = 60});
+            const Member member = tests::draw_bounded_member(family, {.seed = seed, .most_bodies = 60});
             INFO(member.command());
             CHECK(member.prospect.scene.bodies.size() <= 60);
         }

@@ -1,8 +1,8 @@
 #include "tests/peers/problems/problem_report.h"
 
-#include "demos/pages/about.h"
-#include "demos/pages/plot.h"
+#include "demos/figures/plot.h"
 #include "demos/platform/plain_name.h"
+#include "demos/reports/about.h"
 #include "demos/reports/study.h"
 #include "tests/peers/problems/profiles.h"
 
@@ -16,7 +16,7 @@ namespace pushfactor::tests::problems {
 
 namespace {
 
-using demos::Plate, demos::Section, demos::TextTable, demos::reports::StudyRun;
+using demos::SectionContent, demos::Section, demos::TextTable, demos::reports::StudyRun;
 
 // Methods and problems in the order in which they first come.
 template <typename Name>
@@ -81,8 +81,8 @@ Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint
                    const StudyRun& run) {
     const std::string title = title_of(problem);
     const std::string name = demos::plain_name("problem_" + title, '_');
-    Section section{.name = name, .heading = title, .plate = {}};
-    section.plate.caption = fmt::format(
+    Section section{.name = name, .heading = title, .content = {}};
+    section.content.caption = fmt::format(
         "{}. From zero impulses, one thread; points are labelled with their iterations. The error is that of "
         "Siconos, |r - P_K(r - (u + mu |u_T| n))| / max(|q|, |r|, |u|), which mixes impulses and velocities; "
         "problems.csv also has errors in m/s. Time to 1e-4: {}; to 1e-8: {}.{}",
@@ -94,20 +94,22 @@ Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint
                                            .machine = run.machine(),
                                            .lines = lines_of(points),
                                            .theory = {}},
-                                          run.folder(), section.plate);
+                                          run.folder(), section.content);
     return section;
 }
 
-// Dolan-Moré profiles of all methods over all problems.
-Section profile_section(double error, const std::vector<ProblemPoint>& points, const StudyRun& run) {
-    const std::vector<std::string> problems = names_in(points, &ProblemPoint::problem);
+#include "demos/figures/plot.h"
+#include "demos/platform/plain_name.h"
+#include "demos/reports/about.h"
+#include "demos/reports/study.h"
+#include "tests/peers/problems/profiles.h"
     std::vector<SolverTimes> solvers;
     for (const std::string& method : names_in(points, &ProblemPoint::method)) {
         SolverTimes& solver = solvers.emplace_back(SolverTimes{.name = method, .times = {}});
         for (const std::string& problem : problems) solver.times.push_back(time_to(error, points, problem, method));
     }
     const std::vector<Profile> profiles = profiles_of(solvers);
-    Plate plate;
+    SectionContent plate;
     TextTable table{{"method", "solved", "fastest on", "within 2 times the fastest", "within 10 times"}};
     std::string names, colours, dashes;
     double last = 10.0;

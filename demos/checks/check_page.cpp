@@ -1,0 +1,173 @@
+#include "demos/checks/check_page.h"
+
+#include "demos/checks/worst_pictures.h"
+#include "demos/pages/html.h"
+#include "demos/pages/page.h"
+#include "demos/pages/page_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pushfactor::demos::checks {
+
+namespace {
+
+// A picture with its folder.
+struct Entry {
+    const FolderVerdict* folder;
+    const PictureVerdict* picture;
+
+    std::string name() const { return folder->name + "/" + picture->name; }
+};
+
+// Pictures that differ, the worst first, equal ones in the order of their names.
+std::vector<Entry> worst_first(std::span<const FolderVerdict> folders) {
+    std::vector<Entry> entries;
+    for (const FolderVerdict& folder : folders) {
+        for (const PictureVerdict& picture : folder.pictures) {
+            if (!picture.holds()) entries.push_back({&folder, &picture});
+        }
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.picture->badness > b.picture->badness; });
+    return entries;
+}
+
+std::string folder_table(std::span<const FolderVerdict> folders) {
+    TextTable table{{verdict_column, "folder", "pictures", "differ", "run", "pictures are compared"}};
+    for (const FolderVerdict& folder : folders) {
+        const auto differ = std::count_if(folder.pictures.begin(), folder.pictures.end(),
+                                          [](const PictureVerdict& picture) { return !picture.holds(); });
+        std::string run;
+        for (const RunVerdict& one : folder.runs) {
+            if (one.holds && one.compared) continue;
+            run += fmt::format("{}{}: {}{}", run.empty() ? "" : "; ", one.subject,
+                               one.compared ? "" : "not compared: ", one.text);
+        }
+        if (run.empty()) run = folder.runs.empty() ? "none" : "as expected";
+        const Mark mark = folder.failures() > 0       ? Mark::fails
+                          : folder.not_compared() > 0 ? Mark::not_compared
+                                                      : Mark::holds;
+        table.push_back({std::string(word_of(mark)), folder.name, std::to_string(folder.pictures.size()),
+                         std::to_string(differ), run, folder.how});
+    }
+    return "<section>\n<h2>Folders</h2>\n" + table_html(table, "Folders") + "</section>\n";
+}
+
+std::string view_html(const std::string& kind, const std::string& heading, const std::string& file,
+                      const std::string& of) {
+    const std::string content =
+        file.empty() ? "<div class=\"absent\">none</div>"
+                     : fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1} {2}\"></a>",
+                                   html::link_to(file), html::escaped(heading), html::escaped(of));
+    return fmt::format("<figure class=\"{}\">{}<figcaption>{}</figcaption></figure>\n", kind, content, heading);
+}
+
+std::string exhibit_html(const Entry& entry) {
+    const PictureVerdict& picture = *entry.picture;
+    const std::string path = entry.folder->anchor + "/" + picture.name, name = entry.name();
+    const bool has_expected = picture.finding != Finding::missing && picture.finding != Finding::unreadable;
+    const bool has_difference = picture.finding == Finding::differs;
+    return fmt::format("<section class=\"exhibit\">\n<h2>{}</h2>\n<p>{}</p>\n<div class=\"stage\">\n",
+                       html::escaped(name), html::escaped(picture.text)) +
+           view_html("expected", "Expected", has_expected ? expected_file(path) : "", name) +
+           view_html("actual", "Actual", actual_file(path), name) +
+           view_html("difference", "Difference", has_difference ? difference_file(path) : "", name) +
+           "</div>\n<p class=\"what\"></p>\n<input class=\"cut\" type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
+           "aria-label=\"Where the expected picture ends\">\n</section>\n";
+}
+
+const char* const modes =
+    "<div class=\"modes\" role=\"toolbar\" aria-label=\"How to compare\" hidden>\n"
+    "<button type=\"button\" value=\"side\">Side by side</button>\n"
+    "<button type=\"button\" value=\"swap\">Swap</button>\n"
+    "<button type=\"button\" value=\"slider\">Slider</button>\n"
+    "<button type=\"button\" value=\"difference\">Difference</button>\n"
+    "<span class=\"hint\">Keys 1 to 4; a click or the space bar swaps</span>\n</div>\n";
+
+// Pictures that differ but are not shown, and unexpected ones.
+std::string rest_html(std::span<const FolderVerdict> folders, const std::vector<Entry>& entries) {
+    TextTable table{{"picture", "finding"}};
+    for (const Entry& entry : entries) {
+        if (!entry.picture->shown) table.push_back({entry.name(), entry.picture->text});
+    }
+    for (const FolderVerdict& folder : folders) {
+        for (const std::string& name : folder.unexpected) {
+            table.push_back({folder.name + "/" + name, "unexpected: not a picture of this run; no failure"});
+        }
+    }
+    if (table.size() == 1) return "";
+    return "<section>\n<h2>Without pictures</h2>\n" + table_html(table, "Without pictures") + "</section>\n";
+}
+
+std::string plural(long count, const char* word) {
+    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string headline(std::span<const FolderVerdict> folders) {
+    long pictures = 0, differ = 0, runs = 0, wrong_runs = 0, skipped = 0;
+    for (const FolderVerdict& folder : folders) {
+        pictures += std::ssize(folder.pictures);
+        for (const PictureVerdict& picture : folder.pictures) differ += picture.holds() ? 0 : 1;
+        skipped += folder.not_compared() > 0 ? 1 : 0;
+        runs += folder.runs.size() > static_cast<std::size_t>(folder.not_compared()) ? 1 : 0;
+        wrong_runs +=
+            std::any_of(folder.runs.begin(), folder.runs.end(), [](const auto& run) { return !run.holds; });
+    }
+    const auto of = [](long some, long all, const char* word) {
+        return fmt::format("{} of {}", some, plural(all, word));
+    };
+    const std::string apart = skipped > 0 ? "; " + plural(skipped, "run") + " not compared, or not wholly" : "";
+    if (differ + wrong_runs == 0) {
+        const std::string tail = runs > 0 ? " and " + plural(runs, "run") : "";
+        return fmt::format("{}{} {} as expected{}", plural(pictures, "picture"), tail,
+                           pictures + runs == 1 ? "is" : "are", apart);
+    }
+    std::string text;
+    if (differ > 0) text = of(differ, pictures, "picture");
+    if (wrong_runs > 0) text += (text.empty() ? "" : " and ") + of(wrong_runs, runs, "run");
+    return text + (differ + wrong_runs == 1 ? " differs" : " differ") + apart;
+}
+
+std::string page_of(std::span<const FolderVerdict> folders, const std::string& made_with) {
+    const std::vector<Entry> entries = worst_first(folders);
+    std::string body = "<main>\n" + folder_table(folders);
+    std::string exhibits;
+    for (const Entry& entry : entries) {
+        if (entry.picture->shown) exhibits += exhibit_html(entry);
+    }
+    if (!exhibits.empty()) body += modes + exhibits;
+    body += rest_html(folders, entries) + "</main>\n";
+    const std::string opening = fmt::format(
+        "Checked with {}. Up to {} pictures of a folder are shown, the worst first; in the difference dark red is "
+        "small and white large.",
+        made_with, WorstPictures::most);
+    const std::array<std::string, 4> assets{"page.css", "check.css", "page.js", "check.js"};
+    return document(headline(folders), opening, body, assets);
+}
+
+std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {
+    std::vector<SuiteVerdict> suites;
+    for (const FolderVerdict& folder : folders) {
+        SuiteVerdict& suite = suites.emplace_back(SuiteVerdict{.name = folder.name, .seconds = folder.seconds});
+        for (const RunVerdict& run : folder.runs) {
+            suite.cases.push_back({.name = run.subject,
+                                   .failure = run.holds ? "" : run.text,
+                                   .skipped = run.compared ? "" : run.text,
+                                   .badness = 3.0});
+        }
+        for (const PictureVerdict& picture : folder.pictures) {
+            suite.cases.push_back({.name = picture.name,
+                                   .failure = picture.holds() ? "" : picture.text,
+                                   .seconds = picture.seconds,
+                                   .badness = picture.badness});
+        }
+    }
+    return suites;
+}
+
+}  // namespace pushfactor::demos::checks

@@ -1,0 +1,49 @@
+// A folder of `render` as an expectation: how its pictures were made, and what its summary says.
+#pragma once
+
+#include "demos/checks/verdict.h"
+#include "demos/runs/session.h"
+#include "demos/text/json.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pushfactor::demos::checks {
+
+struct Expectation {
+    std::filesystem::path folder;
+    GivenOptions given;
+    Sequence sequence;
+    std::optional<Json> summary;  // summary.json, as it was written with the pictures
+
+    // Whether this program with `driver` made the pictures; unknown for a program that was modified.
+    bool was_made_with(const std::string& driver) const;
+
+    // PNG files that are none of its frames.
+    std::vector<std::string> unexpected() const;
+};
+
+// The folders below `folder`, itself included, that have a config.json, by name. Throws UsageError if there are
+// none.
+std::vector<std::filesystem::path> folders_of_runs(const std::filesystem::path& folder);
+
+// `given` takes precedence over the config. A scene file that is not there is looked for in the folder. Throws
+// UsageError, one line, also for a folder that a newer version of the program wrote.
+Expectation read_expectation(const std::filesystem::path& folder, const GivenOptions& given);
+
+bool is_png(const std::filesystem::path& file);
+
+// All files of a folder and those below it, through links, in order. Throws UsageError for a folder that cannot be
+// read.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+
+// Names of the PNG files in a folder, without those below it, in order.
+std::vector<std::string> pictures_in(const std::filesystem::path& folder);
+
+// The options and the physics of the new run against those of the expectation: each panel's options by name, and
+// its state hash unless `hash` is false.
+std::vector<RunVerdict> compare_runs(const Expectation& expected, const Json& summary, bool hash);
+
+}  // namespace pushfactor::demos::checks

@@ -1,0 +1,45 @@
+// Output of figures: a folder, a format, a offscreen, and gnuplot for plots.
+#pragma once
+
+#include "demos/figures/printing/format.h"
+#include "demos/figures/printing/sheet.h"
+#include "demos/options/named_run.h"
+#include "demos/pages/page.h"
+#include "demos/pages/table.h"
+#include "demos/pictures/offscreen_renderer.h"
+
+#include <filesystem>
+#include <string>
+
+namespace pushfactor::demos::figures {
+
+class FigureOutput {
+  public:
+    FigureOutput(std::filesystem::path folder, const FigureFormat& format);
+
+    int width() const { return format_.width; }      // pixels, of every figure
+    int samples() const { return format_.samples; }  // renderings averaged per picture
+    const FigureFormat& format() const { return format_; }
+    pictures::OffscreenRenderer& offscreen() { return offscreen_; }
+    std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+    // Size of the font in pixels: that of the print; on a screen so many of them fit across a figure.
+    float letters(float across) const;
+
+    // Writes the picture as NAME.png and returns that name. Throws OutputError.
+    std::string save(const renderer::Image& image, const std::string& name) const;
+
+    // Writes the sheet as NAME.png and, for print, as NAME.pdf, and adds them to the content. Throws OutputError.
+    void save(const Sheet& sheet, const std::string& name, SectionContent& content) const;
+
+    // Writes NAME.csv and, where gnuplot is installed, draws it with assets/plots/NAME.gp as NAME.png, NAME.svg
+    // and, for print, NAME.pdf. Adds the files to the content; without gnuplot its caption says what to install.
+    void plot(const Table& table, const std::string& name, double aspect, SectionContent& content) const;
+
+  private:
+    std::filesystem::path folder_;
+    FigureFormat format_;
+    pictures::OffscreenRenderer offscreen_;
+};
+
+}  // namespace pushfactor::demos::figures

@@ -1,0 +1,64 @@
+#include "demos/pictures/offscreen_renderer.h"
+
+#include "demos/platform/assets.h"
+
+#include <optional>
+
+namespace pushfactor::demos::pictures {
+
+namespace {
+
+std::optional<renderer::ContextKind> kind_of(const std::string& gl) {
+    if (gl == "osmesa") return renderer::ContextKind::osmesa;
+    if (gl == "egl") return renderer::ContextKind::egl;
+    return std::nullopt;
+}
+
+}  // namespace
+
+OffscreenRenderer::OffscreenRenderer(const std::string& gl, StageTimes* times)
+    : times_(times), context_(renderer::open_offscreen_context(kind_of(gl))) {
+    if (times_) times_->end_drawing("set up");
+}
+
+renderer::Image OffscreenRenderer::draw(const renderer::Picture& picture, const Size& size, int samples) {
+    renderer::Image image;
+    draw(std::span(&picture, 1), size, samples, image);
+    return image;
+}
+
+void OffscreenRenderer::draw(std::span<const renderer::Picture> pictures, const Size& size, int samples,
+                             renderer::Image& image, std::size_t slot) {
+    if (times_) times_->begin_drawing();
+    if (renderers_.size() <= slot) renderers_.resize(slot + 1);
+    auto& [made_for, renderer] = renderers_[slot];
+    const std::tuple wanted{size.width, size.height, samples};
+    if (!renderer || wanted != made_for) {
+        renderer.reset();
+        renderer = std::make_unique<renderer::Renderer>(*context_, size.width, size.height, asset_folder("shaders"),
+                                                        samples, times_);
+        made_for = wanted;
+        end("set up");
+    }
+    const long before = renderer->blank();
+    renderer->render(pictures, image);
+    blank_ += renderer->blank() - before;
+}
+
+StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
+    constexpr int frames = 20;
+    OffscreenRenderer offscreen(gl);
+    renderer::Image image;
+    StageTime start;
+    for (int frame = 0; frame <= frames; ++frame) {
+        if (frame == 1) start = process_time();  // the first one compiles shaders
+        // A new camera per frame, so that nothing can be reused.
+        renderer::Picture picture{.camera = {}, .bodies = {{.shape = renderer::Sphere{0.2f}}}};
+        picture.camera.eye.x = 0.1f * static_cast<float>(frame);
+        offscreen.draw(std::span(&picture, 1), size, 1, image);
+    }
+    const StageTime end = process_time();
+    return {.wall = (end.wall - start.wall) / frames, .cpu = (end.cpu - start.cpu) / frames};
+}
+
+}  // namespace pushfactor::demos::pictures

@@ -1,0 +1,35 @@
+#include "demos/pictures/recorded_session.h"
+
+#include "demos/pictures/gltf/glb_record.h"
+#include "demos/platform/messages.h"
+#include "demos/text/errors.h"
+
+namespace pushfactor::demos::pictures {
+
+RecordedSession::RecordedSession(const Sequence& sequence, const RunFiles& files, bool timing,
+                                 std::filesystem::path folder, SurveyOnce& survey)
+    : session(sequence, timing), recorder(session, files, timing, std::move(folder)) {
+    if (files.glb) recorder.add(glb_record(*files.glb, sequence.panels, survey, session.run(0)));
+    if (!files.replay) return;
+    replay.emplace(
+        ReplayChoices{.file = *files.replay, .poses_only = files.replay_poses_only, .command = files.command},
+        session);
+}
+
+void RecordedSession::play(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const OutputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        say(recorder.keep_records() + (replay ? replay->keep(error.what()) : "") + recorder.warnings());
+        throw;
+    }
+}
+
+std::vector<std::string> RecordedSession::finish() {
+    if (replay) replay->finish();
+    return recorder.finish();
+}
+
+}  // namespace pushfactor::demos::pictures

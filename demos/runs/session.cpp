@@ -1,0 +1,81 @@
+#include "demos/runs/session.h"
+
+#include "demos/platform/cpu_clock.h"
+
+#include <fmt/format.h>
+
+namespace pushfactor::demos {
+
+std::size_t Sequence::drawn_count() const {
+    const auto count = static_cast<std::size_t>(shard.count);
+    return (frame_count() + count - static_cast<std::size_t>(shard.number)) / count;
+}
+
+long Sequence::last_step(std::size_t panel) const {
+    return frames[panel].are_stills() ? frames[panel].back().step : whole_steps(panels[panel].choices.settings);
+}
+
+Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
+    Sequence sequence{.panels = compared_runs(scene, given), .frames = {}};
+    for (const ComparedRun& panel : sequence.panels) {
+        const Choices& choices = panel.choices;
+        sequence.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        if (sequence.frames.back().size() != sequence.frame_count()) {
+            throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
+                                         panel.label, sequence.frame_count(), sequence.frames.back().size()));
+        }
+    }
+    return sequence;
+}
+
+Session::Session(Sequence sequence, bool timing, GoTo go_to)
+    : sequence_(std::move(sequence)), go_to_(std::move(go_to)) {
+    for (const ComparedRun& panel : sequence_.panels) {
+        if (timing) {
+            runs_.emplace_back(panel.choices.on_one_thread(), thread_cpu_us);
+        } else {
+            runs_.emplace_back(panel.choices);
+        }
+    }
+}
+
+bool Session::bring(std::size_t panel, long step, const std::vector<Observer*>& observers, const GoesOn& goes_on) {
+    Simulation& run = runs_[panel];
+    while (run.sample().step < step || go_to_) {
+        if (!goes_on(run)) return false;
+        try {
+            if (go_to_) {
+                go_to_(run, step);
+            } else {
+                run.advance();
+            }
+        } catch (const NonFiniteError& error) {
+            std::string message = error.what();
+            for (Observer* const observer : observers) message += observer->failed(panel);
+            throw NonFiniteError(message);
+        }
+        for (Observer* const observer : observers) observer->step(panel);
+        if (go_to_) break;
+    }
+    return true;
+}
+
+bool Session::play_frames(const std::vector<Observer*>& observers, const GoesOn& goes_on) {
+    for (std::size_t number = 0; number < sequence_.frame_count(); ++number) {
+        for (std::size_t panel = 0; panel < size(); ++panel) {
+            if (!bring(panel, sequence_.frames[panel][number].step, observers, goes_on)) return false;
+        }
+        for (Observer* const observer : observers) observer->frame(number);
+    }
+    return true;
+}
+
+bool Session::play(const std::vector<Observer*>& observers, const GoesOn& goes_on) {
+    if (!play_frames(observers, goes_on)) return false;
+    for (std::size_t panel = 0; panel < size() && !go_to_; ++panel) {
+        if (!bring(panel, sequence_.last_step(panel), observers, goes_on)) return false;
+    }
+    return true;
+}
+
+}  // namespace pushfactor::demos
