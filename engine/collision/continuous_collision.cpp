@@ -34,14 +34,16 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     return path_of(collider.shape, motion.velocity.norm(), turning, dt) > limit;
 }
 
-// How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m].
+// How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m]: as
+// its rows would see it, whose lever arms are those of the time at which they meet.
 double depth_at_end(const Touch& touch, const StepScene& scene) {
-    const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
+    const Vector3 centre_a = pose_at(scene.moving(touch.pair.a), touch.time).position;
+    const Vector3 centre_b = pose_at(scene.moving(touch.pair.b), touch.time).position;
+    const Motion& after_a = scene.motions->after[static_cast<std::size_t>(touch.body_a)];
+    const Motion& after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)];
     double depth = -infinity;
     for (const ContactPoint& point : touch.points) {
-        const double speed =
-            closing_speed(scene.motions->after[a], scene.poses[a].position, scene.motions->after[b],
-                          scene.poses[b].position, point.position, touch.normal);
+        const double speed = closing_speed(after_a, centre_a, after_b, centre_b, point.position, touch.normal);
         depth = std::max(depth, speed * scene.motions->dt - point.gap);
     }
     return depth;

@@ -2,9 +2,11 @@
 #include "engine/bodies/integrator.h"
 
 #include "engine/bodies/diagnostics.h"
+#include "engine/bodies/motion.h"
 #include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
+#include "tests/random.h"
 
 #include <cmath>
 
@@ -134,4 +136,29 @@ TEST_CASE("a box that turns by radians in a step keeps its energy") {
     // With one splitting per step the ratio drifts between 0.9 and 1.65, with small rotations it does not.
     const Body box = spinning(box_body(1.0, {1.0, 0.4, 0.2}, Vector3::Zero()), {3.0, 100.0, 2.0});
     CHECK(energy_ratio(box, rotate_by_small_turns, 10.0) == Approx(1.0).margin(0.002));
+}
+
+TEST_CASE("the motion of a step ends where the integrator lets it end, however far the body turns") {
+    pushfactor::tests::Random random(1);
+    constexpr double dt = 1.0 / 60.0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vector3 size = random.vector(0.04, 1.5);
+        const double turns = std::pow(10.0, random.in(-3.0, 1.0));
+        Body body = box_body(1.0, size, Vector3::Zero());
+        body.orientation = random.rotation();
+        body = spinning(body, 2.0 * 3.14159 * turns / dt * random.vector(-1, 1).normalized());
+        const Motion motion = motion_in_step(body, dt, rotate_by_small_turns);
+        const Quaternion end = rotate_by_small_turns(body, body.angular_momentum, dt);
+        REQUIRE(angle_between(exponential(dt * motion.angular_velocity) * body.orientation, end) < 2e-6);
+    }
+}
+
+TEST_CASE("a body that turns about a principal axis turns all the way") {
+    for (const Vector3& axis : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)}) {
+        for (const double rate : {10.0, 200.0, 250.0, 700.0}) {  // up to 11.7 rad in the step
+            const Body rod = spinning(box_body(1.0, {1.5, 0.04, 0.05}, Vector3::Zero()), rate * axis);
+            const Motion motion = motion_in_step(rod, 1.0 / 60.0, rotate_by_small_turns);
+            CHECK((motion.angular_velocity - rate * axis).norm() < 1e-9 * rate);
+        }
+    }
 }

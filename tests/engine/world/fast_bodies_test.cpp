@@ -214,6 +214,29 @@ TEST_CASE("a conveyor of bodies that fly together is as much at rest as one that
     for (int n = 0; n < 10; ++n) CHECK(scene.world.step(ContactScene::dt).rows(RowKind::contact) == 4);
 }
 
+TEST_CASE("a rod that is struck does not get into the next one, however fast all of them fly") {
+    // A ball strikes the first rod beside its middle, and it turns into the second, which no free motion meets.
+    for (const double together : {0.0, 3.0, 30.0}) {
+        Random random(7);
+        double deepest = 0.0, stopped = 0.0;
+        for (int trial = 0; trial < 100; ++trial) {
+            ContactScene scene;
+            const Vector3 flying = together * random.vector(-1, 1).normalized();
+            const double beside = random.in(0.2, 0.7), fast = random.in(5, 15);
+            scene.add_ball(0.1, {-beside, 0.25, 0}, flying + Vector3(0, -fast, 0));
+            scene.add_box({1.5, 0.04, 0.04}, Vector3::Zero(), flying);
+            const double lower = random.in(-0.12, -0.05), across = random.in(-0.7, -0.2);
+            scene.add_box({0.04, 0.04, 1.5}, {across, lower, 0}, flying);
+            scene.build(Vector3::Zero());
+            deepest = std::max(deepest, scene.watch(4).penetration);
+            stopped += (velocity(scene.world.bodies[2]) - flying).norm() > 1e-3;
+        }
+        CAPTURE(together, deepest, stopped);
+        CHECK(deepest < 0.25 * 0.04);
+        CHECK(stopped > 80);
+    }
+}
+
 TEST_CASE("what an impact turns does not end the step deep in what turned it") {
     // Edge on edge, edge on face, corner on face: the point that meets first is stopped, the others follow.
     std::mt19937 random(1);
