@@ -98,11 +98,9 @@ Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint
     return section;
 }
 
-#include "demos/figures/plot.h"
-#include "demos/platform/plain_name.h"
-#include "demos/reports/about.h"
-#include "demos/reports/study.h"
-#include "tests/peers/problems/profiles.h"
+// Dolan-Moré profiles of all methods over all problems.
+Section profile_section(double error, const std::vector<ProblemPoint>& points, const StudyRun& run) {
+    const std::vector<std::string> problems = names_in(points, &ProblemPoint::problem);
     std::vector<SolverTimes> solvers;
     for (const std::string& method : names_in(points, &ProblemPoint::method)) {
         SolverTimes& solver = solvers.emplace_back(SolverTimes{.name = method, .times = {}});
