@@ -26,14 +26,14 @@ int darkening_around(const Image& image, const Image& empty, int x, int y) {
 }  // namespace
 
 TEST_CASE("A bar is seen between its ends and not beyond, whatever its direction") {
-    Studio studio(width, height);
-    const Image empty = studio.background();
+    OffscreenRenderer offscreen(width, height);
+    const Image empty = offscreen.background();
     for (const glm::vec3 direction :
          {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f, -1.0f, 0.0f),
           glm::vec3(-0.6f, -0.8f, 0.0f), glm::vec3(0.8f, -0.6f, 0.0f), glm::vec3(0.48f, 0.6f, 0.64f)}) {
         const glm::vec3 from = glm::vec3(0.3f, 0.2f, 0.0f) - 1.2f * direction;
         const glm::vec3 to = from + 2.4f * direction;
-        const Image image = studio.render(
+        const Image image = offscreen.render(
             {.camera = from_the_front, .bars = {{.from = from, .to = to, .radius = 0.1f, .colour = red}}});
         for (const float part : {0.0f, 0.1f, 0.5f, 0.9f, 1.0f}) {
             const auto [x, y] = pixel_from_the_front(width, height, from + part * (to - from));
@@ -53,24 +53,24 @@ TEST_CASE("A bar is seen between its ends and not beyond, whatever its direction
 }
 
 TEST_CASE("A bar whose ends coincide is a dot") {
-    Studio studio(width, height);
-    const Image image =
-        studio.render({.camera = from_the_front, .bars = {{.to = glm::vec3(0.0f), .radius = 0.2f, .colour = red}}});
+    OffscreenRenderer offscreen(width, height);
+    const Image image = offscreen.render(
+        {.camera = from_the_front, .bars = {{.to = glm::vec3(0.0f), .radius = 0.2f, .colour = red}}});
     CHECK(is_red(image.pixel(width / 2, height / 2)));
     CHECK_FALSE(is_red(image.pixel(width / 2, height / 2 - 10)));
 }
 
 TEST_CASE("A bar much thinner than a pixel has no gaps") {
-    Studio studio(width, height);
-    const Image empty = studio.background();
+    OffscreenRenderer offscreen(width, height);
+    const Image empty = offscreen.background();
     for (const float degrees : {0.0f, 3.0f, 20.0f, 45.0f, 77.0f, 90.0f, 130.0f}) {
         INFO(degrees << " degrees");
         const float angle = glm::radians(degrees);
         const glm::vec3 end = 2.5f * glm::vec3(std::cos(angle), std::sin(angle), 0.0f);
         // A pixel is 4 cm here.
         const Image image =
-            studio.render({.camera = from_the_front,
-                           .bars = {{.from = -end, .to = end, .radius = 0.001f, .colour = glm::vec3(0.05f)}}});
+            offscreen.render({.camera = from_the_front,
+                              .bars = {{.from = -end, .to = end, .radius = 0.001f, .colour = glm::vec3(0.05f)}}});
         int least = 1 << 20;
         int most = 0;
         for (float part = -0.95f; part <= 0.95f; part += 0.01f) {
@@ -86,13 +86,13 @@ TEST_CASE("A bar much thinner than a pixel has no gaps") {
 }
 
 TEST_CASE("The shadow of a thin bar has no gaps") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     Picture picture{.camera = from_above, .towards_sun = {-1.0f, 1.0f, 0.0f}, .ground = Ground{}};
-    const Image lit = studio.render(picture);
+    const Image lit = offscreen.render(picture);
     const glm::vec3 from(-6.0f, 3.0f, -2.5f);
     const glm::vec3 to(-1.0f, 3.0f, 4.0f);
     picture.bars = {{.from = from, .to = to, .radius = 0.001f, .colour = ivory}};
-    const Image shadowed = studio.render(picture);
+    const Image shadowed = offscreen.render(picture);
     for (float part = 0.05f; part <= 0.95f; part += 0.01f) {
         const glm::vec3 above = from + part * (to - from);
         const auto [x, y] = pixel_from_above(picture.camera, width, height, above.x + 3.0f, above.z);
@@ -101,11 +101,11 @@ TEST_CASE("The shadow of a thin bar has no gaps") {
 }
 
 TEST_CASE("A bar does not darken the picture elsewhere") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     Picture picture{.camera = from_above, .ground = Ground{}};
-    const Image empty = studio.render(picture);
+    const Image empty = offscreen.render(picture);
     picture.bars = {{.from = {-1.0f, 0.5f, 0.0f}, .to = {1.0f, 0.5f, 0.0f}, .radius = 0.05f}};
-    const Image image = studio.render(picture);
+    const Image image = offscreen.render(picture);
     for (int y = 0; y < height / 3; ++y) {
         for (int x = 0; x < width; ++x) CHECK(image.pixel(x, y) == empty.pixel(x, y));
     }

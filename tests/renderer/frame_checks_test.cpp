@@ -99,10 +99,11 @@ TEST_CASE("A picture of nothing has the colour of its background, and is counted
 }
 
 TEST_CASE("A pixel or two of something are enough, and so is one body that fills the frame") {
-    Studio studio(64, 36);
-    CHECK_NOTHROW(studio.render({.camera = from_the_front, .bodies = {{.shape = Sphere{0.15f}, .colour = red}}}));
+    OffscreenRenderer offscreen(64, 36);
+    CHECK_NOTHROW(
+        offscreen.render({.camera = from_the_front, .bodies = {{.shape = Sphere{0.15f}, .colour = red}}}));
     const Body wall{.shape = Box{{30.0f, 30.0f, 1.0f}}, .colour = red};
-    const Image image = studio.render({.camera = from_the_front, .bodies = {wall}});
+    const Image image = offscreen.render({.camera = from_the_front, .bodies = {wall}});
     CHECK(is_red(image.pixel(0, 0)));
 }
 

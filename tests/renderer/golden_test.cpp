@@ -48,7 +48,7 @@ TEST_CASE("Frames look as they are meant to") {
             continue;
         }
         const Image golden = read_image(file);
-        const Image drawn = Studio(width, height, sample.samples).render(sample.picture);
+        const Image drawn = OffscreenRenderer(width, height, sample.samples).render(sample.picture);
         REQUIRE(golden.width == width);
         REQUIRE(golden.height == height);
         if (!same_to_the_eye(ImageDifference(golden, drawn))) FAIL_CHECK(report(sample, golden, drawn));

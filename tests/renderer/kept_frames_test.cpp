@@ -22,8 +22,8 @@ constexpr int height = 150;  // pixels
 // The frames that differ when nothing of the previous frame can be reused: between them the other renderer draws
 // something else, from another viewpoint.
 std::set<int> frames_that_differ(int count, const std::function<Picture(int)>& picture, int samples = 1) {
-    Studio film(width, height, samples);
-    Studio afresh(width, height, samples);
+    OffscreenRenderer film(width, height, samples);
+    OffscreenRenderer afresh(width, height, samples);
     std::set<int> differ;
     for (int frame = 0; frame < count; ++frame) {
         afresh.render({.camera = from_the_front, .bodies = {{}}});
@@ -181,7 +181,7 @@ TEST_CASE("A picture that was drawn already is not drawn again, and after a refu
     Renderer renderer(*context, width, height, shader_directory, 1, &counter);
     const Image first = renderer.render(crowd());
     CHECK(counter.drawn() == 1);
-    Studio other(width, height);
+    OffscreenRenderer other(width, height);
     other.render({.camera = from_the_front, .bodies = {{}}});
     CHECK(other.render(crowd()) == first);
     CHECK(renderer.render(crowd()) == first);

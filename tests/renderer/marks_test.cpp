@@ -41,12 +41,12 @@ int pixels_of(const Image& image, const Pixel& colour) {
 }  // namespace
 
 TEST_CASE("An arrow is seen along all of its length, and ends at its tip", "[marks]") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     for (const auto& [from, to] : {std::pair{glm::vec3(-1.0f, 0.5f, 0.0f), glm::vec3(2.0f, -1.0f, 0.0f)},
                                    std::pair{glm::vec3(1.0f, -1.0f, 3.0f), glm::vec3(0.5f, 2.0f, -4.0f)},
                                    std::pair{glm::vec3(-4.0f, 2.0f, 0.0f), glm::vec3(-1.0f, 2.0f, 0.0f)}}) {
         const Image image =
-            studio.render({.camera = from_the_front, .arrows = {{.from = from, .to = to, .colour = red}}});
+            offscreen.render({.camera = from_the_front, .arrows = {{.from = from, .to = to, .colour = red}}});
         for (const float part : {0.0f, 0.3f, 0.6f, 0.97f}) {
             CHECK(is_red(colour_at(image, from + part * (to - from))));
         }
@@ -61,7 +61,7 @@ TEST_CASE("Marks are projected like bodies, whatever the camera and the shape of
         .eye = {11.0f, 7.0f, 9.0f}, .target = {1.0f, 1.0f, 0.5f}, .vertical_field_of_view_degrees = 55.0f};
     const Camera straight_down{.eye = {0.0f, 20.0f, 0.0f}, .target = {0.0f, 0.0f, 0.0f}};
     for (const auto& [columns, rows] : {std::pair{320, 180}, std::pair{120, 260}}) {
-        Studio studio(columns, rows);
+        OffscreenRenderer offscreen(columns, rows);
         for (const Camera& camera : {askew, straight_down}) {
             for (const glm::vec3 place :
                  {glm::vec3(0.0f), glm::vec3(1.5f, 2.0f, -1.0f), glm::vec3(1.0f, -1.0f, 1.2f)}) {
@@ -69,8 +69,8 @@ TEST_CASE("Marks are projected like bodies, whatever the camera and the shape of
                 const Picture ball{.camera = camera, .bodies = {{.position = place, .shape = Sphere{0.6f}}}};
                 Picture both = ball;
                 both.dots = {{.position = place, .colour = blue}};
-                const Image without = studio.render(ball);
-                const Image with = studio.render(both);
+                const Image without = offscreen.render(ball);
+                const Image with = offscreen.render(both);
                 glm::vec2 ball_sum(0.0f), dot_sum(0.0f);
                 float ball_count = 0.0f, dot_count = 0.0f;
                 for (int y = 0; y < rows; ++y) {
@@ -100,20 +100,20 @@ TEST_CASE("Marks are seen through what hides them in depth", "[marks]") {
                     .bodies = {{.shape = Box{glm::vec3(1.5f)}, .colour = ivory}},
                     .arrows = {{.from = {-0.8f, 0.5f, 0.0f}, .to = {0.8f, 0.5f, -1.0f}, .colour = red}},
                     .dots = {{.position = {0.0f, -0.5f, -1.0f}, .colour = blue}}};
-    const Image image = Studio(width, height).render(picture);
+    const Image image = OffscreenRenderer(width, height).render(picture);
     CHECK(is_red(colour_at(image, {0.0f, 0.5f, -0.5f})));
     CHECK(is_blue(colour_at(image, {0.0f, -0.5f, -1.0f})));
 }
 
 TEST_CASE("Marks change no other pixels", "[marks]") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     Picture picture = all_kinds();
-    const Image before = studio.render(picture);
+    const Image before = offscreen.render(picture);
     picture.camera = from_the_front;
-    const Image ground = studio.render(picture);
+    const Image ground = offscreen.render(picture);
     picture.arrows = {{.from = {-1.0f, 1.0f, 0.0f}, .to = {1.0f, 1.0f, 0.0f}, .colour = red}};
     picture.dots = {{.position = {2.0f, -1.0f, 0.0f}, .colour = blue}};
-    const Image image = studio.render(picture);
+    const Image image = offscreen.render(picture);
     const auto [left, row] = pixel_from_the_front(width, height, picture.arrows[0].from);
     const auto [right, same_row] = pixel_from_the_front(width, height, picture.arrows[0].to);
     const auto [dot_x, dot_y] = pixel_from_the_front(width, height, picture.dots[0].position);
@@ -129,7 +129,7 @@ TEST_CASE("Marks change no other pixels", "[marks]") {
     }
     CHECK(changed > 60);
     // And they leave no traces in the next picture.
-    CHECK(studio.render(all_kinds()) == before);
+    CHECK(offscreen.render(all_kinds()) == before);
 }
 
 TEST_CASE("What is behind the eye is not drawn", "[marks]") {

@@ -36,12 +36,13 @@ const glm::vec3 middle(0.45f, 0.45f, 0.0f);
 }  // namespace
 
 TEST_CASE("A ball behind a panel is still seen, and the panel tints it") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     const Body ball{.position = {0.5f, 0.5f, -1.0f}, .shape = Sphere{}, .colour = red};
     const Panel panel = square_at(0.0f, blue, 0.4f);
-    const Pixel bare = at(studio.render({.camera = from_the_front, .bodies = {ball}}), middle);
-    const Pixel alone = at(studio.render({.camera = from_the_front, .panels = {panel}}), middle);
-    const Pixel both = at(studio.render({.camera = from_the_front, .bodies = {ball}, .panels = {panel}}), middle);
+    const Pixel bare = at(offscreen.render({.camera = from_the_front, .bodies = {ball}}), middle);
+    const Pixel alone = at(offscreen.render({.camera = from_the_front, .panels = {panel}}), middle);
+    const Pixel both =
+        at(offscreen.render({.camera = from_the_front, .bodies = {ball}, .panels = {panel}}), middle);
     CHECK(both[1] < alone[1] - 30);  // still without the light of the background
     CHECK(both[0] > both[1] + 60);   // and red
     CHECK(both[0] < bare[0] - 15);   // but tinted
@@ -49,39 +50,39 @@ TEST_CASE("A ball behind a panel is still seen, and the panel tints it") {
 }
 
 TEST_CASE("A panel behind a ball does not show through it") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     const Body ball{.position = {0.5f, 0.5f, 1.0f}, .shape = Sphere{}, .colour = red};
-    const Pixel bare = at(studio.render({.camera = from_the_front, .bodies = {ball}}), middle);
+    const Pixel bare = at(offscreen.render({.camera = from_the_front, .bodies = {ball}}), middle);
     const Picture picture{.camera = from_the_front, .bodies = {ball}, .panels = {square_at(-1.0f, blue, 1.0f)}};
-    CHECK(at(studio.render(picture), middle) == bare);
+    CHECK(at(offscreen.render(picture), middle) == bare);
 }
 
 TEST_CASE("A panel is seen from both sides, from the back fainter") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     const Panel panel = square_at(0.0f, blue, 0.5f);
-    const Pixel empty = at(studio.background(), middle);
-    const Pixel front = at(studio.render({.camera = from_the_front, .panels = {panel}}), middle);
-    const Pixel back = at(studio.render({.camera = from_the_front, .panels = {reversed(panel)}}), middle);
+    const Pixel empty = at(offscreen.background(), middle);
+    const Pixel front = at(offscreen.render({.camera = from_the_front, .panels = {panel}}), middle);
+    const Pixel back = at(offscreen.render({.camera = from_the_front, .panels = {reversed(panel)}}), middle);
     CHECK(difference(back, empty) > 30);
     CHECK(difference(front, empty) > 1.5 * difference(back, empty));
 }
 
 TEST_CASE("Opacity says how much a panel hides") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     const auto seen = [&](float opacity) {
-        return at(studio.render({.camera = from_the_front, .panels = {square_at(0.0f, blue, opacity)}}), middle);
+        return at(offscreen.render({.camera = from_the_front, .panels = {square_at(0.0f, blue, opacity)}}), middle);
     };
-    CHECK(seen(0.0f) == at(studio.background(), middle));
+    CHECK(seen(0.0f) == at(offscreen.background(), middle));
     CHECK(seen(0.3f)[0] > seen(0.6f)[0] + 15);
     CHECK(seen(0.6f)[0] > seen(1.0f)[0] + 15);
 }
 
 TEST_CASE("A panel has a bright outline, even where it hides nothing") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     for (const float opacity : {0.0f, 0.5f}) {
         const Panel panel = square_at(0.0f, blue, opacity);
         for (const Panel& side : {panel, reversed(panel)}) {
-            const Image image = studio.render({.camera = from_the_front, .panels = {side}});
+            const Image image = offscreen.render({.camera = from_the_front, .panels = {side}});
             // A little inside each edge, between the lines of the grid.
             for (const glm::vec3 edge : {glm::vec3(2.38f, 0.45f, 0.0f), glm::vec3(-1.58f, 0.45f, 0.0f),
                                          glm::vec3(0.45f, 2.38f, 0.0f), glm::vec3(0.45f, -1.58f, 0.0f)}) {
@@ -93,21 +94,21 @@ TEST_CASE("A panel has a bright outline, even where it hides nothing") {
 }
 
 TEST_CASE("The nearer panel is drawn over the farther, whatever their order in the list") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     std::vector<Panel> panels{square_at(-2.0f, blue, 0.9f), square_at(-1.0f, ivory, 0.2f),
                               square_at(1.0f, red, 0.8f)};
-    const Image first = studio.render({.camera = from_the_front, .panels = panels});
+    const Image first = offscreen.render({.camera = from_the_front, .panels = panels});
     CHECK(at(first, middle)[0] > at(first, middle)[2] + 60);  // red, which is the nearest
     for (int turn = 0; turn < 2; ++turn) {
         std::rotate(panels.begin(), panels.begin() + 1, panels.end());
-        CHECK(studio.render({.camera = from_the_front, .panels = panels}) == first);
+        CHECK(offscreen.render({.camera = from_the_front, .panels = panels}) == first);
     }
     std::ranges::reverse(panels);
-    CHECK(studio.render({.camera = from_the_front, .panels = panels}) == first);
+    CHECK(offscreen.render({.camera = from_the_front, .panels = panels}) == first);
 }
 
 TEST_CASE("Neither does the order matter of panels that are equally far away") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     const Panel level{
         .corners = {{-2.0f, 0.0f, 2.0f}, {2.0f, 0.0f, 2.0f}, {2.0f, 0.0f, -2.0f}, {-2.0f, 0.0f, -2.0f}},
         .colour = ivory,
@@ -118,30 +119,30 @@ TEST_CASE("Neither does the order matter of panels that are equally far away") {
     red_one.colour = red;
     std::vector<Panel> panels{level, red_one, tilted};
     const Camera camera{.eye = {0.0f, 4.0f, 9.0f}, .target = glm::vec3(0.0f)};
-    const Image first = studio.render({.camera = camera, .panels = panels});
+    const Image first = offscreen.render({.camera = camera, .panels = panels});
     do {
         std::rotate(panels.begin(), panels.begin() + 1, panels.end());
-        CHECK(studio.render({.camera = camera, .panels = panels}) == first);
+        CHECK(offscreen.render({.camera = camera, .panels = panels}) == first);
         std::swap(panels[0], panels[1]);
-        CHECK(studio.render({.camera = camera, .panels = panels}) == first);
+        CHECK(offscreen.render({.camera = camera, .panels = panels}) == first);
         std::swap(panels[0], panels[1]);
     } while (panels[0].corners != level.corners);
 }
 
 TEST_CASE("A ball's shadow falls on a panel, and the panel casts none") {
-    Studio studio(320, 180);
+    OffscreenRenderer offscreen(320, 180);
     Picture picture{
         .camera = from_the_front, .towards_sun = {1.0f, 0.0f, 1.0f}, .panels = {square_at(0.0f, ivory, 0.8f)}};
-    const Image lit = studio.render(picture);
+    const Image lit = offscreen.render(picture);
     picture.bodies = {{.position = {2.45f, 0.45f, 2.0f}, .shape = Sphere{}, .colour = red}};
-    CHECK(difference(at(studio.render(picture), middle), at(lit, middle)) > 60);
+    CHECK(difference(at(offscreen.render(picture), middle), at(lit, middle)) > 60);
 
     Picture ground{.camera = from_above, .towards_sun = {-1.0f, 1.0f, 0.0f}, .ground = Ground{}};
-    const Image bare = studio.render(ground);
+    const Image bare = offscreen.render(ground);
     ground.panels = {
         {.corners = {{-4.0f, 3.0f, 1.0f}, {-2.0f, 3.0f, 1.0f}, {-2.0f, 3.0f, -1.0f}, {-4.0f, 3.0f, -1.0f}},
          .opacity = 1.0f}};
-    const Image below = studio.render(ground);
+    const Image below = offscreen.render(ground);
     const auto [x, y] = pixel_from_above(ground.camera, 320, 180, 0.3f, 0.3f);
     CHECK(below.pixel(x, y) == bare.pixel(x, y));
     const auto [panel_x, panel_y] = pixel_from_above(ground.camera, 320, 180, -3.5f, 0.3f);

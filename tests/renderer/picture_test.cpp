@@ -76,5 +76,5 @@ TEST_CASE("A picture that cannot be drawn is refused by the name of the field") 
         picture.dots = {{.colour = {0.0f, 0.0f, nan}}};
         CHECK_THROWS_WITH(check(picture), Contains("dots[0] is"));
     }
-    CHECK_THROWS_AS(Studio(8, 8).render(picture), RendererError);
+    CHECK_THROWS_AS(OffscreenRenderer(8, 8).render(picture), RendererError);
 }

@@ -24,13 +24,13 @@ Image noise(int width, int height) {
 }  // namespace
 
 TEST_CASE("A PNG decodes to the bytes of its image") {
-    for (const Image& image : {noise(1, 1), noise(37, 11), Studio(96, 54).render(stack_of_cubes(3))}) {
+    for (const Image& image : {noise(1, 1), noise(37, 11), OffscreenRenderer(96, 54).render(stack_of_cubes(3))}) {
         CHECK(decode_png(encode_png(image)) == image);
     }
 }
 
 TEST_CASE("A frame as PNG takes less than a fifth of its bytes") {
-    const Image image = Studio(640, 360).render(stack_of_cubes(5));
+    const Image image = OffscreenRenderer(640, 360).render(stack_of_cubes(5));
     const std::size_t size = encode_png(image).size();
     INFO(size << " of " << image.rgb.size() << " bytes");
     CHECK(size < image.rgb.size() / 5);

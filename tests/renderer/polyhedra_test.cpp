@@ -59,10 +59,10 @@ TEST_CASE("the bevelled mesh of a polyhedron is closed, faces outwards and stays
 }
 
 TEST_CASE("a cube as a polyhedron looks as a box does") {
-    Studio studio(160, 90);
-    const Image polyhedron = studio.render(with(std::make_shared<const ConvexShape>(cube())));
+    OffscreenRenderer offscreen(160, 90);
+    const Image polyhedron = offscreen.render(with(std::make_shared<const ConvexShape>(cube())));
     const Image box =
-        studio.render({.camera = from_the_front, .bodies = {{.shape = Box{glm::vec3(1.0f)}, .colour = red}}});
+        offscreen.render({.camera = from_the_front, .bodies = {{.shape = Box{glm::vec3(1.0f)}, .colour = red}}});
     int differing = 0;
     for (std::size_t i = 0; i < box.rgb.size(); ++i)
         differing += std::abs(box.rgb[i] - polyhedron.rgb[i]) > 4 ? 1 : 0;
@@ -71,11 +71,11 @@ TEST_CASE("a cube as a polyhedron looks as a box does") {
 
 TEST_CASE("a polyhedron is seen where it is, hides what is behind it and casts a shadow") {
     Picture picture{.camera = from_above, .ground = Ground{.height = -3.0f}};
-    Studio studio(160, 90);
-    const Image bare = studio.render(picture);
+    OffscreenRenderer offscreen(160, 90);
+    const Image bare = offscreen.render(picture);
     picture.bodies.push_back({.shape = wedge(), .colour = red});
     picture.bodies.push_back({.position = {0.0f, -1.5f, 0.0f}, .shape = Sphere{0.3f}, .colour = blue});
-    const Image image = studio.render(picture);
+    const Image image = offscreen.render(picture);
     CHECK(is_red(image.pixel(80, 45)));
     int darker = 0;
     for (int y = 0; y < 90; ++y) {

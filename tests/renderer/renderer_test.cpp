@@ -12,42 +12,42 @@ using namespace pushfactor::renderer;
 using Catch::Contains;
 
 TEST_CASE("The same picture gives the same bytes, whatever was drawn in between") {
-    Studio studio(160, 90);
-    const Image first = studio.render(stack_of_cubes(5));
+    OffscreenRenderer offscreen(160, 90);
+    const Image first = offscreen.render(stack_of_cubes(5));
 
     Picture other = stack_of_cubes(40);
     other.camera.eye *= 3.0f;
     other.towards_sun = {1.0f, 1.0f, 0.0f};
     other.ground.reset();
-    CHECK(studio.render(other) != first);
-    CHECK(studio.render(all_kinds()) != first);
-    CHECK(studio.render(stack_of_cubes(5)) == first);
+    CHECK(offscreen.render(other) != first);
+    CHECK(offscreen.render(all_kinds()) != first);
+    CHECK(offscreen.render(stack_of_cubes(5)) == first);
 }
 
 TEST_CASE("A fresh context gives the same bytes") {
-    const Image first = Studio(160, 90).render(stack_of_cubes(5));
-    CHECK(Studio(160, 90).render(stack_of_cubes(5)) == first);
+    const Image first = OffscreenRenderer(160, 90).render(stack_of_cubes(5));
+    CHECK(OffscreenRenderer(160, 90).render(stack_of_cubes(5)) == first);
 }
 
 TEST_CASE("A picture of all kinds gives the same bytes again, and in a fresh context") {
-    Studio studio(160, 90);
-    const Image first = studio.render(all_kinds());
-    CHECK(studio.render(stack_of_cubes(3)) != first);
-    CHECK(studio.render(all_kinds()) == first);
-    CHECK(Studio(160, 90).render(all_kinds()) == first);
+    OffscreenRenderer offscreen(160, 90);
+    const Image first = offscreen.render(all_kinds());
+    CHECK(offscreen.render(stack_of_cubes(3)) != first);
+    CHECK(offscreen.render(all_kinds()) == first);
+    CHECK(OffscreenRenderer(160, 90).render(all_kinds()) == first);
 }
 
 TEST_CASE("Spheres, bars and panels leave nothing behind for the next picture") {
-    Studio studio(160, 90);
-    const Image first = studio.render(stack_of_cubes(5));
-    studio.render(all_kinds());
-    CHECK(studio.render(stack_of_cubes(5)) == first);
+    OffscreenRenderer offscreen(160, 90);
+    const Image first = offscreen.render(stack_of_cubes(5));
+    offscreen.render(all_kinds());
+    CHECK(offscreen.render(stack_of_cubes(5)) == first);
 }
 
 TEST_CASE("Renderers that live at the same time do not disturb each other") {
-    Studio wide(160, 90);
+    OffscreenRenderer wide(160, 90);
     const Image alone = wide.render(stack_of_cubes(5));
-    Studio square(64, 64);
+    OffscreenRenderer square(64, 64);
     const Image small = square.render(stack_of_cubes(2));
     CHECK(wide.render(stack_of_cubes(5)) == alone);
     CHECK(square.render(stack_of_cubes(2)) == small);
@@ -62,20 +62,20 @@ TEST_CASE("Two renderers may share a context") {
 }
 
 TEST_CASE("A body thrown out of sight changes nothing") {
-    Studio studio(160, 90);
+    OffscreenRenderer offscreen(160, 90);
     Picture picture = stack_of_cubes(3);
-    const Image before = studio.render(picture);
+    const Image before = offscreen.render(picture);
     for (const float far : {1e4f, 1e20f, 1e38f}) {
         picture.bodies.push_back({.position = {far, -far, far}});
         picture.bodies.push_back({.position = {far, -far, far}, .shape = Sphere{}});
         picture.bars.push_back({.from = {far, -far, far}, .to = {far, far, far}});
-        CHECK(studio.render(picture) == before);
+        CHECK(offscreen.render(picture) == before);
     }
 }
 
 TEST_CASE("The image has the size that was asked for") {
     for (const auto& [width, height] : {std::pair{1, 1}, std::pair{3, 200}, std::pair{Renderer::max_side, 2}}) {
-        const Image image = Studio(width, height).render(stack_of_cubes(1));
+        const Image image = OffscreenRenderer(width, height).render(stack_of_cubes(1));
         CHECK(image.width == width);
         CHECK(image.height == height);
         CHECK(image.rgb.size() == static_cast<std::size_t>(3 * width * height));

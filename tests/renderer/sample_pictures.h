@@ -27,9 +27,9 @@ inline const Camera from_the_front{.eye = {0.0f, 0.0f, 10.0f}, .target = glm::ve
 inline const Camera from_above{.eye = {0.0f, 20.0f, 0.0f}, .target = glm::vec3(0.0f)};
 
 // A renderer with a context of its own.
-class Studio {
+class OffscreenRenderer {
   public:
-    Studio(int width, int height, int samples = 1)
+    OffscreenRenderer(int width, int height, int samples = 1)
         : renderer_(*context_, width, height, shader_directory, samples) {}
 
     Image render(const Picture& picture) { return renderer_.render(picture); }

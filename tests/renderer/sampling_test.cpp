@@ -131,20 +131,21 @@ TEST_CASE("The mean of a part leaves the rest as it was") {
 }
 
 TEST_CASE("One sample is the plain image, and the same number of samples gives the same bytes") {
-    CHECK(Studio(width, height, 1).render(all_kinds()) == Studio(width, height).render(all_kinds()));
-    Studio studio(width, height, 7);
-    const Image first = studio.render(all_kinds());
-    studio.render(stack_of_cubes(2));
-    CHECK(studio.render(all_kinds()) == first);
-    CHECK(Studio(width, height, 7).render(all_kinds()) == first);
+    CHECK(OffscreenRenderer(width, height, 1).render(all_kinds()) ==
+          OffscreenRenderer(width, height).render(all_kinds()));
+    OffscreenRenderer offscreen(width, height, 7);
+    const Image first = offscreen.render(all_kinds());
+    offscreen.render(stack_of_cubes(2));
+    CHECK(offscreen.render(all_kinds()) == first);
+    CHECK(OffscreenRenderer(width, height, 7).render(all_kinds()) == first);
 }
 
 TEST_CASE("More samples make finer edges and leave the picture as it is") {
     const glm::quat tilted = glm::angleAxis(0.3f, glm::vec3(0.0f, 0.0f, 1.0f));
     const Picture picture{.camera = from_the_front,
                           .bodies = {{.orientation = tilted, .shape = Box{glm::vec3(1.5f)}, .colour = red}}};
-    const Image one = Studio(width, height).render(picture);
-    const Image sixteen = Studio(width, height, 16).render(picture);
+    const Image one = OffscreenRenderer(width, height).render(picture);
+    const Image sixteen = OffscreenRenderer(width, height, 16).render(picture);
     const auto levels = [](const Image& image) {
         std::set<int> seen;
         for (std::size_t i = 2; i < image.rgb.size(); i += 3) seen.insert(image.rgb[i]);
@@ -153,9 +154,9 @@ TEST_CASE("More samples make finer edges and leave the picture as it is") {
     CHECK(levels(sixteen) > levels(one) + 15);
 
     // Few samples have the light of one; more darken what hides the sky from each other, and little else.
-    const Image frame = Studio(width, height).render(all_kinds());
+    const Image frame = OffscreenRenderer(width, height).render(all_kinds());
     for (const int samples : {8, 16, 64}) {
-        const Image still = Studio(width, height, samples).render(all_kinds());
+        const Image still = OffscreenRenderer(width, height, samples).render(all_kinds());
         double difference = 0.0;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) difference += brightness(still, x, y) - brightness(frame, x, y);
@@ -167,8 +168,8 @@ TEST_CASE("More samples make finer edges and leave the picture as it is") {
 
 TEST_CASE("With many samples a shadow is softer the farther it falls") {
     // Pixels are 11 cm wide here; 1.5 degrees to each side at 24 m of slanting light are 1.3 m.
-    Studio sharp(width, height);
-    Studio soft(width, height, 32);
+    OffscreenRenderer sharp(width, height);
+    OffscreenRenderer soft(width, height, 32);
     CHECK(half_lit(sharp.render(slab_at(17.0f)), 4.0f) <= 3);
     const int near = half_lit(soft.render(slab_at(0.5f)), 4.0f);
     const int far = half_lit(soft.render(slab_at(17.0f)), 4.0f);
@@ -178,6 +179,6 @@ TEST_CASE("With many samples a shadow is softer the farther it falls") {
 
 TEST_CASE("Numbers of samples that cannot be drawn are refused") {
     for (const int samples : {0, -1, Renderer::max_samples + 1}) {
-        CHECK_THROWS_AS(Studio(8, 8, samples), RendererError);
+        CHECK_THROWS_AS(OffscreenRenderer(8, 8, samples), RendererError);
     }
 }

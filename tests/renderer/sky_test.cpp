@@ -41,8 +41,8 @@ TEST_CASE("Ground in front of a wall loses the part of the sky that the wall hid
     // A wall that is seen up to the elevation a hides (1 - cos a) / 2 of the light that a level surface gets from
     // an even sky. Points between the lines of the ground.
     const float height = 3.0f;
-    const Image bare = Studio(side, side, 256).render(wall(0.002f));
-    const Image walled = Studio(side, side, 256).render(wall(height));
+    const Image bare = OffscreenRenderer(side, side, 256).render(wall(0.002f));
+    const Image walled = OffscreenRenderer(side, side, 256).render(wall(height));
     const auto lost = [&](float from_wall) {
         const float z = -4.0f + from_wall;
         return (light_at(bare, 0.5f, z) - light_at(walled, 0.5f, z)) / light_at(bare, 0.5f, z);
@@ -62,7 +62,7 @@ TEST_CASE("Ground is darker the nearer it is to the foot of a cube, all around i
                        .towards_sun = {0.0f, 1.0f, 0.0f},
                        .ground = Ground{},
                        .bodies = {{.position = {0.0f, 1.0f, 0.0f}, .shape = Box{glm::vec3(1.0f)}}}};
-    const Image image = Studio(side, side, 64).render(cube);
+    const Image image = OffscreenRenderer(side, side, 64).render(cube);
     const double open = light_at(image, 5.5f, 5.5f);
     for (const glm::vec2& aside : {glm::vec2(1.0f, 0.0f), {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}}) {
         // Beside the lines through the middle.
@@ -82,9 +82,9 @@ TEST_CASE("What no body hides has the light of a single sample") {
     const Picture far_ball{.camera = from_above,
                            .ground = Ground{},
                            .bodies = {{.position = {3.0f, 0.2f, 3.0f}, .shape = Sphere{0.2f}}}};
-    const Image one = Studio(side, side).render(far_ball);
+    const Image one = OffscreenRenderer(side, side).render(far_ball);
     for (const int samples : {4, 16, 64}) {
-        const Image many = Studio(side, side, samples).render(far_ball);
+        const Image many = OffscreenRenderer(side, side, samples).render(far_ball);
         CHECK(light_at(many, -4.5f, -4.5f) == Approx(light_at(one, -4.5f, -4.5f)).epsilon(0.01));
     }
 }
@@ -96,7 +96,7 @@ TEST_CASE("A side without sun is darker beside ground in its own shadow than bes
                               .towards_sun = {0.0f, 1.0f, -1.0f},
                               .ground = Ground{.height = -altitude},
                               .bodies = {{.shape = Box{{2.0f, 0.5f, 0.5f}}, .colour = ivory}}};
-        const Image image = Studio(side, side, 64).render(picture);
+        const Image image = OffscreenRenderer(side, side, 64).render(picture);
         const auto [x, y] = pixel_from_the_front(side, side, {0.3f, -0.35f, 0.5f});
         return light(image, x, y);
     };

@@ -24,12 +24,12 @@ int brightness(const Image& image, const std::pair<int, int>& pixel) {
 }  // namespace
 
 TEST_CASE("A sphere's outline is a circle of the right size, near and far") {
-    Studio studio(width, height);
-    const Image empty = studio.background();
+    OffscreenRenderer offscreen(width, height);
+    const Image empty = offscreen.background();
     for (const float radius : {0.1f, 0.16f, 0.3f, 0.45f, 0.8f, 1.15f, 2.0f, 4.0f}) {
         INFO("radius " << radius << " m");
         const Image image =
-            studio.render({.camera = from_the_front, .bodies = {{.shape = Sphere{radius}, .colour = red}}});
+            offscreen.render({.camera = from_the_front, .bodies = {{.shape = Sphere{radius}, .colour = red}}});
         // Lines of sight touch the sphere at an angle whose sine is radius over distance.
         const float distance = from_the_front.eye.z;
         const float half_angle = glm::radians(0.5f * from_the_front.vertical_field_of_view_degrees);
@@ -50,11 +50,12 @@ TEST_CASE("A sphere's outline is a circle of the right size, near and far") {
 }
 
 TEST_CASE("A sphere's pattern turns with its quaternion") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     const auto turned = [&](float degrees, const glm::vec3& axis) {
         const glm::quat turn = glm::angleAxis(glm::radians(degrees), axis);
-        return studio.render({.camera = from_the_front,
-                              .bodies = {{.orientation = turn, .shape = Sphere{1.0f}, .colour = glm::vec3(0.5f)}}});
+        return offscreen.render(
+            {.camera = from_the_front,
+             .bodies = {{.orientation = turn, .shape = Sphere{1.0f}, .colour = glm::vec3(0.5f)}}});
     };
     const glm::vec3 z(0.0f, 0.0f, 1.0f);
     const Image straight = turned(0.0f, z);
@@ -74,11 +75,12 @@ TEST_CASE("A sphere's pattern turns with its quaternion") {
 }
 
 TEST_CASE("A sphere looks as round from the side and from straight above as from the front") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     const auto covered = [&](const glm::vec3& eye) {
         const Camera camera{.eye = eye, .target = glm::vec3(0.0f)};
-        const Image empty = studio.background();
-        const Image image = studio.render({.camera = camera, .bodies = {{.shape = Sphere{1.0f}, .colour = red}}});
+        const Image empty = offscreen.background();
+        const Image image =
+            offscreen.render({.camera = camera, .bodies = {{.shape = Sphere{1.0f}, .colour = red}}});
         int count = 0;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) count += image.pixel(x, y) != empty.pixel(x, y) ? 1 : 0;
@@ -94,15 +96,15 @@ TEST_CASE("A sphere looks as round from the side and from straight above as from
 }
 
 TEST_CASE("A sphere shadows the ground and what is on it, and is shadowed") {
-    Studio studio(160, 120);
+    OffscreenRenderer offscreen(160, 120);
     Picture picture{.camera = from_above,
                     .towards_sun = {-1.0f, 1.0f, 0.0f},
                     .ground = Ground{},
                     .bodies = {{.position = {4.0f, 1.0f, 0.0f}, .shape = Sphere{1.0f}, .colour = ivory}}};
-    const Image lit = studio.render(picture);
+    const Image lit = offscreen.render(picture);
     picture.bodies.push_back({.position = {0.0f, 5.0f, 0.0f}, .shape = Sphere{1.0f}, .colour = red});
     picture.bodies.push_back({.position = {-6.0f, 3.0f, 4.0f}, .shape = Sphere{0.5f}, .colour = red});
-    const Image shadowed = studio.render(picture);
+    const Image shadowed = offscreen.render(picture);
     const auto [ball_x, ball_y] = pixel_from_above(picture.camera, 160, 120, 4.2f, 0.0f);
     CHECK(brightness(shadowed, ball_x, ball_y) < brightness(lit, ball_x, ball_y) - 100);
     const auto [x, y] = pixel_from_above(picture.camera, 160, 120, -3.0f, 4.0f);
@@ -113,10 +115,10 @@ TEST_CASE("A sphere shadows the ground and what is on it, and is shadowed") {
 }
 
 TEST_CASE("A sphere has no pattern of its own shadow, up to where the light ends") {
-    Studio studio(width, height);
+    OffscreenRenderer offscreen(width, height);
     for (const float radius : {1.0f, 1.5f}) {
         const Image image =
-            studio.render({.camera = from_the_front, .bodies = {{.shape = Sphere{radius}, .colour = ivory}}});
+            offscreen.render({.camera = from_the_front, .bodies = {{.shape = Sphere{radius}, .colour = ivory}}});
         const float seen = 0.85f * radius * 52.0f;  // pixels, of the outline's radius
         int roughest = 0;
         for (int y = 0; y < height; ++y) {
@@ -136,13 +138,13 @@ TEST_CASE("A sphere has no pattern of its own shadow, up to where the light ends
 }
 
 TEST_CASE("The ground is darker around the point where a sphere touches it") {
-    Studio studio(160, 120);
+    OffscreenRenderer offscreen(160, 120);
     Picture picture{.camera = from_above, .towards_sun = {0.0f, 1.0f, 0.0f}, .ground = Ground{}};
-    const Image empty = studio.render(picture);
+    const Image empty = offscreen.render(picture);
     picture.bodies = {{.position = {0.0f, 2.0f, 0.0f}, .shape = Sphere{2.0f}}};
-    const Image standing = studio.render(picture);
+    const Image standing = offscreen.render(picture);
     picture.bodies[0].position.y = 8.0f;
-    const Image floating = studio.render(picture);
+    const Image floating = offscreen.render(picture);
     const auto [x, y] = pixel_from_above(picture.camera, 160, 120, 2.4f, 0.3f);
     CHECK(brightness(standing, x, y) < brightness(empty, x, y) - 10);
     const auto [far_x, far_y] = pixel_from_above(picture.camera, 160, 120, 4.5f, 0.3f);
