@@ -57,7 +57,8 @@ TEST_CASE("a frozen problem reads back with the same residuals, bit for bit") {
 }
 
 TEST_CASE("frozen points: more sweeps leave less, warm starts are nearer, and the plot leaves dense out") {
-    const FrozenProblem problem = freeze({"settled", "funnel", {{"seconds", "4"}, {"scheme", "whole"}}}, [] {});
+    // At 4 s a ball still rolls by 0.6 m/s, and from the forces of a step before a sweep may leave more than from none.
+    const FrozenProblem problem = freeze({"settled", "funnel", {{"seconds", "8"}, {"scheme", "whole"}}}, [] {});
     const std::vector<FrozenPoint> points = solve_frozen(problem, true);
     const auto residual = [&](const std::string& method, int iterations) {
         for (const FrozenPoint& point : points) {
