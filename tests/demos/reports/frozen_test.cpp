@@ -57,7 +57,7 @@ TEST_CASE("a frozen problem reads back with the same residuals, bit for bit") {
 }
 
 TEST_CASE("frozen points: more sweeps leave less, warm starts are nearer, and the plot leaves dense out") {
-    // At 4 s a ball still rolls by 0.6 m/s, and from the forces of a step before a sweep may leave more than from none.
+    // At 4 s a ball still rolls by 0.6 m/s, and a sweep from the last forces may leave more than one from none.
     const FrozenProblem problem = freeze({"settled", "funnel", {{"seconds", "8"}, {"scheme", "whole"}}}, [] {});
     const std::vector<FrozenPoint> points = solve_frozen(problem, true);
     const auto residual = [&](const std::string& method, int iterations) {
