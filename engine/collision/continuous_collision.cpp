@@ -37,11 +37,8 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
 // How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m]: as
 // its rows would see it, whose lever arms are those of the time at which they meet.
 double depth_at_end(const Touch& touch, const StepScene& scene) {
-    const auto centre = [&](int body) -> Vector3 {
-        return scene.poses[static_cast<std::size_t>(body)].position +
-               touch.time * scene.motions->path_of(body).velocity;
-    };
-    const Vector3 centre_a = centre(touch.body_a), centre_b = centre(touch.body_b);
+    const Vector3 centre_a = scene.centre(touch.body_a, touch.time),
+                  centre_b = scene.centre(touch.body_b, touch.time);
     const Motion& after_a = scene.motions->after[static_cast<std::size_t>(touch.body_a)];
     const Motion& after_b = scene.motions->after[static_cast<std::size_t>(touch.body_b)];
     double depth = -infinity;

@@ -17,15 +17,15 @@ constexpr double noise = 1e-6;              // of the permitted overlap: motion 
 // in itself does not come closer by turning.
 double closing(const Touch& touch, std::span<const Motion> motions, const Vector3& point, const Vector3& normal,
                const StepScene& step) {
-    const auto a = static_cast<std::size_t>(touch.body_a), b = static_cast<std::size_t>(touch.body_b);
-    const auto motion_of = [&](int collider, std::size_t body) {
-        Motion motion = motions[body];
+    const auto motion_of = [&](int collider, int body) {
+        Motion motion = motions[static_cast<std::size_t>(body)];
         const Shape& shape = step.colliders[static_cast<std::size_t>(collider)].shape;
         if (turns_in_itself(shape)) motion.angular_velocity.setZero();
         return motion;
     };
-    return closing_speed(motion_of(touch.pair.a, a), step.poses[a].position, motion_of(touch.pair.b, b),
-                         step.poses[b].position, point, normal);
+    return closing_speed(motion_of(touch.pair.a, touch.body_a), step.centre(touch.body_a, touch.time),
+                         motion_of(touch.pair.b, touch.body_b), step.centre(touch.body_b, touch.time), point,
+                         normal);
 }
 
 double gap_along(const Touch& touch, const Vector3& normal, const StepScene& step) {
