@@ -94,13 +94,21 @@ std::string name_of(const fs::path& folder) {
     return name;
 }
 
+// Whether a file of this name says what is expected.
+bool is_expected_file(const fs::path& name) {
+    return name == "config.json" || name == "summary.json" || name == "trajectory.csv" || is_png(name);
+}
+
 // Checks the folders, several at once, and prints the lines of each in their order as soon as they are known.
 class Checks {
   public:
     Checks(const Check& request, const Rules& rules) : request_(request), rules_(rules) {
         Anchors anchors;
+        std::set<fs::path> seen;
         for (const std::string& given : request.folders) {
             for (const fs::path& folder : folders_of_runs(given)) {
+                if (!seen.insert(fs::canonical(folder)).second) continue;
+                refuse_expected_files(folder);
                 jobs_.push_back({.name = name_of(folder), .anchor = anchors(folder), .pages = pages()});
                 folders_.push_back(folder);
             }
@@ -140,6 +148,15 @@ class Checks {
     std::string driver() const { return driver_; }
 
   private:
+    void refuse_expected_files(const fs::path& folder) const {
+        for (const auto& [option, file] :
+             {std::pair{"junit", &request_.junit}, std::pair{"markdown", &request_.markdown}}) {
+            if (*file && is_expected_file(fs::path(**file).filename()) && is_file_of(folder, **file)) {
+                throw UsageError(fmt::format("--{} {}: must not be a file that is checked", option, **file));
+            }
+        }
+    }
+
     void work() {
         try {
             std::optional<pictures::OffscreenRenderer> offscreen;

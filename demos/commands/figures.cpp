@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pushfactor::demos::commands {
 
@@ -42,10 +43,11 @@ bool is_second(const char* option, const std::string& value, const char* first, 
     return value == second;
 }
 
-int pixels_of(const std::string& option, int pixels) {
-    if (pixels < 400 || pixels > 4096)
-        throw UsageError(fmt::format("{}: {} pixels, must be 400 to 4096", option, pixels));
-    return pixels;
+int pixels_of(const std::string& option, double pixels) {
+    const double whole = std::round(pixels);
+    if (whole < 400.0 || whole > 4096.0)
+        throw UsageError(fmt::format("{}: {:.6g} pixels, must be 400 to 4096", option, whole));
+    return static_cast<int>(whole);
 }
 
 int whole_number(const char* option, const std::string& text, int low, int high) {
@@ -80,7 +82,7 @@ FigureFormat format_of(const Figures& command) {
                 fmt::format("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *command.letters));
         }
     }
-    format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.pixels());
+    format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.inches() * print.dpi);
     format.print = print;
     return format;
 }

@@ -46,6 +46,24 @@ Job understand_job(const std::string& scene, const Render& request) {
     return job;
 }
 
+// The files of a folder of frames have their names; a scene and other outputs must not take them.
+void refuse_own_files(const Job& job, const Render& request, const std::string& scene) {
+    std::vector<std::string> files = request.files.all();
+    for (const auto* const file : {&request.summary, &request.video}) {
+        if (*file) files.push_back(**file);
+    }
+    files.push_back(scene);
+    for (const std::string& file : files) {
+        const std::string name = fs::path(file).filename();
+        const bool is_own = name == "config.json" || (name == "summary.json" && file != request.summary) ||
+                            job.sequence.frames.front().has(name);
+        if (is_own && is_file_of(job.folder, file)) {
+            throw UsageError(
+                fmt::format("{}: must have another name: render writes a file of this name there", file));
+        }
+    }
+}
+
 // Writes config.json. Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to
 // delete. Shards of one film write the same file; a folder with another film is not for them.
 void prepare_folder(const Job& job, const Render& request) {
@@ -54,8 +72,8 @@ void prepare_folder(const Job& job, const Render& request) {
                !job.sequence.frames.front().has(entry.path().filename().string());
     });
     if (strangers > 0) {
-        note(fmt::format("{} holds {} other PNG files that this run does not touch", job.folder.string(),
-                         strangers));
+        note(fmt::format("{} holds {} other PNG {} that this run does not touch", job.folder.string(), strangers,
+                         strangers == 1 ? "file" : "files"));
     }
     const fs::path file = job.folder / "config.json";
     const std::string text = config_text(job.sequence.panels.front().choices, request.given);
@@ -239,6 +257,7 @@ void carry_out(const Render& request) {
     std::vector<Job> jobs;
     for (const std::string& scene : request.scenes) {
         jobs.push_back(understand_job(scene, request));
+        refuse_own_files(jobs.back(), request, scene);
         for (std::size_t i = 0; i + 1 < jobs.size(); ++i) {
             if (jobs[i].folder != jobs.back().folder) continue;
             throw UsageError(
@@ -259,7 +278,9 @@ void carry_out(const Render& request) {
         for (Job& job : jobs) render_job(job, request, offscreen, watch);
     }
     if (offscreen && offscreen->blank() > 0) {
-        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", offscreen->blank()));
+        note(fmt::format("{}, because nothing is in view of the camera",
+                         offscreen->blank() == 1 ? "1 picture is empty"
+                                                 : fmt::format("{} pictures are empty", offscreen->blank())));
     }
     if (times) print_times(jobs, *times, offscreen.has_value());
 }

@@ -106,9 +106,15 @@ Words::Words(std::string command, std::vector<Option> known, std::vector<std::st
             }
             value = arguments[++i];
         }
+        if (value.empty() && found->kind != OptionKind::flag) {
+            throw UsageError(fmt::format("--{}: must have a value, {}", name, found->placeholder));
+        }
         std::vector<std::string>& texts = given_[name];
         if (!texts.empty() && found->kind != OptionKind::list) {
-            throw UsageError(fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
+            throw UsageError(
+                found->kind == OptionKind::flag
+                    ? fmt::format("--{}: must be given once", name)
+                    : fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
         }
         texts.push_back(value);
     }

@@ -12,10 +12,11 @@ namespace pushfactor::demos {
 
 namespace {
 
-// Options that may differ between panels; not "seconds", because they must show the same times.
+// Options that may differ between panels; not "seconds", because they must show the same times, and not "threads",
+// because results do not depend on it.
 std::vector<std::string> comparable(const Choices& choices) {
     std::vector<std::string> names = simulation_option_names();
-    std::erase(names, "seconds");
+    std::erase_if(names, [](const std::string& name) { return name == "seconds" || name == "threads"; });
     for (const auto& [name, value] : choices.parameters) names.push_back(name);
     return names;
 }
@@ -33,6 +34,11 @@ std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOpti
         throw UsageError(fmt::format("{} {}: cannot compare {}; it must be one of {}{}", chosen->field,
                                      chosen->text, comparison->option, fmt::join(names, ", "),
                                      suggestion(comparison->option, names)));
+    }
+    const auto* const single = given.find(comparison->option);
+    if (single && single->is_typed()) {
+        throw UsageError(fmt::format("{} {}: must be without --compare {}, which sets it in each panel",
+                                     single->field, single->text, comparison->option));
     }
     std::vector<ComparedRun> panels;
     for (const std::string& value : comparison->values) {

@@ -99,6 +99,13 @@ void require_option(const Choices& choices, const std::string& field, const std:
            fmt::format("{} must be one of {}{}", name, fmt::join(known, ", "), suggestion(name, known)));
 }
 
+// Of two values for one option, one would be ignored.
+void require_unset(const OptionTexts& set, const std::string& field, const std::string& text,
+                   const std::string& name) {
+    const auto found = std::ranges::find(set, name, [](const auto& option) { return option.first; });
+    if (found != set.end()) refuse(field, text, fmt::format("must be without --set {}={}", name, found->second));
+}
+
 bool accepts(const GridRequest& request, const OptionTexts& set, const std::string& name,
              const std::string& value) {
     OptionTexts options = set;
@@ -115,6 +122,7 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
                   const std::string& text) {
     const auto [name, value] = name_and_value(field, text, forms);
     require_option(run_of(request.scene, set), field, text, name);
+    require_unset(set, field, text, name);
     AtlasAxis axis{.option = name, .label = name, .values = {}, .scale = 1.0, .logarithmic = false};
     const std::vector<std::string> words = split(value, ':');
     if (words.size() == 4 && words[0] == "log") {
@@ -153,6 +161,7 @@ OptionTexts options_of(const GridRequest& request) {
     for (const std::string& text : request.set) {
         const auto [name, value] = name_and_value("--set", text, "must be OPTION=VALUE");
         require_option(run_of(request.scene, {}), "--set", text, name);
+        require_unset(options, "--set", text, name);
         options.emplace_back(name, value);
     }
     return options;

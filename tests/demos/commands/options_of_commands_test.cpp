@@ -209,6 +209,9 @@ TEST_CASE("options before the command are refused, -- ends the options, and a va
     check_refused("run stack --dt --seconds 1", "--dt: must have a value");
     check_refused("run stack --dt 1/60 --dt 1/30", "--dt 1/30: must be given once");
     check_refused("run stack --timing=yes", "--timing=yes: must be without a value");
+    check_refused("list --names --names", "--names: must be given once");
+    check_refused("run stack --csv ''", "--csv: must have a value, FILE");
+    check_refused("render stack --out=", "--out: must have a value, DIR");
     check_refused("run -- --seconds", "scene --seconds: must be one of");
     check_refused("family --seed 3", "--seed 3: must not be with family");
     check_refused("run stack --timing --threads 2", "--threads 2: must be without --timing");
