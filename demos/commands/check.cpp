@@ -58,13 +58,6 @@ Rules understand_rules(const Check& request) {
     return rules;
 }
 
-int jobs_at_once(const Check& request) {
-    if (!request.jobs) return 1;
-    const auto jobs = parse_integer(*request.jobs);
-    if (jobs && *jobs >= 1 && *jobs <= 256) return *jobs;
-    throw UsageError(fmt::format("--jobs {}: must be a whole number from 1 to 256", *request.jobs));
-}
-
 // File names for folders: what is not plain becomes '-', and a name that is taken gets a number.
 class Anchors {
   public:
@@ -102,7 +95,8 @@ bool is_expected_file(const fs::path& name) {
 // Checks the folders, several at once, and prints the lines of each in their order as soon as they are known.
 class Checks {
   public:
-    Checks(const Check& request, const Rules& rules) : request_(request), rules_(rules) {
+    Checks(const Check& request, const Rules& rules)
+        : request_(request), rules_(rules), most_(static_cast<std::size_t>(request.jobs.value_or(1))) {
         Anchors anchors;
         std::set<fs::path> seen;
         for (const std::string& given : request.folders) {
@@ -126,9 +120,8 @@ class Checks {
                 updates_[i] = std::make_unique<Update>(folders_[i]);
             }
         }
-        const auto most = static_cast<std::size_t>(jobs_at_once(request_));
         std::vector<std::thread> others;
-        for (std::size_t i = 1; i < std::min(most, jobs_.size()); ++i) others.emplace_back([this] { work(); });
+        for (std::size_t i = 1; i < std::min(most_, jobs_.size()); ++i) others.emplace_back([this] { work(); });
         work();
         for (std::thread& thread : others) thread.join();
         if (error_) std::rethrow_exception(error_);
@@ -203,7 +196,7 @@ class Checks {
     void check(std::size_t i, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
         FolderJob job = jobs_[i];
         std::optional<ProgressBar> bar;  // of one folder at a time
-        if (jobs_at_once(request_) == 1) {
+        if (most_ == 1) {
             bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
@@ -223,6 +216,7 @@ class Checks {
 
     const Check& request_;
     Rules rules_;
+    std::size_t most_;  // at once
     std::vector<fs::path> folders_;
     std::vector<FolderJob> jobs_;
     std::vector<std::unique_ptr<Update>> updates_;
@@ -308,17 +302,14 @@ AnyCommand read_check(Words& words) {
     const char* const must = "without --against, which renders nothing";
     command.physics = words.take("physics", renders, must);
     command.update = words.take("update", renders, must).has_value();
-    command.jobs = words.take("jobs", renders, must);
-    if (const auto gl = words.take("gl", renders, must)) {
-        if (*gl != "osmesa" && *gl != "egl") throw UsageError(fmt::format("--gl {}: must be osmesa or egl", *gl));
-        command.given.add("gl", *gl, "--gl");
-    }
+    for (const char* const option : {"jobs", "gl"}) words.take(option, renders, must);
+    command.jobs = words.take_whole("jobs", 1, 256);
+    if (const auto gl = words.take_word("gl", {"osmesa", "egl"})) command.given.add("gl", *gl, "--gl");
     command.out = words.take("out");
     command.junit = words.take("junit");
     command.markdown = words.take("markdown");
     command.allow_not_compared = words.take_flag("allow-not-compared");
     understand_rules(command);
-    jobs_at_once(command);
     return command;
 }
 

@@ -31,12 +31,7 @@ struct Job {
 
 Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
-    if (request.shard) {
-        const auto shard = parse_shard(*request.shard);
-        if (!shard)
-            throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
-        job.sequence.shard = *shard;
-    }
+    job.sequence.shard = request.shard.value_or(Shard{});
     if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
@@ -81,7 +76,7 @@ void prepare_folder(const Job& job, const Render& request) {
         write_file(file, text);
     } else if (!write_first(file, text)) {
         throw UsageError(fmt::format("--shard {}: {} is of another film; remove the folder, or take another --out",
-                                     *request.shard, file.string()));
+                                     to_text(*request.shard), file.string()));
     }
 }
 
@@ -198,9 +193,9 @@ AnyCommand read_render(Words& words) {
     Render command;
     command.timing = words.take_flag("timing");
     command.from_trajectory = words.take("from-trajectory");
-    command.shard = words.take("shard");
+    command.shard = words.take_shard("shard");
     command.out = words.take("out");
-    command.png = take_switch(words, "frames", true);
+    command.png = words.take_word("frames", {"on", "off"}) != "off";
     command.scenes = words.take_names();
     command.given = take_simulation(words, command.scenes, !command.timing);
     const bool stills = command.given.find("at") != nullptr;

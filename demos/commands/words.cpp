@@ -6,6 +6,7 @@
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -174,6 +175,29 @@ std::optional<std::string> Words::take(std::string_view option, bool has_effect,
         throw UsageError(fmt::format("{}: must be {}", field(std::string(option)), must));
     }
     return take(option);
+}
+
+std::optional<std::string> Words::take_word(std::string_view option, const std::vector<std::string>& words) {
+    auto text = take(option);
+    if (text && std::ranges::find(words, *text) == words.end()) {
+        throw UsageError(fmt::format("--{} {}: must be {}", option, *text, fmt::join(words, " or ")));
+    }
+    return text;
+}
+
+std::optional<int> Words::take_whole(std::string_view option, int low, int high) {
+    const auto text = take(option);
+    if (!text) return std::nullopt;
+    const auto number = parse_integer(*text);
+    if (number && *number >= low && *number <= high) return number;
+    throw UsageError(fmt::format("--{} {}: must be a whole number from {} to {}", option, *text, low, high));
+}
+
+std::optional<Shard> Words::take_shard(std::string_view option) {
+    const auto text = take(option);
+    if (!text) return std::nullopt;
+    if (const auto shard = parse_shard(*text)) return shard;
+    throw UsageError(fmt::format("--{} {}: must be K/N with 1 <= K <= N <= 1000000", option, *text));
 }
 
 std::vector<std::string> Words::take_names() {

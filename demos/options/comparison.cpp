@@ -31,9 +31,8 @@ std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOpti
     const std::vector<std::string> names = comparable(common);
     if (std::find(names.begin(), names.end(), comparison->option) == names.end()) {
         const auto* chosen = given.find("compare");
-        throw UsageError(fmt::format("{} {}: cannot compare {}; it must be one of {}{}", chosen->field,
-                                     chosen->text, comparison->option, fmt::join(names, ", "),
-                                     suggestion(comparison->option, names)));
+        throw UsageError(fmt::format("{} {}: cannot compare {}; it {}", chosen->field, chosen->text,
+                                     comparison->option, one_of(comparison->option, names)));
     }
     const auto* const single = given.find(comparison->option);
     if (single && single->is_typed()) {

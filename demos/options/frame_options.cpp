@@ -143,36 +143,32 @@ const std::array frame_table{
         "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
         fmt::format("a whole number from 1 to {}", most_samples), set_samples,
         [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
-    FrameOption{
-        "shutter", "X",
-        "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses between "
-        "steps are interpolated, so take a small --dt for exact blur [0]",
-        "a number from 0 to 1", set_shutter,
-        [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
-    FrameOption{
-        "camera", "WHAT",
-        "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, turned "
-        "where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list of these "
-        "[scene; fit for stills and comparisons]",
-        "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these, each once, "
-        "with "
-        "scene or a file",
-        set_camera,
-        [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
-        of_pictures | of_models | of_run},
+    FrameOption{"shutter", "X",
+                "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses "
+                "between steps are interpolated, so take a small --dt for exact blur [0]",
+                "a number from 0 to 1", set_shutter,
+                [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
+    FrameOption{"camera", "WHAT",
+                "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
+                "turned where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list "
+                "of these [scene; fit for stills and comparisons]",
+                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these, each "
+                "once, with scene or a file",
+                set_camera,
+                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
+                of_pictures | of_models | of_run},
     FrameOption{"caption", "on|off", "time, scene and options in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
-    FrameOption{
-        "overlay", "WHAT",
-        "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 is "
-        "50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
-        "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last second; "
-        "trails:0.5: half a second)",
-        "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, no-contacts, "
-        "thrust, trails, each once, with islands or rest; forces, torques, push and velocities may have a scale "
-        "like "
-        "forces:50, trails seconds",
-        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }, of_pictures | of_models | of_run},
+    FrameOption{"overlay", "WHAT",
+                "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 "
+                "is 50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
+                "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last "
+                "second; trails:0.5: half a second)",
+                "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, "
+                "no-contacts, thrust, trails, each once, with islands or rest; forces, torques, push and "
+                "velocities may have a scale like forces:50, trails seconds",
+                set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); },
+                of_pictures | of_models | of_run},
     FrameOption{
         "compare", "OPTION=V1,V2,...",
         "panels side by side that differ in an option, preset or parameter: push=none,persistent,single-frame",

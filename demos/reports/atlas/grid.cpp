@@ -9,7 +9,6 @@
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,18 +84,11 @@ std::vector<std::string> equal_factors(const std::string& field, const std::stri
     return values;
 }
 
-bool is_known_option(const Choices& choices, const std::string& name, std::vector<std::string>& known) {
-    known = simulation_option_names();
-    for (const auto& [parameter, value] : choices.parameters) known.push_back(parameter);
-    return std::find(known.begin(), known.end(), name) != known.end();
-}
-
 void require_option(const Choices& choices, const std::string& field, const std::string& text,
                     const std::string& name) {
-    std::vector<std::string> known;
-    if (is_known_option(choices, name, known)) return;
-    refuse(field, text,
-           fmt::format("{} must be one of {}{}", name, fmt::join(known, ", "), suggestion(name, known)));
+    std::vector<std::string> known = simulation_option_names();
+    for (const auto& [parameter, value] : choices.parameters) known.push_back(parameter);
+    if (std::ranges::find(known, name) == known.end()) refuse(field, text, name + " " + one_of(name, known));
 }
 
 // Of two values for one option, one would be ignored.
@@ -176,9 +168,7 @@ void require_measure(const GridRequest& request, const OptionTexts& options) {
     for (const auto& [name, value] : summary.items()) {
         if (value.is_number() || value.is_null()) numbers.push_back(name);
     }
-    if (std::find(numbers.begin(), numbers.end(), request.measure) != numbers.end()) return;
-    refuse("--measure", request.measure,
-           fmt::format("must be one of {}{}", fmt::join(numbers, ", "), suggestion(request.measure, numbers)));
+    require_known("--measure", request.measure, numbers);
 }
 
 }  // namespace

@@ -117,6 +117,19 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     refused("stack --camera sideways", "--camera sideways: must be scene, a camera file");
     folder.write("camera.json", R"({"eye_m": [1, 2, 3], "targt_m": [0, 0, 0]})");
     refused("stack --camera camera.json", "targt_m: unknown key; did you mean target_m?");
+    folder.write("camera.json", R"({"eye_m": [1e300, 2, 3], "target_m": [0, 0, 0]})");
+    refused("stack --camera camera.json",
+            "camera.json: eye_m [1e+300,2,3]: must be three numbers from -1e9 to 1e9");
+    for (const char* const body : {R"("radius_m": 1, "position_m": [0, 1e60, 0])", R"("radius_m": 1e-30)"}) {
+        folder.write("far.json", std::string(R"({"version": 1, "bodies": [{"name": "ball", "shape": "sphere",
+            "mass_kg": 1, )") + body +
+                                     "}]}");
+        const char* const words = "far: body ball: must be within 1e12 m of the origin, and of 1e-12 to 1e12 m";
+        refused("far.json --at 0", words);
+        refused("far.json --frames off --replay far.html", words);
+        check_refused(folder, "pushfactor run far.json --glb far.glb", words);
+        CHECK(shell(folder, "pushfactor run far.json --seconds 0.1").status == 0);
+    }
     CHECK(!std::filesystem::exists(folder / "frames/config.json"));
 }
 
