@@ -33,6 +33,7 @@ Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     job.sequence.shard = request.shard.value_or(Shard{});
     if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
+    note_idle(request.given, job.sequence.panels);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
