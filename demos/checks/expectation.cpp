@@ -120,8 +120,8 @@ std::vector<fs::path> folders_of_runs(const fs::path& folder) {
     }
     if (found.empty()) {
         throw UsageError(
-            fmt::format("check {}: must have a config.json, as `render` writes it, in it or below; "
-                        "pictures without one are compared with --against",
+            fmt::format("check {}: must have a config.json, as `render` writes it, in it or below; pictures "
+                        "without one are compared with --against",
                         folder.string()));
     }
     std::sort(found.begin(), found.end());

@@ -32,9 +32,12 @@ class TrajectoryCheck final : public Record {
     double tolerance_;
     PoseReader reader_;
     std::optional<PoseLine> next_;
-    long lines_ = 0;        // that were compared
-    double largest_ = 0.0;  // m or rad
-    std::string first_;     // the first difference beyond the tolerance
+    long lines_ = 0, instants_ = 0;      // that were compared
+    double last_ = 0.0, spacing_ = 0.0;  // s: the last of these instants, and the time before it
+    double end_ = 0.0;                   // s, of the run
+    long movable_ = 0;                   // bodies that have lines
+    double largest_ = 0.0;               // m or rad
+    std::string first_;                  // the first difference beyond the tolerance
 };
 
 }  // namespace pushfactor::demos::checks

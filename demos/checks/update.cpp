@@ -12,6 +12,7 @@ namespace pushfactor::demos::checks {
 namespace fs = std::filesystem;
 
 Update::Update(fs::path folder) : folder_(std::move(folder)), staging_(folder_ / ".new") {
+    make_folder(folder_);
     make_folder(staging_);
 }
 

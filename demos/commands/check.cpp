@@ -58,13 +58,6 @@ Rules understand_rules(const Check& request) {
     return rules;
 }
 
-int jobs_at_once(const Check& request) {
-    if (!request.jobs) return 1;
-    const auto jobs = parse_integer(*request.jobs);
-    if (jobs && *jobs >= 1 && *jobs <= 256) return *jobs;
-    throw UsageError(fmt::format("--jobs {}: must be a whole number from 1 to 256", *request.jobs));
-}
-
 // File names for folders: what is not plain becomes '-', and a name that is taken gets a number.
 class Anchors {
   public:
@@ -94,13 +87,22 @@ std::string name_of(const fs::path& folder) {
     return name;
 }
 
+// Whether a file of this name says what is expected.
+bool is_expected_file(const fs::path& name) {
+    return name == "config.json" || name == "summary.json" || name == "trajectory.csv" || is_png(name);
+}
+
 // Checks the folders, several at once, and prints the lines of each in their order as soon as they are known.
 class Checks {
   public:
-    Checks(const Check& request, const Rules& rules) : request_(request), rules_(rules) {
+    Checks(const Check& request, const Rules& rules)
+        : request_(request), rules_(rules), most_(static_cast<std::size_t>(request.jobs.value_or(1))) {
         Anchors anchors;
+        std::set<fs::path> seen;
         for (const std::string& given : request.folders) {
             for (const fs::path& folder : folders_of_runs(given)) {
+                if (!seen.insert(fs::canonical(folder)).second) continue;
+                refuse_expected_files(folder);
                 jobs_.push_back({.name = name_of(folder), .anchor = anchors(folder), .pages = pages()});
                 folders_.push_back(folder);
             }
@@ -118,9 +120,8 @@ class Checks {
                 updates_[i] = std::make_unique<Update>(folders_[i]);
             }
         }
-        const auto most = static_cast<std::size_t>(jobs_at_once(request_));
         std::vector<std::thread> others;
-        for (std::size_t i = 1; i < std::min(most, jobs_.size()); ++i) others.emplace_back([this] { work(); });
+        for (std::size_t i = 1; i < std::min(most_, jobs_.size()); ++i) others.emplace_back([this] { work(); });
         work();
         for (std::thread& thread : others) thread.join();
         if (error_) std::rethrow_exception(error_);
@@ -140,6 +141,15 @@ class Checks {
     std::string driver() const { return driver_; }
 
   private:
+    void refuse_expected_files(const fs::path& folder) const {
+        for (const auto& [option, file] :
+             {std::pair{"junit", &request_.junit}, std::pair{"markdown", &request_.markdown}}) {
+            if (*file && is_expected_file(fs::path(**file).filename()) && is_file_of(folder, **file)) {
+                throw UsageError(fmt::format("--{} {}: must not be a file that is checked", option, **file));
+            }
+        }
+    }
+
     void work() {
         try {
             std::optional<pictures::OffscreenRenderer> offscreen;
@@ -186,7 +196,7 @@ class Checks {
     void check(std::size_t i, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
         FolderJob job = jobs_[i];
         std::optional<ProgressBar> bar;  // of one folder at a time
-        if (jobs_at_once(request_) == 1) {
+        if (most_ == 1) {
             bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
@@ -206,6 +216,7 @@ class Checks {
 
     const Check& request_;
     Rules rules_;
+    std::size_t most_;  // at once
     std::vector<fs::path> folders_;
     std::vector<FolderJob> jobs_;
     std::vector<std::unique_ptr<Update>> updates_;
@@ -291,17 +302,14 @@ AnyCommand read_check(Words& words) {
     const char* const must = "without --against, which renders nothing";
     command.physics = words.take("physics", renders, must);
     command.update = words.take("update", renders, must).has_value();
-    command.jobs = words.take("jobs", renders, must);
-    if (const auto gl = words.take("gl", renders, must)) {
-        if (*gl != "osmesa" && *gl != "egl") throw UsageError(fmt::format("--gl {}: must be osmesa or egl", *gl));
-        command.given.add("gl", *gl, "--gl");
-    }
+    for (const char* const option : {"jobs", "gl"}) words.take(option, renders, must);
+    command.jobs = words.take_whole("jobs", 1, 256);
+    if (const auto gl = words.take_word("gl", {"osmesa", "egl"})) command.given.add("gl", *gl, "--gl");
     command.out = words.take("out");
     command.junit = words.take("junit");
     command.markdown = words.take("markdown");
     command.allow_not_compared = words.take_flag("allow-not-compared");
     understand_rules(command);
-    jobs_at_once(command);
     return command;
 }
 

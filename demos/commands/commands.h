@@ -48,7 +48,8 @@ struct Render {
     std::vector<std::string> scenes;
     GivenOptions given;
     RunFiles files;
-    std::optional<std::string> summary, video, out, shard, from_trajectory;
+    std::optional<std::string> summary, video, out, from_trajectory;
+    std::optional<Shard> shard;
     bool timing = false;
     bool png = true;
 
@@ -65,7 +66,8 @@ struct Join {
 
 struct Figures {
     std::vector<std::string> names;  // all when empty
-    std::optional<std::string> out, width, dpi, letters, theme, background, samples;
+    std::optional<std::string> out, width, letters, theme, background;
+    std::optional<int> dpi, samples;
 
     bool operator==(const Figures&) const = default;
 };
@@ -74,7 +76,9 @@ struct Report {
     std::string name;
     std::vector<std::string> parts;  // all when empty
     bool quick = false;
-    std::optional<std::string> out, junit, markdown, beside, exported, shard, jobs;
+    std::optional<std::string> out, junit, markdown, beside, exported;
+    std::optional<Shard> shard;
+    std::optional<int> jobs;
     std::optional<std::string> grid, x, y, measure;
     std::vector<std::string> set, replays;
 
@@ -92,7 +96,8 @@ struct Merge {
 struct Check {
     std::vector<std::string> folders;
     std::optional<std::string> against;  // folder of pictures that are not rendered
-    std::optional<std::string> tolerance, flip, physics, jobs, out, junit, markdown;
+    std::optional<std::string> tolerance, flip, physics, out, junit, markdown;
+    std::optional<int> jobs;
     bool update = false;
     bool allow_not_compared = false;
     GivenOptions given;  // gl

@@ -40,11 +40,10 @@ void print_all() {
 }
 
 const Kind& family_named(const std::string& name) {
-    if (const Kind* const family = families::find_family(name)) return *family;
     std::vector<std::string> names;
     for (const Kind& family : families::families()) names.emplace_back(family.name);
-    throw UsageError(
-        fmt::format("family {}: must be one of {}{}", name, fmt::join(names, ", "), suggestion(name, names)));
+    require_known("family", name, names);
+    return *families::find_family(name);
 }
 
 int seed_of(const GivenOptions::Given& given) {
@@ -121,11 +120,10 @@ void carry_out(const Family& command) {
 }
 
 Entry family_entry() {
-    return {
-        "family", "[NAME]",
-        "lists the families of random scenes and their parameters; with a name prints a member as a scene file. "
-        "Parameters are options, drawn at random where they are not given",
-        family_options, read_family};
+    return {"family", "[NAME]",
+            "lists the families of random scenes and their parameters; with a name prints a member as a scene "
+            "file. Parameters are options, drawn at random where they are not given",
+            family_options, read_family};
 }
 
 }  // namespace pushfactor::demos::commands

@@ -10,9 +10,9 @@
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pushfactor::demos::commands {
 
@@ -22,11 +22,7 @@ namespace {
 std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
     std::vector<std::string> known;
     for (const figures::Figure& figure : figures::all_figures()) known.emplace_back(figure.name);
-    for (const std::string& name : named) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        throw UsageError(
-            fmt::format("figure {}: must be one of {}{}", name, fmt::join(known, ", "), suggestion(name, known)));
-    }
+    for (const std::string& name : named) require_known("figure", name, known);
     std::vector<figures::Figure> result;
     for (const figures::Figure& figure : figures::all_figures()) {
         if (named.empty() || std::find(named.begin(), named.end(), figure.name) != named.end())
@@ -35,32 +31,18 @@ std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
     return result;
 }
 
-// One of two words for an option.
-bool is_second(const char* option, const std::string& value, const char* first, const char* second) {
-    if (value != first && value != second)
-        throw UsageError(fmt::format("{} {}: must be {} or {}", option, value, first, second));
-    return value == second;
-}
-
-int pixels_of(const std::string& option, int pixels) {
-    if (pixels < 400 || pixels > 4096)
-        throw UsageError(fmt::format("{}: {} pixels, must be 400 to 4096", option, pixels));
-    return pixels;
-}
-
-int whole_number(const char* option, const std::string& text, int low, int high) {
-    const auto number = parse_integer(text);
-    if (number && *number >= low && *number <= high) return *number;
-    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, low, high));
+int pixels_of(const std::string& option, double pixels) {
+    const double whole = std::round(pixels);
+    if (whole < 400.0 || whole > 4096.0)
+        throw UsageError(fmt::format("{}: {:.6g} pixels, must be 400 to 4096", option, whole));
+    return static_cast<int>(whole);
 }
 
 FigureFormat format_of(const Figures& command) {
     FigureFormat format;
-    if (command.samples) format.samples = whole_number("--samples", *command.samples, 1, 256);
-    if (is_second("--theme", command.theme.value_or("light"), "light", "dark")) format.theme = Theme::dark;
-    if (is_second("--background", command.background.value_or("plain"), "plain", "none")) {
-        format.background = Background::none;
-    }
+    if (command.samples) format.samples = *command.samples;
+    if (command.theme == "dark") format.theme = Theme::dark;
+    if (command.background == "none") format.background = Background::none;
     const std::string text = command.width.value_or("1600"), option = "--width " + text;
     const auto width = parse_length_mm(text);
     if (!width) {
@@ -71,8 +53,7 @@ FigureFormat format_of(const Figures& command) {
         format.width = pixels_of(option, *pixels);
         return format;
     }
-    Print print{.width_mm = *width,
-                .dpi = command.dpi ? whole_number("--dpi", *command.dpi, 72, 1200) : Print{}.dpi};
+    Print print{.width_mm = *width, .dpi = command.dpi.value_or(Print{}.dpi)};
     if (command.letters) {
         print.letters_pt = parse_length_mm(*command.letters).value_or(0.0) / 25.4 * 72.0;
         if (!(print.letters_pt >= 4.0 && print.letters_pt <= 24.0)) {
@@ -80,7 +61,7 @@ FigureFormat format_of(const Figures& command) {
                 fmt::format("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *command.letters));
         }
     }
-    format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.pixels());
+    format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.inches() * print.dpi);
     format.print = print;
     return format;
 }
@@ -118,11 +99,12 @@ AnyCommand read_figures(Words& words) {
     command.width = words.take("width");
     const bool on_paper = command.width && parse_length_mm(*command.width);
     const char* const must = "with a --width on paper, say 85mm";
-    command.dpi = words.take("dpi", on_paper, must);
-    command.letters = words.take("font-size", on_paper, must);
-    command.theme = words.take("theme");
-    command.background = words.take("background");
-    command.samples = words.take("samples");
+    for (const char* const option : {"dpi", "font-size"}) words.take(option, on_paper, must);
+    command.dpi = words.take_whole("dpi", 72, 1200);
+    command.letters = words.take("font-size");
+    command.theme = words.take_word("theme", {"light", "dark"});
+    command.background = words.take_word("background", {"plain", "none"});
+    command.samples = words.take_whole("samples", 1, 256);
     wanted(command.names);
     format_of(command);
     return command;

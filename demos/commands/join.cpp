@@ -70,8 +70,8 @@ renderer::Image picture_in(const fs::path& file, const std::string& mark) {
         renderer::Image image = renderer::decode_png(png);
         if (renderer::film_in_png(png) == mark) return image;
         throw UsageError(
-            fmt::format("--join: must be of one film: {} is of another than config.json, or was not drawn "
-                        "by this program; draw it again",
+            fmt::format("--join: must be of one film: {} is of another than config.json, or was not drawn by this "
+                        "program; draw it again",
                         file.string()));
     } catch (const renderer::RendererError& error) {
         throw RunError(fmt::format("{}: {}", file.string(), error.what()));

@@ -48,7 +48,9 @@ ReportNote read_note(const fs::path& folder) {
     const auto text = PieceStore::note_of(folder);
     const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     const bool sound = json.is_object() && json.contains("words") && json["words"].is_array() &&
-                       json["words"].size() >= 2 && json.contains("shards") && json["shards"].is_number_integer();
+                       json["words"].size() >= 2 &&
+                       std::ranges::all_of(json["words"], [](const Json& word) { return word.is_string(); }) &&
+                       json.contains("shards") && json["shards"].is_number_integer() && json["shards"] > 0;
     if (!sound) {
         throw UsageError(fmt::format("merge {}: must have the report.json that `report` leaves with its pieces",
                                      folder.string()));

@@ -31,19 +31,33 @@ struct Job {
 
 Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
-    if (request.shard) {
-        const auto shard = parse_shard(*request.shard);
-        if (!shard)
-            throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
-        job.sequence.shard = *shard;
-    }
+    job.sequence.shard = request.shard.value_or(Shard{});
     if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
+    note_idle(request.given, job.sequence.panels);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
+}
+
+// The files of a folder of frames have their names; a scene and other outputs must not take them.
+void refuse_own_files(const Job& job, const Render& request, const std::string& scene) {
+    std::vector<std::string> files = request.files.all();
+    for (const auto* const file : {&request.summary, &request.video}) {
+        if (*file) files.push_back(**file);
+    }
+    files.push_back(scene);
+    for (const std::string& file : files) {
+        const std::string name = fs::path(file).filename();
+        const bool is_own = name == "config.json" || (name == "summary.json" && file != request.summary) ||
+                            job.sequence.frames.front().has(name);
+        if (is_own && is_file_of(job.folder, file)) {
+            throw UsageError(
+                fmt::format("{}: must have another name: render writes a file of this name there", file));
+        }
+    }
 }
 
 // Writes config.json. Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to
@@ -54,8 +68,8 @@ void prepare_folder(const Job& job, const Render& request) {
                !job.sequence.frames.front().has(entry.path().filename().string());
     });
     if (strangers > 0) {
-        note(fmt::format("{} holds {} other PNG files that this run does not touch", job.folder.string(),
-                         strangers));
+        note(fmt::format("{} holds {} other PNG {} that this run does not touch", job.folder.string(), strangers,
+                         strangers == 1 ? "file" : "files"));
     }
     const fs::path file = job.folder / "config.json";
     const std::string text = config_text(job.sequence.panels.front().choices, request.given);
@@ -63,7 +77,7 @@ void prepare_folder(const Job& job, const Render& request) {
         write_file(file, text);
     } else if (!write_first(file, text)) {
         throw UsageError(fmt::format("--shard {}: {} is of another film; remove the folder, or take another --out",
-                                     *request.shard, file.string()));
+                                     to_text(*request.shard), file.string()));
     }
 }
 
@@ -180,9 +194,9 @@ AnyCommand read_render(Words& words) {
     Render command;
     command.timing = words.take_flag("timing");
     command.from_trajectory = words.take("from-trajectory");
-    command.shard = words.take("shard");
+    command.shard = words.take_shard("shard");
     command.out = words.take("out");
-    command.png = take_switch(words, "frames", true);
+    command.png = words.take_word("frames", {"on", "off"}) != "off";
     command.scenes = words.take_names();
     command.given = take_simulation(words, command.scenes, !command.timing);
     const bool stills = command.given.find("at") != nullptr;
@@ -239,6 +253,7 @@ void carry_out(const Render& request) {
     std::vector<Job> jobs;
     for (const std::string& scene : request.scenes) {
         jobs.push_back(understand_job(scene, request));
+        refuse_own_files(jobs.back(), request, scene);
         for (std::size_t i = 0; i + 1 < jobs.size(); ++i) {
             if (jobs[i].folder != jobs.back().folder) continue;
             throw UsageError(
@@ -259,7 +274,9 @@ void carry_out(const Render& request) {
         for (Job& job : jobs) render_job(job, request, offscreen, watch);
     }
     if (offscreen && offscreen->blank() > 0) {
-        note(fmt::format("{} pictures are empty, because nothing is in view of the camera", offscreen->blank()));
+        note(fmt::format("{}, because nothing is in view of the camera",
+                         offscreen->blank() == 1 ? "1 picture is empty"
+                                                 : fmt::format("{} pictures are empty", offscreen->blank())));
     }
     if (times) print_times(jobs, *times, offscreen.has_value());
 }

@@ -17,12 +17,6 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-void require_known(const char* what, const std::string& name, const std::vector<std::string>& known) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    throw UsageError(
-        fmt::format("{} {}: must be one of {}{}", what, name, fmt::join(known, ", "), suggestion(name, known)));
-}
-
 // The command without what does not change results: that of the whole report.
 std::vector<std::string> deciding_words(const Report& request) {
     std::vector<std::string> words{"report", request.name};
@@ -55,20 +49,6 @@ std::optional<reports::GridRequest> understand_grid(const Report& request) {
                                 .replays = request.replays};
 }
 
-std::optional<int> understand_jobs(const Report& request) {
-    if (!request.jobs) return std::nullopt;
-    const auto jobs = parse_integer(*request.jobs);
-    if (jobs && *jobs >= 1 && *jobs <= 1024) return jobs;
-    throw UsageError(fmt::format("--jobs {}: must be a whole number from 1 to 1024", *request.jobs));
-}
-
-std::optional<Shard> understand_shard(const Report& request) {
-    if (!request.shard) return std::nullopt;
-    const auto shard = parse_shard(*request.shard);
-    if (shard) return shard;
-    throw UsageError(fmt::format("--shard {}: must be K/N with 1 <= K <= N <= 1000000", *request.shard));
-}
-
 reports::Study find_study(const std::string& name) {
     const std::vector<reports::Study> all = reports::all_studies();
     std::vector<std::string> names;
@@ -82,7 +62,7 @@ reports::Study find_study(const std::string& name) {
 
 void make_report(const Report& request, const std::vector<std::filesystem::path>& merged) {
     const reports::Study study = find_study(request.name);
-    const auto shard = understand_shard(request);
+    const auto& shard = request.shard;
     const std::filesystem::path folder = request.out.value_or("out/report-" + study.name);
     const auto count = make_study(
         study, {.folder = folder,
@@ -94,7 +74,7 @@ void make_report(const Report& request, const std::vector<std::filesystem::path>
                 .markdown = request.markdown,
                 .grid = understand_grid(request),
                 .shard = shard,
-                .jobs = understand_jobs(request),
+                .jobs = request.jobs,
                 .merged = merged,
                 .note = note_text({.words = deciding_words(request), .shards = shard ? shard->count : 1})});
     if (shard) {
@@ -164,8 +144,11 @@ Report read_report(Words& words, const std::string& name) {
     const auto take = [&words](const char* option, bool has_effect, const std::string& must) {
         return words.take(option, has_effect, must);
     };
-    command.shard = take("shard", study.pieces != nullptr, "with report error, stability or atlas");
-    command.jobs = take("jobs", study.pieces != nullptr, "with report error, stability or atlas");
+    for (const char* const option : {"shard", "jobs"}) {
+        take(option, study.pieces != nullptr, "with report error, stability or atlas");
+    }
+    command.shard = words.take_shard("shard");
+    command.jobs = words.take_whole("jobs", 1, 1024);
     const bool page = !command.shard;
     command.grid = take("grid", name == "atlas", "with report atlas");
     for (const auto& [option, value] :
@@ -194,8 +177,6 @@ Report read_report(Words& words, const std::string& name) {
         take(option, study.judges, "with report stability, which judges");
         *value = take(option, page, "with report merge, not with --shard");
     }
-    understand_shard(command);
-    understand_jobs(command);
     words.refuse_rest("report " + name);
     return command;
 }

@@ -14,18 +14,12 @@ namespace pushfactor::demos::commands {
 
 namespace {
 
-std::vector<std::optional<std::string>> data_files(const RunFiles& files) {
-    return {files.csv, files.trajectory, files.rows, files.errors, files.save_state, files.glb, files.replay};
-}
-
 // Folder of the first output file; the working folder without one.
 std::filesystem::path folder_of_outputs(const Run& request) {
-    std::vector<std::optional<std::string>> files{request.summary};
-    std::ranges::copy(data_files(request.files), std::back_inserter(files));
-    for (const auto& file : files) {
-        if (file && *file != "-") return std::filesystem::path(*file).parent_path();
-    }
-    return {};
+    std::vector<std::string> files = request.files.all();
+    if (request.summary) files.insert(files.begin(), *request.summary);
+    const auto file = std::ranges::find_if_not(files, is_stream);
+    return file == files.end() ? std::filesystem::path() : followed(*file).parent_path();
 }
 
 std::vector<Option> run_options() {
@@ -63,6 +57,7 @@ void carry_out(const Run& request) {
     const Choices& choices = sequence.panels.front().choices;
     const long steps = whole_steps(choices.settings);
     note_cut_time(choices);
+    note_idle(request.given, sequence.panels);
     if (files.replay) sequence.frames = {pictures::replay_frames(choices)};
     std::vector<Frames> keys;  // of the glTF file
     pictures::SurveyOnce survey(keys);
@@ -84,8 +79,8 @@ void carry_out(const Run& request) {
         bar.show(steps);
     });
     const std::string summary = recorded.finish().front();
-    const std::vector<std::optional<std::string>> data = data_files(files);
-    const bool data_on_stdout = std::find(data.begin(), data.end(), "-") != data.end();
+    const std::vector<std::string> data = files.all();
+    const bool data_on_stdout = std::ranges::find(data, "-") != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
     say(recorded.recorder.warnings());
 }

@@ -113,14 +113,6 @@ void take_frames(Words& words, unsigned uses) {
     }
 }
 
-bool take_switch(Words& words, const std::string& name, bool otherwise) {
-    const auto text = words.take(name);
-    if (text && *text != "on" && *text != "off") {
-        throw UsageError(fmt::format("--{} {}: must be on or off", name, *text));
-    }
-    return text ? *text == "on" : otherwise;
-}
-
 RunFiles take_files(Words& words) {
     RunFiles files;
     files.csv = words.take("csv");
@@ -131,11 +123,8 @@ RunFiles take_files(Words& words) {
     files.measures = words.take_all("measure");
     files.glb = words.take("glb");
     files.replay = words.take("replay");
-    const auto data = words.take("replay-data", files.replay.has_value(), "with --replay");
-    if (data && *data != "all" && *data != "poses") {
-        throw UsageError(fmt::format("--replay-data {}: must be all or poses", *data));
-    }
-    files.replay_poses_only = data == "poses";
+    words.take("replay-data", files.replay.has_value(), "with --replay");
+    files.replay_poses_only = words.take_word("replay-data", {"all", "poses"}) == "poses";
     files.command = words.line();
     return files;
 }
@@ -157,8 +146,8 @@ void note_cut_time(const Choices& choices) {
     const long steps = whole_steps(settings);
     const double time = static_cast<double>(steps) * settings.dt.value();
     if (std::abs(time - settings.seconds) <= 1e-9 * std::max(1.0, settings.seconds)) return;
-    note(fmt::format("seconds {}: cut to {} steps of {} s, {:.6g} s", to_text(settings.seconds), steps,
-                     to_text(settings.dt), time));
+    note(fmt::format("seconds {}: cut to {} {} of {} s, {:.6g} s", to_text(settings.seconds), steps,
+                     steps == 1 ? "step" : "steps", to_text(settings.dt), time));
 }
 
 std::string scene_parameters_help() {

@@ -27,9 +27,6 @@ GivenOptions take_simulation(Words& words, std::vector<std::string>& scenes, boo
 // Takes the frame options that serve one of these outputs (FrameUse).
 void take_frames(Words& words, unsigned uses);
 
-// Whether --NAME on|off is on; `otherwise` if it is not given.
-bool take_switch(Words& words, const std::string& name, bool otherwise);
-
 // Takes --csv, --trajectory and the other files that are made step by step.
 RunFiles take_files(Words& words);
 

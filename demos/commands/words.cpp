@@ -6,6 +6,7 @@
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -106,9 +107,15 @@ Words::Words(std::string command, std::vector<Option> known, std::vector<std::st
             }
             value = arguments[++i];
         }
+        if (value.empty() && found->kind != OptionKind::flag) {
+            throw UsageError(fmt::format("--{}: must have a value, {}", name, found->placeholder));
+        }
         std::vector<std::string>& texts = given_[name];
         if (!texts.empty() && found->kind != OptionKind::list) {
-            throw UsageError(fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
+            throw UsageError(
+                found->kind == OptionKind::flag
+                    ? fmt::format("--{}: must be given once", name)
+                    : fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
         }
         texts.push_back(value);
     }
@@ -168,6 +175,29 @@ std::optional<std::string> Words::take(std::string_view option, bool has_effect,
         throw UsageError(fmt::format("{}: must be {}", field(std::string(option)), must));
     }
     return take(option);
+}
+
+std::optional<std::string> Words::take_word(std::string_view option, const std::vector<std::string>& words) {
+    auto text = take(option);
+    if (text && std::ranges::find(words, *text) == words.end()) {
+        throw UsageError(fmt::format("--{} {}: must be {}", option, *text, fmt::join(words, " or ")));
+    }
+    return text;
+}
+
+std::optional<int> Words::take_whole(std::string_view option, int low, int high) {
+    const auto text = take(option);
+    if (!text) return std::nullopt;
+    const auto number = parse_integer(*text);
+    if (number && *number >= low && *number <= high) return number;
+    throw UsageError(fmt::format("--{} {}: must be a whole number from {} to {}", option, *text, low, high));
+}
+
+std::optional<Shard> Words::take_shard(std::string_view option) {
+    const auto text = take(option);
+    if (!text) return std::nullopt;
+    if (const auto shard = parse_shard(*text)) return shard;
+    throw UsageError(fmt::format("--{} {}: must be K/N with 1 <= K <= N <= 1000000", option, *text));
 }
 
 std::vector<std::string> Words::take_names() {

@@ -2,6 +2,8 @@
 // refused, so that nothing is ignored.
 #pragma once
 
+#include "demos/text/shard.h"
+
 #include <map>
 #include <optional>
 #include <set>
@@ -44,6 +46,10 @@ class Words {
     std::optional<std::string> take(std::string_view option, bool has_effect, std::string_view must);
     bool take_flag(std::string_view option) { return take(option).has_value(); }
     std::vector<std::string> take_all(std::string_view option);
+    // The value, which has to be one of these words, a whole number from `low` to `high`, or a shard.
+    std::optional<std::string> take_word(std::string_view option, const std::vector<std::string>& words);
+    std::optional<int> take_whole(std::string_view option, int low, int high);
+    std::optional<Shard> take_shard(std::string_view option);
 
     // The words that are no options: scenes, figures, folders.
     std::vector<std::string> take_names();

@@ -73,10 +73,8 @@ SectionContent arch_thickness(FigureOutput& output, const Figure& figure) {
     content.caption = fmt::format(
         "The thinnest semicircular arch that stands, as a share of its mean radius, against the number of its "
         "voussoirs, and the least friction of one of {} of the radius. Dots: bisection of runs of {:.0f} s with "
-        "the "
-        "exact preset. Line: limit analysis of the same blocks (Heyman). Dashed: a semicircle of very many blocks, "
-        "{} "
-        "(Milankovitch 1907). They differ by {:.2g} % at most.",
+        "the exact preset. Line: limit analysis of the same blocks (Heyman). Dashed: a semicircle of very many "
+        "blocks, {} (Milankovitch 1907). They differ by {:.2g} % at most.",
         thickness, run_seconds, scenes::milankovitch, 100.0 * farthest);
     output.plot(table, std::string(figure.name), 1.6, content);
     content.commands = {

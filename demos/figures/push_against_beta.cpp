@@ -30,12 +30,9 @@ SectionContent push_against_beta(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
         "The intersecting stack after so many steps of 1/60 s. A persistent push throws the cubes apart; a "
-        "single-frame "
-        "push sets them down, and the sooner, the larger beta is: each step leaves 1 - beta of an overlap. Centre "
-        "of the "
-        "topmost cube after 16 steps, from above: {:.2f}, {:.2f}, {:.2f} and {:.2f} m; at rest on each other "
-        "without "
-        "overlap it is 10.8 m. Otherwise default settings.",
+        "single-frame push sets them down, and the sooner, the larger beta is: each step leaves 1 - beta of an "
+        "overlap. Centre of the topmost cube after 16 steps, from above: {:.2f}, {:.2f}, {:.2f} and {:.2f} m; at "
+        "rest on each other without overlap it is 10.8 m. Otherwise default settings.",
         tops[0], tops[1], tops[2], tops[3]);
     content.commands = {
         command_text("render", "intersecting-stack",

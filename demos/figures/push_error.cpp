@@ -30,16 +30,13 @@ SectionContent push_error(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
         "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In "
-        "frame "
-        "2 it is {:.3f} m deep, and the push factor puts it onto the floor in frame 3. In the original method "
-        "(above) "
-        "the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push (below) leaves "
-        "{:.2f} "
-        "m/s. Arrows: stored velocity, 12 m/s per metre.",
+        "frame 2 it is {:.3f} m deep, and the push factor puts it onto the floor in frame 3. In the original "
+        "method (above) the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push "
+        "(below) leaves {:.2f} m/s. Arrows: stored velocity, 12 m/s per metre.",
         depths[0], speeds[0], speeds[1]);
     content.commands = {
-        "pushfactor render assets/scenes/push_error.json --compare push=persistent,single-frame --fps 30 "
-        "--overlay velocities:12"};
+        "pushfactor render assets/scenes/push_error.json --compare push=persistent,single-frame --fps 30 --overlay "
+        "velocities:12"};
     return content;
 }
 

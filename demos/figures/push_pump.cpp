@@ -65,13 +65,10 @@ SectionContent push_pump(FigureOutput& output, const Figure& figure) {
     SectionContent content;
     content.caption = fmt::format(
         "The most by which the energy of a wall of {} bricks rises above its start within {:.0f} s, against the "
-        "sweeps "
-        "of a step. Few let the wall fall, many solve it; between them the push lifts bricks by more than they "
-        "overlap, and gravity makes speed of the height: with {} sweeps {:.3g} J where it stays in the momenta, "
-        "{:.3g} "
-        "J for a single frame as the paper has it. Without a push it is {:.2g} J; with small steps, and the push "
-        "by "
-        "itself at the end of them, {:.2g} J.",
+        "sweeps of a step. Few let the wall fall, many solve it; between them the push lifts bricks by more than "
+        "they overlap, and gravity makes speed of the height: with {} sweeps {:.3g} J where it stays in the "
+        "momenta, {:.3g} J for a single frame as the paper has it. Without a push it is {:.2g} J; with small "
+        "steps, and the push by itself at the end of them, {:.2g} J.",
         scene.bodies.size() - 1, seconds, sweeps[shown], at(shown, 1), at(shown, 2), at(shown, 0), at(shown, 3));
     output.plot(table, std::string(figure.name), 1.6, content);
     content.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",

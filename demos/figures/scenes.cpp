@@ -39,8 +39,7 @@ SectionContent funnel(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
         "Twenty balls of 1 m and 1 kg in a pyramid of four infinite planes, inclined by 45 degrees (the paper "
-        "gives no "
-        "numbers). Default settings; the kinetic energy after 30 s is {:.1e} J.",
+        "gives no numbers). Default settings; the kinetic energy after 30 s is {:.1e} J.",
         energy);
     content.commands = {command_text("render", "funnel", {{"seconds", "30"}, {"at", "2,30"}})};
     return content;
@@ -55,10 +54,8 @@ SectionContent pendulum_grid(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
         "Five by five pendulums, each attached to one point in space by a bar and to nothing else, hold {} "
-        "objects. From "
-        "2 s on a force of 60 N presses on one of the spheres; it pushes the pendulums aside and falls through. "
-        "After "
-        "3.1 s {} objects are held. Default settings.",
+        "objects. From 2 s on a force of 60 N presses on one of the spheres; it pushes the pendulums aside and "
+        "falls through. After 3.1 s {} objects are held. Default settings.",
         held.front(), held.back());
     content.commands = {command_text("render", "pendulum-grid",
                                      {{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}, {"at", "2,2.8,3.1"}})};
@@ -73,10 +70,8 @@ SectionContent pendulum_wave(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption =
         "Fifty balls, the top of each attached to a fixed point by a bar; ball k makes 40 + k swings in two "
-        "minutes. "
-        "After 30, 40 and 60 s they form four, three and two groups, after 120 s one. Default settings, 60 steps "
-        "per "
-        "second.";
+        "minutes. After 30, 40 and 60 s they form four, three and two groups, after 120 s one. Default settings, "
+        "60 steps per second.";
     content.commands = {command_text("render", "pendulum-wave", {{"seconds", "120"}, {"at", "0,12,30,40,60,120"}})};
     return content;
 }

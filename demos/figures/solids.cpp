@@ -75,8 +75,7 @@ SectionContent domino_speed(FigureOutput& output, const Figure& figure) {
     content.caption = fmt::format(
         "Speed of the wave along a row of {} dominoes against the gap between them, measured from the {}th to the "
         "{}th. Both in units of the height h: speeds of rows of one friction and different sizes fall on one "
-        "curve, "
-        "to {:.2g} % at most, because only the square root of g h has the unit of a speed.",
+        "curve, to {:.2g} % at most, because only the square root of g h has the unit of a speed.",
         dominoes_of_a_row, first_timed, last_timed, 100.0 * apart);
     output.plot(table, std::string(figure.name), 1.6, content);
     content.commands = {"pushfactor render dominoes --spacing 0.3 --friction 0.3 --seconds 2"};
@@ -116,8 +115,7 @@ SectionContent platonic_energy(FigureOutput& output, const Figure& figure) {
     SectionContent content;
     content.caption = fmt::format(
         "Kinetic energy per body of {:.0f} regular solids of 1 kg and one volume, poured into the funnel. It is "
-        "above "
-        "1 mJ until",
+        "above 1 mJ until",
         std::accumulate(counts.begin(), counts.end(), 0.0));
     for (std::size_t kind = 0; kind < solids.size(); ++kind) {
         content.caption +=

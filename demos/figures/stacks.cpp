@@ -47,10 +47,8 @@ SectionContent stack_over_time(FigureOutput& output, const Figure& figure) {
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
         "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
-        "steps per "
-        "second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings "
-        "(single-frame "
-        "push, contact caching); it is at {:.2f} m and stays there.",
+        "steps per second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings "
+        "(single-frame push, contact caching); it is at {:.2f} m and stays there.",
         heights[0], heights[1]);
     content.commands = {command_text(
         "render", "stack", {{"compare", "preset=paper,default"}, {"seconds", "72"}, {"at", "0,1,20,50,66,71"}})};
@@ -75,10 +73,8 @@ SectionContent intersecting_stack(FigureOutput& output, const Figure& figure) {
     const bool stands = std::ranges::all_of(speeds[1], [](const std::string& text) { return text == "0.0"; });
     content.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
-        "from "
-        "zero, k = 0.2, 60 steps per second). After half a second the original method has them fly upwards at {} "
-        "m/s, "
-        "from the lowest to the topmost. With the single-frame push and everything else equal they {}. "
+        "from zero, k = 0.2, 60 steps per second). After half a second the original method has them fly upwards at "
+        "{} m/s, from the lowest to the topmost. With the single-frame push and everything else equal they {}. "
         "Arrows: stored velocity, 10 m/s per metre.",
         fmt::join(speeds[0], ", "),
         stands ? "stand, slower than 0.05 m/s" : fmt::format("move at {} m/s", fmt::join(speeds[1], ", ")));

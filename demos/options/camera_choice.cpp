@@ -5,24 +5,24 @@
 #include "demos/text/numbers.h"
 
 #include <numbers>
+#include <utility>
 
 namespace pushfactor::demos {
 
 std::optional<CameraChoice> parse_camera(std::string_view text) {
     constexpr std::string_view orbit = "orbit:";
     CameraChoice choice{.text = std::string(text)};
+    bool has_view = false, turns = false;
     for (const std::string_view part : parts_of(text)) {
-        if (part == "scene") {
-            continue;
-        } else if (part == "fit") {
-            choice.fit = true;
-        } else if (part.starts_with(orbit)) {
+        const bool is_orbit = part.starts_with(orbit);
+        bool& given = part == "fit" ? choice.fit : is_orbit ? turns : has_view;
+        if (std::exchange(given, true)) return std::nullopt;
+        if (is_orbit) {
             const auto speed = parse_number(part.substr(orbit.size()));
             if (!speed || std::abs(*speed) > 1e4) return std::nullopt;
             choice.degrees_a_second = *speed;
-        } else if (choice.view || !(part.ends_with(".json") || std::filesystem::is_regular_file(part))) {
-            return std::nullopt;
-        } else {
+        } else if (part != "fit" && part != "scene") {
+            if (!part.ends_with(".json") && !std::filesystem::is_regular_file(part)) return std::nullopt;
             choice.view = read_camera_file(part);
         }
     }

@@ -30,9 +30,7 @@ Settings understand_settings(const GivenOptions& given) {
     if (const auto* chosen = given.find("preset")) {
         std::vector<std::string> names;
         for (const Preset& known : presets()) names.emplace_back(known.name);
-        if (std::find(names.begin(), names.end(), chosen->text) == names.end()) {
-            refuse(*chosen, fmt::format("one of {}", fmt::join(names, ", ")));
-        }
+        require_known(chosen->field, chosen->text, names);
         preset = chosen->text;
     }
     Settings settings = preset_settings(preset);

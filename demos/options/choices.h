@@ -28,6 +28,8 @@ class GivenOptions {
         std::string text;
         std::string field;
 
+        bool is_typed() const { return field.starts_with("--"); }  // on the command line, not in a file
+
         bool operator==(const Given&) const = default;
     };
     const Given* find(std::string_view name) const;

@@ -3,6 +3,7 @@
 
 #include "demos/options/choices.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ struct ComparedRun {
     std::string label;  // "push none"; empty when there is only one
     Choices choices;
 };
+
+// Notes the options of the command line that have no effect in any of the runs, because of another option. They are
+// not refused: the commands of maps and pages name every option that they vary.
+void note_idle(const GivenOptions& given, std::span<const ComparedRun> runs);
 
 // One panel per value of --compare, or a single one without it. Throws UsageError as understand() does, and for an
 // option that cannot be compared.

@@ -143,35 +143,36 @@ const std::array frame_table{
         "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
         fmt::format("a whole number from 1 to {}", most_samples), set_samples,
         [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
-    FrameOption{
-        "shutter", "X",
-        "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses between "
-        "steps are interpolated, so take a small --dt for exact blur [0]",
-        "a number from 0 to 1", set_shutter,
-        [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
-    FrameOption{
-        "camera", "WHAT",
-        "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, turned "
-        "where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list of these "
-        "[scene; fit for stills and comparisons]",
-        "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these", set_camera,
-        [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
-        of_pictures | of_models | of_run},
+    FrameOption{"shutter", "X",
+                "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses "
+                "between steps are interpolated, so take a small --dt for exact blur [0]",
+                "a number from 0 to 1", set_shutter,
+                [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
+    FrameOption{"camera", "WHAT",
+                "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
+                "turned where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list "
+                "of these [scene; fit for stills and comparisons]",
+                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these, each "
+                "once, with scene or a file",
+                set_camera,
+                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
+                of_pictures | of_models | of_run},
     FrameOption{"caption", "on|off", "time, scene and options in the picture [on]", "on or off", set_caption,
                 [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
-    FrameOption{
-        "overlay", "WHAT",
-        "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 is "
-        "50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
-        "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last second; "
-        "trails:0.5: half a second)",
-        "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, no-contacts, "
-        "thrust, trails; forces, torques, push and velocities may have a scale like forces:50, trails seconds",
-        set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); }, of_pictures | of_models | of_run},
+    FrameOption{"overlay", "WHAT",
+                "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 "
+                "is 50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
+                "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last "
+                "second; trails:0.5: half a second)",
+                "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, "
+                "no-contacts, thrust, trails, each once, with islands or rest; forces, torques, push and "
+                "velocities may have a scale like forces:50, trails seconds",
+                set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); },
+                of_pictures | of_models | of_run},
     FrameOption{
         "compare", "OPTION=V1,V2,...",
         "panels side by side that differ in an option, preset or parameter: push=none,persistent,single-frame",
-        fmt::format("OPTION=V1,V2,... with 2 to {} values", most_panels), set_compare, get_compare,
+        fmt::format("OPTION=V1,V2,... with 2 to {} different values", most_panels), set_compare, get_compare,
         of_pictures | of_models},
     FrameOption{"gl", "osmesa|egl",
                 "OpenGL back end; both give identical images [osmesa, or egl where that is not installed]",
@@ -214,7 +215,10 @@ std::optional<Comparison> parse_comparison(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string_view::npos) return std::nullopt;
     Comparison comparison{.option = std::string(text.substr(0, equals)), .values = {}};
-    for (const std::string_view value : parts_of(text.substr(equals + 1))) comparison.values.emplace_back(value);
+    for (const std::string_view value : parts_of(text.substr(equals + 1))) {
+        if (std::ranges::find(comparison.values, value) != comparison.values.end()) return std::nullopt;
+        comparison.values.emplace_back(value);
+    }
     if (comparison.values.size() < 2 || comparison.values.size() > most_panels) return std::nullopt;
     return comparison;
 }

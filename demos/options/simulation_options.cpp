@@ -177,18 +177,18 @@ const std::array simulation_table{
         "iterations", "N", "maximum iterations per solve", "a whole number from 1 to 1000000",
         [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
         [](const Settings& s) { return std::to_string(s.iterations); }},
-    SimulationOption{"tolerance", "HIGH[/LOW]",
-                     "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all "
-                     "iterations",
-                     "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
-                     [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
     SimulationOption{
-        "scheme", "NAME",
-        "how a step is integrated: whole (3.2); small-steps (many per step for islands without an exact "
-        "solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, 6, for scenes "
-        "of bars without contacts; --distance-push and --distance-beta have no effect)",
-        "one of auto, whole, small-steps, rattle, rattle4, rattle6",
-        [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); }, scheme_name},
+        "tolerance", "HIGH[/LOW]",
+        "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all iterations",
+        "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
+        [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
+    SimulationOption{"scheme", "NAME",
+                     "how a step is integrated: whole (3.2); small-steps (many per step for islands without an "
+                     "exact solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, "
+                     "6, for scenes of bars without contacts; --distance-push and --distance-beta have no effect)",
+                     "one of auto, whole, small-steps, rattle, rattle4, rattle6",
+                     [](Settings& s, std::string_view t) { return take_name(s.scheme, scheme_names, t); },
+                     scheme_name},
     SimulationOption{
         "small-steps", "NxK",
         "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
@@ -221,13 +221,12 @@ const std::array simulation_table{
                      "a fraction of the body's size from 0 to 0.5",
                      [](Settings& s, std::string_view t) { return take(s.slop, parse_number(t), 0.0, 0.5); },
                      [](const Settings& s) { return to_text(s.slop); }},
-    SimulationOption{
-        "margin", "F",
-        "gap up to which a point counts as contact, fraction of the body's size; bodies that move by more "
-        "in a step get continuous collision detection; 0: neither",
-        "a fraction of the body's size from 0 to 1",
-        [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
-        [](const Settings& s) { return to_text(s.margin); }},
+    SimulationOption{"margin", "F",
+                     "gap up to which a point counts as contact, fraction of the body's size; bodies that move by "
+                     "more in a step get continuous collision detection; 0: neither",
+                     "a fraction of the body's size from 0 to 1",
+                     [](Settings& s, std::string_view t) { return take(s.margin, parse_number(t), 0.0, 1.0); },
+                     [](const Settings& s) { return to_text(s.margin); }},
     SimulationOption{"row-order", "NAME", "order of the rows: bottom-up, reverse, creation, normals-first",
                      "one of bottom-up, reverse, creation, normals-first",
                      [](Settings& s, std::string_view t) { return take_name(s.row_order, order_names, t); },
@@ -278,12 +277,12 @@ const std::array simulation_table{
     SimulationOption{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
                      "all or an integer from 1 to 256", set_threads,
                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
-    SimulationOption{
-        "rest", "on|off",
-        "sleeping: skip bodies that stand in equilibrium for half a second until something wakes them; no effect "
-        "in RATTLE steps",
-        "on or off", [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
-        [](const Settings& s) { return name_of(s.rest, switch_names); }},
+    SimulationOption{"rest", "on|off",
+                     "sleeping: skip bodies that stand in equilibrium for half a second until something wakes "
+                     "them; no effect in RATTLE steps",
+                     "on or off",
+                     [](Settings& s, std::string_view t) { return take_name(s.rest, switch_names, t); },
+                     [](const Settings& s) { return name_of(s.rest, switch_names); }},
 };
 
 }  // namespace

@@ -68,8 +68,8 @@ std::string command(std::string_view command, std::string_view what) {
         }
     }
     return fmt::format(
-        "<div class=\"command\"><code>{}</code>"
-        "<button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the command: {}\">Copy</button></div>{}",
+        "<div class=\"command\"><code>{}</code><button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the "
+        "command: {}\">Copy</button></div>{}",
         escaped(command), escaped(what),
         live.empty() ? "" : "<p class=\"files\">" + live.substr(std::string_view(" · ").size()) + "</p>");
 }

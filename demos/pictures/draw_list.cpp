@@ -2,7 +2,10 @@
 
 #include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/to_glm.h"
+#include "demos/text/errors.h"
 #include "engine/collision/polyhedron.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -139,6 +142,18 @@ std::vector<glm::vec3> colours_of(const BuiltScene& scene) {
         colours.push_back(plane ? glm::vec3(0.5f) : colour_of(body, movable));
     }
     return colours;
+}
+
+void require_drawable(const BuiltScene& scene) {
+    constexpr double most = 1e12, least = 1e-12;  // m; squares of lengths are floats too
+    for (const BodyDescription& body : scene.bodies) {
+        const double size = bounding_radius(body);
+        const bool is_plane = std::holds_alternative<PlaneShape>(body.shape);
+        if (body.position.cwiseAbs().maxCoeff() <= most && (is_plane || (size >= least && size <= most))) continue;
+        throw UsageError(
+            fmt::format("{}: body {}: must be within 1e12 m of the origin, and of 1e-12 to 1e12 m, to be drawn",
+                        scene.name, body.name));
+    }
 }
 
 std::vector<Link> links_of(const BuiltScene& scene) {

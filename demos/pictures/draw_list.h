@@ -24,6 +24,10 @@ std::vector<Link> links_of(const BuiltScene& scene);
 // Colours of the bodies as draw_list() has them, sRGB; those of planes mean nothing.
 std::vector<glm::vec3> colours_of(const BuiltScene& scene);
 
+// Throws UsageError for a body whose place or size is too large or too small for pictures and models, whose numbers
+// are floats.
+void require_drawable(const BuiltScene& scene);
+
 // The scene as it is now, seen from `view`.
 renderer::Picture draw_list(const BuiltScene& scene, const View& view);
 

@@ -33,21 +33,24 @@ void Lettering::text(Image& image, const std::string& text, glm::vec2 at, float 
     font_.draw(image, text, at, size, {.colour = colour});
 }
 
-std::string Lettering::cut(const std::string& text, float size, float width) const {
+std::string Lettering::cut(const std::string& text, float size, float width, bool keep_end) const {
     if (font_.width(text, size) <= width) return text;
-    std::string shorter = text;
-    while (!shorter.empty() && font_.width(shorter + "…", size) > width) {
-        // A character in UTF-8 is its first byte and those that continue it.
-        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u)
-            shorter.pop_back();
-        if (!shorter.empty()) shorter.pop_back();
-    }
-    return shorter + "…";
+    const auto continues = [&](std::size_t at) {  // a character in UTF-8
+        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u;
+    };
+    std::string shorter;
+    std::size_t gone = 0;
+    do {
+        ++gone;
+        while (continues(keep_end ? gone : text.size() - gone)) ++gone;
+        shorter = keep_end ? "…" + text.substr(gone) : text.substr(0, text.size() - gone) + "…";
+    } while (gone < text.size() && font_.width(shorter, size) > width);
+    return shorter;
 }
 
 void Lettering::plate(Image& image, const Rectangle& in, const std::string& text, float size, bool below) const {
     const float space = 0.5f * size;  // around the plate, and left and right of its text
-    const std::string line = cut(text, size, in.width - 4.0f * space);
+    const std::string line = cut(text, size, in.width - 4.0f * space, !below);
     const float height = 1.6f * size;
     const float top = below ? in.y + in.height - space - height : in.y + space;
     const Rectangle plate{in.x + space, top, font_.width(line, size) + 2.0f * space, height};

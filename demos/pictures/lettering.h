@@ -25,8 +25,8 @@ class Lettering {
     static std::string font_file();
 
     // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the
-    // bottom left, a legend at the bottom right. `size` is the font size in pixels. Text that is too long is cut
-    // and ends in "…".
+    // bottom left, a legend at the bottom right. `size` is the font size in pixels. Text that is too long is cut:
+    // a caption ends in "…", a name begins with it, because panels differ in the ends of their names.
     void name(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void caption(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
@@ -41,7 +41,7 @@ class Lettering {
     float width(const std::string& text, float size) const { return font_.width(text, size); }
 
   private:
-    std::string cut(const std::string& text, float size, float width) const;
+    std::string cut(const std::string& text, float size, float width, bool keep_end) const;
     void plate(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size,
                bool below) const;
 

@@ -95,18 +95,25 @@ bool StagedFile::commit_new() {
     return true;
 }
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-    if (path_ == "-") {
-        descriptor_ = STDOUT_FILENO;
-        return;
-    }
+bool is_file_of(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    const fs::path parent = followed(file).parent_path();
+    return !is_stream(file) &&
+           fs::weakly_canonical(parent.empty() ? "." : parent, error) == fs::weakly_canonical(folder, error);
+}
+
+bool is_stream(const fs::path& path) {
     std::error_code ignored;
-    const fs::file_status status = fs::status(path_, ignored);
-    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
+    const fs::file_status status = fs::status(path, ignored);
+    return path == "-" || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
+    if (!is_stream(path_)) {
         descriptor_ = staged_.emplace(path_).descriptor();
         return;
     }
-    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = path_ == "-" ? STDOUT_FILENO : open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail(errno);
 }
 
@@ -174,8 +181,7 @@ fs::path write_new_file(const fs::path& folder, const std::string& stem, const s
 
 void make_folders_of(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
-        std::error_code ignored;
-        if (file == "-" || (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))) continue;
+        if (is_stream(file)) continue;
         const fs::path folder = followed(file).parent_path();
         make_folder(folder.empty() ? "." : folder);
     }
@@ -187,8 +193,11 @@ void make_folder(const fs::path& folder) {
     if (error) throw OutputError(folder.string() + ": " + error.message());
     if (!fs::is_directory(folder)) throw OutputError(folder.string() + ": " + std::strerror(ENOTDIR));
     // Permissions do not tell of a read-only or full disk; creating a file does.
-    OutputFile probe(folder / ".writable");
-    probe.write("?");
+    std::string probe = (folder / ".XXXXXX").string();
+    const int descriptor = mkostemp(probe.data(), O_CLOEXEC);
+    if (descriptor < 0) throw OutputError(folder.string() + ": " + std::strerror(errno));
+    close(descriptor);
+    unlink(probe.c_str());
 }
 
 }  // namespace pushfactor::demos

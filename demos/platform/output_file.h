@@ -65,6 +65,12 @@ class OutputFile {
 // Where a name leads to through links; the file may not exist yet.
 std::filesystem::path followed(std::filesystem::path path);
 
+// Standard output, or what exists and is neither file nor folder: a device, a pipe. It is written to directly.
+bool is_stream(const std::filesystem::path& path);
+
+// Whether the folder has a file of this name, or would have it.
+bool is_file_of(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 // Writes to standard output, at once.
 void print(std::string_view text);
 

@@ -71,11 +71,11 @@ void make_atlas(StudyRun& run) {
         if (run.request().grid) add_replays(map, run, run.sections.back().content);
     }
     run.write("atlas.csv", file_text(table));
-    run.write_page(fmt::format(
-        "Outcomes of runs over two of their parameters: a cell is a run, its colour the outcome that the run's "
-        "summary names, judged over the last second. White dashed lines are theoretical limits. "
-        "atlas.csv has the command that reproduces each cell.{}",
-        run.quick() ? " This is the quick atlas: three values per axis." : ""));
+    run.write_page(
+        fmt::format("Outcomes of runs over two of their parameters: a cell is a run, its colour the outcome that "
+                    "the run's summary names, judged over the last second. White dashed lines are theoretical "
+                    "limits. atlas.csv has the command that reproduces each cell.{}",
+                    run.quick() ? " This is the quick atlas: three values per axis." : ""));
 }
 
 }  // namespace

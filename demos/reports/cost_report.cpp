@@ -232,16 +232,14 @@ class CostReport {
         if (!sums_.empty()) {
             add(side_by_side, "A world costs the sum of its parts",
                 "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds "
-                "of "
-                "the solver per step, as the sum of the parts alone and together, and how far the first part is "
+                "of the solver per step, as the sum of the parts alone and together, and how far the first part is "
                 "from its place when alone. The scenes are in side-by-side/.",
                 page_lines(sums_of(sums_)));
             run_.sections.back().content.files = {"side_by_side.csv"};
         }
         run_.write_page(fmt::format(
-            "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; "
-            "CPU times were measured on {}. The numbers are in cost.csv, the scenes with everything in "
-            "everything.{}",
+            "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; CPU "
+            "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
             run_.machine(), run_.quick() ? " This is the quick report: small scenes." : ""));
     }
 

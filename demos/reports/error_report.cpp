@@ -187,10 +187,8 @@ class ErrorReport {
         plate.table = answers_;
         plate.caption = fmt::format(
             "For each scene the method that reaches an error in the least CPU time of the steps per simulated "
-            "second, and in "
-            "brackets its iterations, tolerance or step. How often each is the fastest: {}. The figure is that of "
-            "the first "
-            "scene; both of its axes are logarithmic, as in all figures of this page.",
+            "second, and in brackets its iterations, tolerance or step. How often each is the fastest: {}. The "
+            "figure is that of the first scene; both of its axes are logarithmic, as in all figures of this page.",
             fmt::join(counts, ", "));
         run_.sections.insert(run_.sections.begin(),
                              {"answer", "Which method reaches which error in which time", std::move(plate)});
@@ -206,10 +204,9 @@ class ErrorReport {
         plot.lines = lines_beside(plot.lines, others);
         add(plot, sweep.title + ", beside other engines",
             "In colour our methods that no other of ours beats everywhere, in grey other engines (tests/compare "
-            "error), "
-            "on one machine in one run: CPU time of the steps, one thread. Where an engine has no bar, a link is a "
-            "ball "
-            "joint at the end of an arm that is fixed to the ball, and the exact motion is that of this.",
+            "error), on one machine in one run: CPU time of the steps, one thread. Where an engine has no bar, a "
+            "link is a ball joint at the end of an arm that is fixed to the ball, and the exact motion is that of "
+            "this.",
             plate);
     }
 
@@ -227,11 +224,10 @@ class ErrorReport {
         plate.commands = {command_text("run", moment.scene, moment.options)};
         if (run_.request().exported) export_problem(freeze(moment, run_.check()), plot.name);
         add(plot, "Frozen: " + moment.name,
-            fmt::format(
-                "The system of one moment, {} rows and {} column{}, solved from zero (cold) and from the forces of "
-                "the step before (warm); points are labelled with their iterations. Residual: the largest velocity "
-                "that a row still gets wrong.",
-                rows, columns, columns == 1 ? "" : "s"),
+            fmt::format("The system of one moment, {} rows and {} column{}, solved from zero (cold) and from the "
+                        "forces of the step before (warm); points are labelled with their iterations. Residual: "
+                        "the largest velocity that a row still gets wrong.",
+                        rows, columns, columns == 1 ? "" : "s"),
             plate);
     }
 
@@ -267,8 +263,8 @@ class ErrorReport {
         }
         run_.write("consistency.csv", table);
         add(plot, "Consistency: each scene against itself at smaller steps",
-            fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they "
-                        "are compared. Order of the last halving: {}.",
+            fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they are "
+                        "compared. Order of the last halving: {}.",
                         plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")));
     }
 
@@ -280,12 +276,12 @@ class ErrorReport {
     }
 
     void write_page() const {
-        run_.write_page(fmt::format(
-            "True errors (against closed forms, exact motion, converged forces) against the work "
-            "of a method; lower left is better. Work is counted in multiply-adds of the solver and is the same "
-            "on every machine; CPU times were measured on this one: {}. The numbers are in error.csv, frozen.csv "
-            "and consistency.csv, the machine in about.json.{}",
-            run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));
+        run_.write_page(
+            fmt::format("True errors (against closed forms, exact motion, converged forces) against the work of a "
+                        "method; lower left is better. Work is counted in multiply-adds of the solver and is the "
+                        "same on every machine; CPU times were measured on this one: {}. The numbers are in "
+                        "error.csv, frozen.csv and consistency.csv, the machine in about.json.{}",
+                        run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));
     }
 
     StudyRun& run_;

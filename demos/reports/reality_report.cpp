@@ -23,15 +23,12 @@ void make_reality(StudyRun& run) {
     }
     run.write_page(fmt::format(
         "How far rigid bodies with Coulomb friction and one number for restitution go. What has a solution is "
-        "computed "
-        "to its digits. A tossed cube can be followed through its bounces to about 13 % of its edge, with one "
-        "friction and one restitution for all of them; where it ends is right for four of five, because after some "
-        "bounces a hair decides. What many throws have in common, shares of dice and volumes of heaps, does not "
-        "hang "
-        "on the hair: there two numbers come near to what is measured, though not everywhere within its error. "
-        "What "
-        "they cannot tell is what a real impact does with an edge: in reality restitution depends on speed, on the "
-        "place that is hit, and on which other point touches. Made with {}.{}",
+        "computed to its digits. A tossed cube can be followed through its bounces to about 13 % of its edge, with "
+        "one friction and one restitution for all of them; where it ends is right for four of five, because after "
+        "some bounces a hair decides. What many throws have in common, shares of dice and volumes of heaps, does "
+        "not hang on the hair: there two numbers come near to what is measured, though not everywhere within its "
+        "error. What they cannot tell is what a real impact does with an edge: in reality restitution depends on "
+        "speed, on the place that is hit, and on which other point touches. Made with {}.{}",
         run.machine(), run.quick() ? " This is the quick report: few tosses, throws and bodies." : ""));
 }
 

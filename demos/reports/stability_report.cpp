@@ -191,14 +191,14 @@ class StabilityReport {
     }
 
     void write_page() const {
-        run_.write_page(fmt::format(
-            "Stiff and extreme cases, each run and judged by the program. The outcome is that of the last "
-            "second; the bar is what is required, and where it is known not to be met the table gives under "
-            "\"expected\" the value that is reached. {} runs, {} numbers beyond their bar, {} not as expected. The "
-            "numbers are in stability.csv. Made with {}.{}{}",
-            trials_.size(), missed_bars_, unexpected_.size(), run_.machine(),
-            run_.quick() ? " This is the quick report: the short cases." : "",
-            gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
+        run_.write_page(
+            fmt::format("Stiff and extreme cases, each run and judged by the program. The outcome is that of the "
+                        "last second; the bar is what is required, and where it is known not to be met the table "
+                        "gives under \"expected\" the value that is reached. {} runs, {} numbers beyond their bar, "
+                        "{} not as expected. The numbers are in stability.csv. Made with {}.{}{}",
+                        trials_.size(), missed_bars_, unexpected_.size(), run_.machine(),
+                        run_.quick() ? " This is the quick report: the short cases." : "",
+                        gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
     }
 
     StudyRun& run_;

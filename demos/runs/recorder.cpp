@@ -12,6 +12,14 @@
 
 namespace pushfactor::demos {
 
+std::vector<std::string> RunFiles::all() const {
+    std::vector<std::string> paths;
+    for (const auto* const file : {&csv, &trajectory, &rows, &errors, &save_state, &glb, &replay}) {
+        if (*file) paths.push_back(**file);
+    }
+    return paths;
+}
+
 Recorder::Recorder(const Session& session, const RunFiles& files, bool timing, std::filesystem::path folder)
     : session_(session), timing_(timing), folder_(std::move(folder)), save_state_(files.save_state) {
     const Simulation& run = session.run(0);

@@ -23,6 +23,9 @@ struct RunFiles {
     std::vector<std::string> measures;  // of the scene, which the summary is to have although they cost time
 
     bool operator==(const RunFiles&) const = default;
+
+    // The paths of those that are written.
+    std::vector<std::string> all() const;
 };
 
 class Recorder : public Observer {

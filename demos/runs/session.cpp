@@ -19,7 +19,15 @@ Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
     Sequence sequence{.panels = compared_runs(scene, given), .frames = {}};
     for (const ComparedRun& panel : sequence.panels) {
         const Choices& choices = panel.choices;
-        sequence.frames.push_back(plan_frames(choices.frames, choices.settings.dt, whole_steps(choices.settings)));
+        const Rational& dt = choices.settings.dt;
+        const Frames& frames =
+            sequence.frames.emplace_back(plan_frames(choices.frames, dt, whole_steps(choices.settings)));
+        const std::vector<long> ghosts = plan_ghosts(choices.frames, dt);
+        if (!ghosts.empty() && ghosts.back() > frames.back().step) {
+            throw UsageError(fmt::format("--ghosts {}: must not be after the last picture, which is at {} s",
+                                         to_text(dt * Rational{ghosts.back(), 1}),
+                                         to_text(dt * Rational{frames.back().step, 1})));
+        }
         if (sequence.frames.back().size() != sequence.frame_count()) {
             throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
                                          panel.label, sequence.frame_count(), sequence.frames.back().size()));

@@ -35,8 +35,7 @@ std::string shaken_too_fast(const std::string& name, const Simulation& simulatio
             simulation.settings().substeps.value_or(1) / (shaking->frequency * simulation.settings().dt.value());
         if (steps >= few_steps) continue;
         return fmt::format(
-            "pushfactor: warning: {}: '{}' is shaken at {} Hz, {:.3g} steps per period; try --dt "
-            "below {:.2g}\n",
+            "pushfactor: warning: {}: '{}' is shaken at {} Hz, {:.3g} steps per period; try --dt below {:.2g}\n",
             name, body.name, shaking->frequency, steps, 1.0 / (few_steps * shaking->frequency));
     }
     return "";

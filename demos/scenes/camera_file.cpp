@@ -14,7 +14,12 @@ std::span<const std::string> camera_keys() {
 
 View read_camera(const JsonReader& json) {
     json.require_object(camera_keys());
-    View view{.eye = json.at("eye_m").vector(), .target = json.at("target_m").vector()};
+    const auto place = [&](const char* key) {
+        const engine::Vector3 point = json.at(key).vector();
+        if (point.cwiseAbs().maxCoeff() > 1e9) json.at(key).refuse("three numbers from -1e9 to 1e9");
+        return point;
+    };
+    View view{.eye = place("eye_m"), .target = place("target_m")};
     if (json.has("field_of_view_deg")) view.field_of_view = json.at("field_of_view_deg").number(1.0, 120.0);
     if (json.has("floor_m")) view.floor = json.at("floor_m").number(-1e9, 1e9);
     if (view.eye == view.target) json.at("target_m").refuse("another point than eye_m");

@@ -1,11 +1,12 @@
 #include "demos/text/csv.h"
 
 #include "demos/text/errors.h"
+#include "demos/text/input.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace pushfactor::demos {
 
@@ -32,8 +33,7 @@ std::vector<std::vector<std::string>> read_csv(const std::string& option, const 
     const auto refuse = [&](const std::string& what) {
         throw UsageError(fmt::format("{} {}: {}", option, file.string(), what));
     };
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file)) refuse("cannot be read");
+    std::istringstream stream(read_input(file, fmt::format("{} {}", option, file.string())));
     std::vector<std::vector<std::string>> rows;
     bool headed = false;
     std::string line;

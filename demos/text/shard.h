@@ -14,6 +14,8 @@ struct Shard {
     int number = 1;  // from 1 to count
     int count = 1;
 
+    bool operator==(const Shard&) const = default;
+
     // Whether this share has the piece of work with this number; each number is in exactly one of `count`.
     bool takes(std::uint64_t piece) const {
         return piece % static_cast<std::uint64_t>(count) == static_cast<std::uint64_t>(number - 1);

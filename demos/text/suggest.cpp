@@ -1,5 +1,10 @@
 #include "demos/text/suggest.h"
 
+#include "demos/text/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -37,6 +42,15 @@ std::string suggestion(std::string_view typed, std::span<const std::string> know
         }
     }
     return nearest ? "; did you mean " + *nearest + "?" : std::string();
+}
+
+std::string one_of(std::string_view typed, std::span<const std::string> known) {
+    return fmt::format("must be one of {}{}", fmt::join(known, ", "), suggestion(typed, known));
+}
+
+void require_known(std::string_view field, std::string_view typed, std::span<const std::string> known) {
+    if (std::ranges::find(known, typed) != known.end()) return;
+    throw UsageError(fmt::format("{} {}: {}", field, typed, one_of(typed, known)));
 }
 
 }  // namespace pushfactor::demos

@@ -10,4 +10,10 @@ namespace pushfactor::demos {
 // "; did you mean WORD?" for the nearest of `known`, or empty if none is near.
 std::string suggestion(std::string_view typed, std::span<const std::string> known);
 
+// "must be one of A, B; did you mean B?"
+std::string one_of(std::string_view typed, std::span<const std::string> known);
+
+// Throws UsageError "FIELD TYPED: must be one of ..." for an unknown word.
+void require_known(std::string_view field, std::string_view typed, std::span<const std::string> known);
+
 }  // namespace pushfactor::demos

@@ -24,7 +24,10 @@ Film::Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& sur
       choices_(session.choices(0).frames),
       caption_(caption_of(session.choices(0))) {
     const std::vector<ComparedRun>& panels = session.sequence().panels;
-    for (std::size_t i = 0; i < panels.size(); ++i) require_shown(scene(i), choices_.overlay);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        require_drawable(scene(i));
+        require_shown(scene(i), choices_.overlay);
+    }
     if (needs_survey(choices_)) survey_ = survey.of(panels);
 
     double across = 0.0, up = 0.0;

@@ -56,10 +56,10 @@ void require_poses_only(const Sequence& sequence, const std::string& file) {
     }
     for (const OverlayItem& item : frames.overlay) {
         if (item.kind == OverlayKind::no_contacts) continue;
-        throw UsageError(fmt::format(
-            "--overlay {}: must not be with --from-trajectory, which has poses only; without it each shard "
-            "simulates the run itself",
-            name_of(item.kind)));
+        throw UsageError(
+            fmt::format("--overlay {}: must not be with --from-trajectory, which has poses only; without it each "
+                        "shard simulates the run itself",
+                        name_of(item.kind)));
     }
 }
 

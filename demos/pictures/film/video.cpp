@@ -42,8 +42,8 @@ std::string even_sides(int width, int height) {
 // the size of the picture. So the matrix is set and recorded in the video.
 std::string film(int width, int height, std::string_view codec) {
     return fmt::format(
-        "-vf {}scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_inp {} "
-        "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv",
+        "-vf {}scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_inp {} -pix_fmt "
+        "yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv",
         even_sides(width, height), codec);
 }
 
@@ -66,8 +66,8 @@ std::string format_options(const std::string& format, int width, int height, con
 // frames give equal files.
 std::vector<std::string> arguments(const fs::path& target, int width, int height, const Rational& fps) {
     std::istringstream line(fmt::format(
-        "-loglevel error -xerror -nostdin -y "
-        "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {}/{} -i pipe:0 -fflags +bitexact {}",
+        "-loglevel error -xerror -nostdin -y -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {}/{} -i "
+        "pipe:0 -fflags +bitexact {}",
         width, height, fps.numerator, fps.denominator, format_options(extension(target), width, height, fps)));
     std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
     words.push_back(target);

@@ -174,6 +174,7 @@ std::unique_ptr<Record> glb_record(const std::filesystem::path& file, const std:
                                    SurveyOnce& survey, const Simulation& start) {
     const Choices& choices = run.front().choices;
     check_glb(file, choices);
+    require_drawable(start.scene());
     require_shown(start.scene(), choices.frames.overlay);
     const Survey found = needs_survey(choices.frames) ? survey.of(run) : Survey{};
     return std::make_unique<GlbRecord>(file, choices, found, start);

@@ -4,6 +4,7 @@
 #include "demos/pictures/camera/composition.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
+#include "demos/pictures/draw_list.h"
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/integers.h"
 #include "demos/pictures/replay/stage.h"
@@ -71,6 +72,7 @@ Replay::Replay(const ReplayChoices& choices, const Session& session)
     for (std::size_t panel = 0; panel < session.size(); ++panel) {
         const Simulation& run = session.run(panel);
         const BuiltScene& scene = run.scene();
+        require_drawable(scene);
         std::vector<double> sizes;
         for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
         Track track{.simulation = &run,

@@ -9,7 +9,6 @@
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,18 +84,18 @@ std::vector<std::string> equal_factors(const std::string& field, const std::stri
     return values;
 }
 
-bool is_known_option(const Choices& choices, const std::string& name, std::vector<std::string>& known) {
-    known = simulation_option_names();
-    for (const auto& [parameter, value] : choices.parameters) known.push_back(parameter);
-    return std::find(known.begin(), known.end(), name) != known.end();
-}
-
 void require_option(const Choices& choices, const std::string& field, const std::string& text,
                     const std::string& name) {
-    std::vector<std::string> known;
-    if (is_known_option(choices, name, known)) return;
-    refuse(field, text,
-           fmt::format("{} must be one of {}{}", name, fmt::join(known, ", "), suggestion(name, known)));
+    std::vector<std::string> known = simulation_option_names();
+    for (const auto& [parameter, value] : choices.parameters) known.push_back(parameter);
+    if (std::ranges::find(known, name) == known.end()) refuse(field, text, name + " " + one_of(name, known));
+}
+
+// Of two values for one option, one would be ignored.
+void require_unset(const OptionTexts& set, const std::string& field, const std::string& text,
+                   const std::string& name) {
+    const auto found = std::ranges::find(set, name, [](const auto& option) { return option.first; });
+    if (found != set.end()) refuse(field, text, fmt::format("must be without --set {}={}", name, found->second));
 }
 
 bool accepts(const GridRequest& request, const OptionTexts& set, const std::string& name,
@@ -115,6 +114,7 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
                   const std::string& text) {
     const auto [name, value] = name_and_value(field, text, forms);
     require_option(run_of(request.scene, set), field, text, name);
+    require_unset(set, field, text, name);
     AtlasAxis axis{.option = name, .label = name, .values = {}, .scale = 1.0, .logarithmic = false};
     const std::vector<std::string> words = split(value, ':');
     if (words.size() == 4 && words[0] == "log") {
@@ -153,6 +153,7 @@ OptionTexts options_of(const GridRequest& request) {
     for (const std::string& text : request.set) {
         const auto [name, value] = name_and_value("--set", text, "must be OPTION=VALUE");
         require_option(run_of(request.scene, {}), "--set", text, name);
+        require_unset(options, "--set", text, name);
         options.emplace_back(name, value);
     }
     return options;
@@ -167,9 +168,7 @@ void require_measure(const GridRequest& request, const OptionTexts& options) {
     for (const auto& [name, value] : summary.items()) {
         if (value.is_number() || value.is_null()) numbers.push_back(name);
     }
-    if (std::find(numbers.begin(), numbers.end(), request.measure) != numbers.end()) return;
-    refuse("--measure", request.measure,
-           fmt::format("must be one of {}{}", fmt::join(numbers, ", "), suggestion(request.measure, numbers)));
+    require_known("--measure", request.measure, numbers);
 }
 
 }  // namespace

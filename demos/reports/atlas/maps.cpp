@@ -157,9 +157,9 @@ std::vector<AtlasMap> atlas_maps() {
                  "25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws it over."),
         step_map("default", "The stack with the default preset: it stands at every step and beta",
                  "Single-frame push, contact caching and a direct finish."),
-        chain_map("plain", "1", "Bars under tension: the longest step that holds",
-                  "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the "
-                  "step."),
+        chain_map(
+            "plain", "1", "Bars under tension: the longest step that holds",
+            "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the step."),
         chain_map("substeps", "auto", "Bars under tension with automatic substeps: the step no longer matters",
                   "Theory: the longest step without substeps."),
     };

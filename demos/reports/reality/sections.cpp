@@ -115,16 +115,12 @@ void add_dice(StudyRun& run) {
     content.files = {"dice.csv", "dice_fit.csv"};
     content.caption = fmt::format(
         "Share of throws of steel dice that end with a square face on top, over their length divided by the edge "
-        "of "
-        "the square. Measured: Mathematical Gazette 97.16 (2013), 9,329 throws. Computed: {} throws of each, "
-        "dropped "
-        "from 0.2 m (17 edges) in any orientation, turning about any axis at up to 60 rad/s, at up to 1 m/s "
-        "sideways, onto a plane; how the real ones were thrown is not known. Friction {} and restitution {} fit "
-        "best "
-        "of {} pairs (chi squared {:.0f} for 15 dice); lowest and highest are over all pairs. Errors are one "
-        "standard "
-        "deviation. Off by more than 0.05: {}. A share that falls with length cannot meet all: those measured at "
-        "1.16 and 1.23 are in the other order.",
+        "of the square. Measured: Mathematical Gazette 97.16 (2013), 9,329 throws. Computed: {} throws of each, "
+        "dropped from 0.2 m (17 edges) in any orientation, turning about any axis at up to 60 rad/s, at up to 1 "
+        "m/s sideways, onto a plane; how the real ones were thrown is not known. Friction {} and restitution {} "
+        "fit best of {} pairs (chi squared {:.0f} for 15 dice); lowest and highest are over all pairs. Errors are "
+        "one standard deviation. Off by more than 0.05: {}. A share that falls with length cannot meet all: those "
+        "measured at 1.16 and 1.23 are in the other order.",
         throws, bounces[best].friction, bounces[best].restitution, bounces.size(), least,
         far.empty() ? "none" : fmt::format("{} of 15 (length over edge {})", far.size(), fmt::join(far, ", ")));
     add_plot({.script = "dice", .data = "dice.dat", .name = "dice_shares"}, csv_text(table), run.folder(), content);
@@ -189,14 +185,11 @@ void add_packings(StudyRun& run) {
     content.files = {"packings.csv"};
     content.caption = fmt::format(
         "Share of the volume that {} equal bodies fill in a box {} m wide, 2 m and more from walls and surface; "
-        "all "
-        "have the volume of a ball of 1 m. They are poured in layers of 25, each from just above the heap, then "
-        "shaken up and down {} times at 3 Hz by 0.1 m (3.6 g). Errors: one standard deviation of the mean over "
-        "eight "
-        "parts of the region. Measured: Baker and Kudrolli (2010, arXiv 1008.1728), +-0.01. Their friction is not "
-        "known, and it decides how loose a heap is: {} of {} loose and {} of {} dense values are between those "
-        "that "
-        "are computed, or within 0.02 of one.",
+        "all have the volume of a ball of 1 m. They are poured in layers of 25, each from just above the heap, "
+        "then shaken up and down {} times at 3 Hz by 0.1 m (3.6 g). Errors: one standard deviation of the mean "
+        "over eight parts of the region. Measured: Baker and Kudrolli (2010, arXiv 1008.1728), +-0.01. Their "
+        "friction is not known, and it decides how loose a heap is: {} of {} loose and {} of {} dense values are "
+        "between those that are computed, or within 0.02 of one.",
         bodies, width, shakes, loose.met, loose.all, dense.met, dense.all);
     run.sections.push_back({"packings", "Heaps of spheres and regular solids", content});
 }

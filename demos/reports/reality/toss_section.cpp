@@ -198,16 +198,12 @@ void add_tosses(StudyRun& run) {
     content.files = {"toss_results.csv", "toss_fit.csv", "toss_errors.csv", "tosses.csv"};
     content.caption = fmt::format(
         "A cube of 0.1048 m and 0.37 kg, tossed onto a board: {} tosses of ContactNets (Pfrommer, Halm and Posa "
-        "2020; "
-        "BSD 3-clause), 148 poses a second. Each is computed from its first pose and velocity, with one law of "
-        "contact for all: fitted on {} tosses for the least mean error of position, judged on {} others. Errors "
-        "are "
-        "one standard deviation: of the law over 200 sets drawn again from the fitted tosses, of means over "
-        "tosses, "
-        "of shares after Wilson. In flight the error is that of the measured poses and velocities; restarts keep "
-        "chaos out of what contacts add. In the replays the computed cube hides the measured one (ivory) where "
-        "they "
-        "agree.{}",
+        "2020; BSD 3-clause), 148 poses a second. Each is computed from its first pose and velocity, with one law "
+        "of contact for all: fitted on {} tosses for the least mean error of position, judged on {} others. Errors "
+        "are one standard deviation: of the law over 200 sets drawn again from the fitted tosses, of means over "
+        "tosses, of shares after Wilson. In flight the error is that of the measured poses and velocities; "
+        "restarts keep chaos out of what contacts add. In the replays the computed cube hides the measured one "
+        "(ivory) where they agree.{}",
         all.size(), fitted->size(), others.size(),
         engines.empty() ? ""
                         : " Other engines have the same fit, each its own law; tests/compare reality made them.");

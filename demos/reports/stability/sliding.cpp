@@ -164,10 +164,9 @@ void add_rides(Chapter& chapter, double speed, const std::string& seconds, const
 }
 
 Chapter seams() {
-    Chapter chapter{
-        "seams",
-        "Cubes, planks and balls on flush boxes, also with every other box 0.5 mm lower: as on a single "
-        "box; but walls and steps stop them"};
+    Chapter chapter{"seams",
+                    "Cubes, planks and balls on flush boxes, also with every other box 0.5 mm lower: as on a "
+                    "single box; but walls and steps stop them"};
     add_rides(chapter, 0.1, "3", "creep");  // 0.1 m/s counts as creeping
     add_rides(chapter, 4.0, "0.8", "moving");
     add_rides(chapter, 50.0, "0.067", "moving");

@@ -2,6 +2,7 @@
 #include "demos/options/simulation_options.h"
 #include "demos/runs/build/scene_parts.h"
 #include "demos/scenes/run_state.h"
+#include "demos/text/errors.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
 #include "engine/bodies/diagnostics.h"
@@ -232,7 +233,11 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
 }
 
 BuiltScene build_scene(const Choices& choices) {
-    return build_scene(choices.description, choices.settings);
+    try {
+        return build_scene(choices.description, choices.settings);
+    } catch (const engine::InvalidInput& error) {
+        throw UsageError(choices.scene + ": " + error.what());
+    }
 }
 
 }  // namespace pushfactor::demos

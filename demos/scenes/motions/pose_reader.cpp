@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 
 namespace pushfactor::demos {
 
 PoseReader::PoseReader(std::string option, const std::filesystem::path& file)
     : name_(std::move(option) + file.string()), stream_(file) {
-    if (!stream_) refuse("cannot be read");
+    if (!stream_) refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
     rewind();
 }
 

@@ -167,7 +167,44 @@ TEST_CASE("check sees a body that was moved by a millimetre, and says how far it
     CHECK(near.status == 3);
     CHECK(has_line(near.out, "gold: physics: body 2 (cube 2) is 0.001 m off"));
     CHECK(shell(folder, "pushfactor check gold --tolerance 255 --physics 0.01").status == 0);
-    CHECK(shell(folder, "pushfactor check gold --tolerance 255 --physics off").status == 0);
+    const Ended off = shell(folder, "pushfactor check gold --tolerance 255 --physics off");
+    CHECK(off.status == 0);
+    CHECK(off.out == "5 pictures are as expected; see out/check/index.html\n");
+}
+
+TEST_CASE("a trajectory of which a part is missing does not say that the whole run is as expected") {
+    const Folder folder;
+    require_success(folder,
+                    std::string("pushfactor render stack --out gold --trajectory gold/trajectory.csv ") + small);
+    const auto cut = [&](const std::string& command, const std::string& words) {
+        const Ended ended = shell(folder, "rm -rf now; cp -r gold now; " + command +
+                                              " gold/trajectory.csv > now/trajectory.csv; pushfactor check now "
+                                              "--physics 1e-6");
+        INFO(ended.out << ended.err);
+        CHECK(ended.status == 3);
+        CHECK(ended.out.find("now: physics: " + words) != std::string::npos);
+    };
+    cut("head -11", "trajectory.csv ends at ");
+    cut("head -9", "trajectory.csv has 8 lines instead of 10 for 5 moving bodies at 2 times");
+    cut("sed '4,$ { /,3,/d }'", "trajectory.csv has ");
+    cut("head -1", "not compared: trajectory.csv has no line of this run");
+    CHECK(shell(folder, "pushfactor check gold --physics 1e-6").status == 0);
+}
+
+TEST_CASE("check counts a folder once however it is named, and never writes over what is expected") {
+    const Folder folder;
+    require_success(folder, std::string("pushfactor render stack --out gold ") + small);
+    const auto before = contents(folder, "gold");
+    const Ended twice = shell(folder, "pushfactor check gold/ gold ./gold");
+    CHECK(twice.status == 0);
+    CHECK(twice.out == "5 pictures and 1 run are as expected; see out/check/index.html\n");
+    for (const char* const file : {"gold/config.json", "gold/summary.json", "./gold/frame_000000.png"}) {
+        for (const char* const option : {"--junit", "--markdown"}) {
+            check_refused(folder, fmt::format("pushfactor check gold {} {}", option, file),
+                          fmt::format("{} {}: must not be a file that is checked", option, file));
+        }
+    }
+    CHECK(contents(folder, "gold") == before);
 }
 
 TEST_CASE("check sees a light that was changed, with the tolerance and with FLIP") {

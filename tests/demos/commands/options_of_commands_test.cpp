@@ -203,12 +203,44 @@ TEST_CASE("every option alone and in pairs, with every command, changes what is 
     }
 }
 
+TEST_CASE("an option that has no effect beside another one is noted, unless a panel or a file needs it") {
+    const Folder folder;
+    const auto said = [&](const std::string& command) {
+        const tests::Ended ended = tests::shell(folder, "pushfactor " + command);
+        CHECK(ended.status == 0);
+        return ended.err;
+    };
+    const std::string note = "pushfactor: note: ", still = " --at 0 --size 64x64 --out s";
+    const std::string small_steps =
+        "--small-steps 4x4: has no effect without --scheme small-steps, or --scheme auto "
+        "with --solver auto\n";
+    CHECK(said("run stack --seconds 0 --push none --beta 0.3") ==
+          note + "--beta 0.3: has no effect with --push none\n");
+    CHECK(said("run stack --seconds 0 --push none --max-push-speed 2") ==
+          note + "--max-push-speed 2: has no effect with --push none\n");
+    CHECK(said("run chain --seconds 0 --distance-push none --distance-beta 0.3") ==
+          note + "--distance-beta 0.3: has no effect with --distance-push none and in RATTLE steps\n");
+    CHECK(said("run chain --seconds 0 --scheme rattle4 --distance-push none") ==
+          note + "--distance-push none: has no effect in RATTLE steps\n");
+    CHECK(said("run stack --seconds 0 --scheme whole --small-steps 4x4") == note + small_steps);
+    CHECK(said("run stack --seconds 0 --solver pgs --small-steps 4x4") == note + small_steps);
+    CHECK(said("run stack --seconds 0 --friction 0 --friction-model cone") ==
+          note + "--friction-model cone: has no effect with --friction 0\n");
+    CHECK(said("render stack --push none --compare beta=0.1,0.2" + still) ==
+          note + "--compare beta=0.1,0.2: has no effect with --push none\n");
+    CHECK(said("render stack --compare push=none,persistent --beta 0.3" + still).empty());
+    CHECK(said("scene stack > my.json && pushfactor run my.json --push none --seconds 0").empty());
+}
+
 TEST_CASE("options before the command are refused, -- ends the options, and a value is never an option") {
     check_refused("--seconds 1 run stack", "--seconds: must come after the command");
     check_refused("--junit x.xml check g", "--junit: must come after the command");
     check_refused("run stack --dt --seconds 1", "--dt: must have a value");
     check_refused("run stack --dt 1/60 --dt 1/30", "--dt 1/30: must be given once");
     check_refused("run stack --timing=yes", "--timing=yes: must be without a value");
+    check_refused("list --names --names", "--names: must be given once");
+    check_refused("run stack --csv ''", "--csv: must have a value, FILE");
+    check_refused("render stack --out=", "--out: must have a value, DIR");
     check_refused("run -- --seconds", "scene --seconds: must be one of");
     check_refused("family --seed 3", "--seed 3: must not be with family");
     check_refused("run stack --timing --threads 2", "--threads 2: must be without --timing");

@@ -135,6 +135,16 @@ TEST_CASE("outputs that cannot be written end with status 4 and name the path") 
     check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});
 }
 
+TEST_CASE("the last good state of a run is not written beside a device that takes its outputs") {
+    const Folder folder;
+    folder.write("heavy.json", R"({"version": 1, "gravity_m_per_s2": [0, -1e200, 0],
+        "bodies": [{"name": "ball", "shape": "sphere", "radius_m": 1, "mass_kg": 1}]})");
+    const Ended ended = shell(folder, "pushfactor run heavy.json --summary /dev/null --csv /dev/zero");
+    INFO(ended.err);
+    CHECK(ended.status == 5);
+    CHECK(folder.files() == std::vector<std::string>{"heavy-last-good.json", "heavy.json"});
+}
+
 TEST_CASE("a summary holds the fields that design and README promise") {
     const Ended ended = run_program("run stack --seconds 1");
     CHECK(ended.status == 0);

@@ -99,6 +99,14 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     };
     refused("stack --compare push=none,persistent --csv x.csv", "--csv x.csv: must be for one run");
     refused("stack --compare dt=1/60,1/50", "rates that fit");
+    refused("stack --compare count=1,2 --count 3", "--count 3: must be without --compare count");
+    refused("stack --compare preset=paper,exact --preset paper",
+            "--preset paper: must be without --compare preset");
+    refused("stack --compare push=none,none", "2 to 16 different values");
+    refused("stack --compare threads=1,2", "cannot compare threads");
+    refused("stack --at 0,1 --ghosts 0,2", "--ghosts 2: must not be after the last picture, which is at 1 s");
+    refused("stack --camera orbit:20,orbit:30", "each once, with scene or a file");
+    refused("stack --overlay forces,forces", "each once, with islands or rest");
     refused("stack --video x.avi", "--video x.avi: must end in .mp4, .webm or .gif");
     refused("stack --video x.mp4 --at 1", "--video x.mp4: must be of a sequence");
     refused("stack --frames off", "--frames off: must be with --video");
@@ -109,7 +117,40 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     refused("stack --camera sideways", "--camera sideways: must be scene, a camera file");
     folder.write("camera.json", R"({"eye_m": [1, 2, 3], "targt_m": [0, 0, 0]})");
     refused("stack --camera camera.json", "targt_m: unknown key; did you mean target_m?");
+    folder.write("camera.json", R"({"eye_m": [1e300, 2, 3], "target_m": [0, 0, 0]})");
+    refused("stack --camera camera.json",
+            "camera.json: eye_m [1e+300,2,3]: must be three numbers from -1e9 to 1e9");
+    for (const char* const body : {R"("radius_m": 1, "position_m": [0, 1e60, 0])", R"("radius_m": 1e-30)"}) {
+        folder.write("far.json", std::string(R"({"version": 1, "bodies": [{"name": "ball", "shape": "sphere",
+            "mass_kg": 1, )") + body +
+                                     "}]}");
+        const char* const words = "far: body ball: must be within 1e12 m of the origin, and of 1e-12 to 1e12 m";
+        refused("far.json --at 0", words);
+        refused("far.json --frames off --replay far.html", words);
+        check_refused(folder, "pushfactor run far.json --glb far.glb", words);
+        CHECK(shell(folder, "pushfactor run far.json --seconds 0.1").status == 0);
+    }
     CHECK(!std::filesystem::exists(folder / "frames/config.json"));
+}
+
+TEST_CASE("outputs and scenes never have the names of the files that render writes") {
+    const Folder folder;
+    require_success(folder,
+                    "pushfactor scene stack > config.json && pushfactor render stack --at 0 --size 64x64 --out r");
+    const auto before = folder.read("r/config.json");
+    const auto refused = [&](const std::string& arguments, const std::string& words) {
+        check_refused(folder, "pushfactor render --at 0 --size 64x64 " + arguments,
+                      words + ": must have another name");
+    };
+    refused("stack --out r --csv r/config.json", "r/config.json");
+    refused("stack --out r --summary ./r/../r/config.json", "./r/../r/config.json");
+    refused("stack --out r --rows r/summary.json", "r/summary.json");
+    refused("stack --out r --csv r/at_0s.png", "r/at_0s.png");
+    refused("config.json --out .", "config.json");
+    CHECK(folder.read("r/config.json") == before);
+    require_success(folder, "pushfactor render stack --at 0 --size 64x64 --out r --summary r/summary.json");
+    // A file that spells out all options may be compared in one of them.
+    require_success(folder, "pushfactor render --config r/config.json --compare push=none,persistent --out s");
 }
 
 TEST_CASE("a video is fed every frame, beside the PNG files or instead of them") {

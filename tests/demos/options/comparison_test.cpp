@@ -24,9 +24,12 @@ TEST_CASE("panels differ in what is compared and in nothing else") {
     for (const ComparedRun& panel : panels) CHECK(panel.choices.settings.contacts.beta == 0.4);
 }
 
-TEST_CASE("presets and the scene's own parameters can be compared, and come before what else was given") {
+TEST_CASE("presets and the scene's own parameters can be compared, and come before what a file says") {
     CHECK(panels_of({{"compare", "preset=paper,default"}})[0].choices.settings.preset == "paper");
-    const auto panels = panels_of({{"count", "3"}, {"compare", "count=2,4"}});
+    GivenOptions given;
+    given.add("count", "3", "count in my.json");
+    given.add("compare", "count=2,4", "--compare");
+    const auto panels = compared_runs("stack", given);
     CHECK(panels[0].choices.description.bodies.size() == 3);
     CHECK(panels[1].choices.description.bodies.size() == 5);
 }

@@ -4,6 +4,7 @@
 #include "demos/options/choices.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
+#include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/runs/simulation.h"
@@ -13,6 +14,7 @@
 
 using namespace pushfactor::demos;
 using namespace pushfactor::demos::pictures;
+namespace renderer = pushfactor::renderer;
 using pushfactor::engine::Vector3;
 
 namespace {
@@ -173,4 +175,25 @@ TEST_CASE("islands: bodies have the colour of their island, another one than the
     CHECK(bodies[4].colour == ivory);
     CHECK(quantities(run.scene(), OverlayKind::islands).size() == 4);
     CHECK_NOTHROW(require_shown(run.scene(), {{.kind = OverlayKind::islands}}));
+}
+
+TEST_CASE(
+    "a panel that is too narrow for its name shows the end, by which panels differ; a caption its beginning") {
+    const Lettering lettering;
+    const renderer::Rectangle narrow{0.0f, 0.0f, 80.0f, 40.0f};
+    const auto named = [&](const std::string& name) {
+        renderer::Image image = renderer::blank_image(80, 40, glm::vec3(1.0f));
+        lettering.name(image, narrow, name, 11.0f);
+        return image;
+    };
+    const auto captioned = [&](const std::string& caption) {
+        renderer::Image image = renderer::blank_image(80, 40, glm::vec3(1.0f));
+        lettering.caption(image, narrow, caption, 11.0f);
+        return image;
+    };
+    CHECK(named("iterations 25") != named("iterations 50"));
+    CHECK(named("a longer name of iterations 25") == named("another of many iterations 25"));
+    CHECK(captioned("iterations 25") == captioned("iterations 50"));
+    CHECK(named("preset \u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2") ==
+          named("\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2\u03b2"));
 }

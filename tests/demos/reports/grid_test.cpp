@@ -84,6 +84,9 @@ TEST_CASE("a grid that no run accepts is refused in one line") {
     check_refused("report atlas --grid stack --x count=4:2:1 --y beta=0.1,0.2", "must have 2 to 10000 values");
     check_refused("report atlas --grid stack --x count=log:0:2:5 --y beta=0.1,0.2", "must be 0 < FROM < TO");
     check_refused("report atlas --grid stack --x count=2.5,3 --y beta=0.1,0.2", "--count 2.5");
+    check_refused("report atlas --grid stack " + axes + " --set seconds=1 --set seconds=2",
+                  "--set seconds=2: must be without --set seconds=1");
+    check_refused("report atlas --grid stack " + axes + " --set beta=0.3", "must be without --set beta=0.3");
     check_refused("report atlas --grid stack --x count=2,3 --y count=2,3",
                   "must be another option than that of --x");
     check_refused("report atlas --grid stack --measure outcom " + axes, "--measure outcom: must be one of ");

@@ -144,6 +144,13 @@ TEST_CASE("pieces of several versions, of another one or of several reports are 
     require_success(folder, "pushfactor report atlas --quick --only height_iterations --out d --shard 1/2");
     check_refused(folder, "pushfactor report merge a d",
                   "merge: must be of one report, not `pushfactor report atlas");
+    for (const char* const note : {R"({"words": ["report", "atlas"], "shards": 0})",
+                                   R"({"words": ["report", 5], "shards": 1})", "nonsense"}) {
+        require_success(folder, std::string("find d -name report.json -exec sh -c 'echo \"$1\" > \"$0\"' {} '") +
+                                    note + "' ';'");
+        check_refused(folder, "pushfactor report merge d",
+                      "merge d: must have the report.json that `report` leaves");
+    }
     // Pieces of another version are not used: all are made again.
     fs::remove_all(folder / "a/pieces");
     fs::create_directories(folder / "a/pieces");
