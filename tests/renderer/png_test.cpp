@@ -36,7 +36,7 @@ TEST_CASE("A frame as PNG takes less than a fifth of its bytes") {
     CHECK(size < image.rgb.size() / 5);
 }
 
-TEST_CASE("Several threads may encode at the same time") {
+TEST_CASE("Several threads may encode at the same time", "[threads]") {
     const Image image = noise(200, 100);
     const std::vector<std::uint8_t> alone = encode_png(image);
     std::vector<std::future<std::vector<std::uint8_t>>> results;

@@ -107,7 +107,7 @@ TEST_CASE("a frame that cannot be encoded ends the writing: those before it are 
     }
 }
 
-TEST_CASE("a folder that is gone is named, by the first of the threads that misses it") {
+TEST_CASE("a folder that is gone is named, by the first of the threads that misses it", "[threads]") {
     const Folder folder;
     FrameWriter writer(folder / "gone", true, std::nullopt, sixty);
     const auto write_all = [&] {

@@ -21,7 +21,7 @@ std::uint64_t hash_of(const SceneDescription& scene, const Settings& settings, i
 
 }  // namespace
 
-TEST_CASE("every scene has the same bits with one thread and with more") {
+TEST_CASE("every scene has the same bits with one thread and with more", "[threads]") {
     for (const SceneEntry& entry : catalogue()) {
         for (const char* const preset : {"default", "exact"}) {
             INFO(entry.name << ", preset " << preset);
@@ -35,7 +35,7 @@ TEST_CASE("every scene has the same bits with one thread and with more") {
     CHECK(hash_of(heap.description, heap.settings, 2, 120) == hash_of(heap.description, heap.settings, 1, 120));
 }
 
-TEST_CASE("members of all families have the same bits with one thread and with more") {
+TEST_CASE("members of all families have the same bits with one thread and with more", "[threads]") {
     for (const families::Family& family : families::families()) {
         const families::Member member = tests::draw_bounded_member(family, {.seed = 3, .small = true});
         INFO(member.command());

@@ -126,7 +126,7 @@ std::uint64_t hash_with(int threads) {
 
 }  // namespace
 
-TEST_CASE("shared work is done once, by as many slots as there are threads, each for one at a time") {
+TEST_CASE("shared work is done once, by as many slots as there are threads, each for one at a time", "[threads]") {
     for (const int count : {1, 2, 5}) {
         Threads threads(count);
         CHECK(threads.count() == std::min(count, Threads::all()));
@@ -152,7 +152,8 @@ TEST_CASE("shared work is done once, by as many slots as there are threads, each
     CHECK(Threads(0).count() == 1);
 }
 
-TEST_CASE("a team meets after each round of its work, outside of keep_at_hand() it is the caller alone") {
+TEST_CASE("a team meets after each round of its work, outside of keep_at_hand() it is the caller alone",
+          "[threads]") {
     Threads threads(2);
     const auto count_rounds = [&] {
         std::vector<int> rounds(static_cast<std::size_t>(threads.count()), 0);
@@ -180,7 +181,7 @@ TEST_CASE("a team meets after each round of its work, outside of keep_at_hand() 
     }
 }
 
-TEST_CASE("what is thrown in shared work reaches the caller, and the threads go on") {
+TEST_CASE("what is thrown in shared work reaches the caller, and the threads go on", "[threads]") {
     Threads threads(2);
     const auto throw_at = [&](std::size_t bad) {
         threads.share(1000, 10, [bad](std::size_t begin, std::size_t end, int) {
@@ -195,7 +196,7 @@ TEST_CASE("what is thrown in shared work reaches the caller, and the threads go 
     threads.keep_at_hand([&] { throw_at(1000); });
 }
 
-TEST_CASE("a search finds in order, whatever the number of threads") {
+TEST_CASE("a search finds in order, whatever the number of threads", "[threads]") {
     std::vector<int> numbers(30000);
     std::iota(numbers.begin(), numbers.end(), 0);
     Threads threads(2);
@@ -334,7 +335,7 @@ TEST_CASE("the cuts of an island turn with it and with its forces, also where it
     }
 }
 
-TEST_CASE("small steps of a heap have the bits of one thread on any number of them") {
+TEST_CASE("small steps of a heap have the bits of one thread on any number of them", "[threads]") {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         for (const bool follows_others : {false, true}) {
             const Heap scene = heap(seed, 14, 14, follows_others);
@@ -348,12 +349,13 @@ TEST_CASE("small steps of a heap have the bits of one thread on any number of th
     }
 }
 
-TEST_CASE("a world of many islands and a heap has the same bits with any number of threads") {
+TEST_CASE("a world of many islands and a heap has the same bits with any number of threads", "[threads]") {
     const std::uint64_t one = hash_with(1);
     for (const int threads : {2, 3, 8}) CHECK(hash_with(threads) == one);
 }
 
-TEST_CASE("after threads had to wait for each other, the caller works alone for some calls and then not any more") {
+TEST_CASE("after threads had to wait for each other, the caller works alone for some calls and then not any more",
+          "[threads]") {
     Threads threads(2);
     if (threads.count() < 2) return pushfactor::tests::skip("this machine has one core");
     // The largest team of some jobs; stops at a team of two, whose helper then is late at their meeting if asked

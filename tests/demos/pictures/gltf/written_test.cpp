@@ -36,7 +36,8 @@ TEST_CASE(
     CHECK(worst < 1e-6);
 }
 
-TEST_CASE("run and render write the same glTF file, whatever the threads, and a picture does not change it") {
+TEST_CASE("run and render write the same glTF file, whatever the threads, and a picture does not change it",
+          "[threads]") {
     const Folder folder;
     REQUIRE(shell(folder, "pushfactor run stack --seconds 0.5 --overlay forces --glb a.glb --threads 1").status ==
             0);
