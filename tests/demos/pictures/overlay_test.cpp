@@ -177,8 +177,7 @@ TEST_CASE("islands: bodies have the colour of their island, another one than the
     CHECK_NOTHROW(require_shown(run.scene(), {{.kind = OverlayKind::islands}}));
 }
 
-TEST_CASE(
-    "a panel that is too narrow for its name shows the end, by which panels differ; a caption its beginning") {
+TEST_CASE("a panel too narrow for its name shows the end, by which panels differ, and a caption its beginning") {
     const Lettering lettering;
     const renderer::Rectangle narrow{0.0f, 0.0f, 80.0f, 40.0f};
     const auto named = [&](const std::string& name) {
