@@ -47,8 +47,8 @@ class CsvRecord : public Record {
 class StepsRecord : public CsvRecord {
   public:
     StepsRecord(const std::filesystem::path& path, bool timing)
-        : CsvRecord(path, std::string("step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,max_"
-                                      "penetration_m,rms_penetration_m,max_length_error_m,residual_m_per_s,"
+        : CsvRecord(path, std::string("step,time_s,kinetic_energy_j,potential_energy_j,max_speed_m_per_s,"
+                                      "max_penetration_m,rms_penetration_m,max_length_error_m,residual_m_per_s,"
                                       "contacts,rows,columns,substeps,sweeps,islands,islands_kept,islands_swept,"
                                       "islands_exact,islands_in_small_steps,islands_unsolved,bodies_at_rest") +
                               (timing ? ",step_us" : "")) {}
@@ -116,8 +116,8 @@ class RowsRecord : public CsvRecord {
   public:
     explicit RowsRecord(const std::filesystem::path& path)
         : CsvRecord(path,
-                    "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,push_lasting_m_per_s,c_min_"
-                    "n,c_max_n,lambda_first_n,lambda_last_n") {}
+                    "step,time_s,kind,body_a,body_b,point,gap_m,push_correcting_m_per_s,push_lasting_m_per_s,"
+                    "c_min_n,c_max_n,lambda_first_n,lambda_last_n") {}
 
     void observe(const Simulation& simulation) override {
         const Sample& sample = simulation.sample();

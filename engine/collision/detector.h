@@ -96,7 +96,7 @@ struct StepScene {
         const Collider& own = colliders[static_cast<std::size_t>(collider)];
         return {own.shape, poses[static_cast<std::size_t>(own.body)], motions->path_of(own.body)};
     }
-    // Of the body at `time` [s] of the step.
+    // Centre of the body [m] at `time` [s] of the step.
     Vector3 centre(int body, double time) const {
         return poses[static_cast<std::size_t>(body)].position + time * motions->path_of(body).velocity;
     }

@@ -25,7 +25,7 @@ Allocations taken_by(Act act) {
 
 }  // namespace
 
-TEST_CASE("memory is counted whoever asks for it, thread by thread", "[threads]") {
+TEST_CASE("memory is counted for all code, thread by thread", "[threads]") {
     if (!allocations_are_counted()) return;  // sanitizers have their own malloc
     std::vector<double> standard;
     const Allocations of_standard = taken_by([&] { standard.resize(100); });
