@@ -48,8 +48,8 @@ std::vector<Toss> read_tosses(const std::filesystem::path& folder) {
         tosses.back().frames.push_back(pose_at(line, 2));
     }
     for (const auto& line : numbers_of(folder / "cube-toss-starts.csv",
-                                       "toss,frames,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_"
-                                       "rad_per_s,wy_rad_per_s,wz_rad_per_s")) {
+                                       "toss,frames,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,"
+                                       "wx_rad_per_s,wy_rad_per_s,wz_rad_per_s")) {
         Toss& toss = tosses.at(static_cast<std::size_t>(line[0]));
         toss.velocity = vector_at(line, 9);
         toss.angular_velocity = vector_at(line, 12);
