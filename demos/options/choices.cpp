@@ -1,6 +1,7 @@
 #include "demos/options/choices.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/platform/messages.h"
 #include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
@@ -133,6 +134,15 @@ std::vector<std::string> known_in_config() {
     return names;
 }
 
+// The name of today for one in a file of an earlier version: `integrator` is `scheme`, and euler was what is not
+// RATTLE. Empty if the option has no meaning any more, which is noted.
+std::string current_name(const std::string& name, const std::string& text, const std::string& field) {
+    if (name != "integrator") return name;
+    if (text != "euler") return "scheme";
+    note(fmt::format("{} euler: has no meaning any more", field));
+    return {};
+}
+
 }  // namespace
 
 void GivenOptions::add(const std::string& name, const std::string& text, const std::string& field) {
@@ -157,14 +167,15 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
     }
     const std::vector<std::string> known = known_in_config();
     const GivenOptions above = given;
-    for (const auto& [name, value] : config.items()) {
-        const std::string field = fmt::format("{} in {}", name, file.string());
+    for (const auto& [key, value] : config.items()) {
+        const std::string field = fmt::format("{} in {}", key, file.string());
+        const bool is_text = value.is_string() || value.is_number();
+        const std::string name = current_name(key, is_text ? text_of(value) : std::string(), field);
+        if (name.empty()) continue;
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown option" + suggestion(name, known));
         }
-        if (!value.is_string() && !value.is_number()) {
-            throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
-        }
+        if (!is_text) throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
         if (!above.preset_decides(name)) given.add(name, text_of(value), field);
     }
     // Programs that did not fit cameras to stills did not write which camera they had.
@@ -178,8 +189,10 @@ Choices understand(const std::string& scene, GivenOptions given) {
     understand_scene(scene, given, choices);
     const std::vector<std::string> known = simulation_option_names();
     const GivenOptions above = given;
-    for (const auto& [name, text] : choices.description.options) {
-        const std::string field = fmt::format("{}: options.{}", scene, name);
+    for (const auto& [key, text] : choices.description.options) {
+        const std::string field = fmt::format("{}: options.{}", scene, key);
+        const std::string name = current_name(key, text, field);
+        if (name.empty()) continue;
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown key" + suggestion(name, known));
         }

@@ -125,6 +125,37 @@ TEST_CASE("a bad config file is refused by file, key and value") {
     CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
 }
 
+TEST_CASE("the integrator in files of earlier versions is the scheme, and euler has no meaning any more") {
+    const Folder folder;
+    const std::string start = "pushfactor run chain --seconds 0.5";
+    const std::string scheme = shell(folder, start + " --scheme rattle4").out;
+    const std::string plain = shell(folder, start).out;
+    const auto hash = [](const std::string& summary) { return std::string(Json::parse(summary)["state_hash"]); };
+    REQUIRE(hash(scheme) != hash(plain));
+    REQUIRE(shell(folder, "pushfactor scene chain > chain.json").status == 0);
+    for (const std::string name : {"rattle4", "euler"}) {
+        const bool has_meaning = name == "rattle4";
+        const std::string wanted = hash(has_meaning ? scheme : plain);
+        folder.write("old.json", R"({"integrator": ")" + name + "\"}");
+        std::string text = folder.read("chain.json");
+        text.insert(text.rfind('}'), R"(, "options": {"integrator": ")" + name + "\"}");
+        folder.write("own.json", text);
+        for (const std::string command : {start + " --config old.json", "pushfactor run own.json --seconds 0.5"}) {
+            const Ended ended = shell(folder, command);
+            INFO(command << "\n" << ended.err);
+            CHECK(ended.status == 0);
+            CHECK(hash(ended.out) == wanted);
+            const auto words = ended.err.find("euler: has no meaning any more\n");
+            CHECK((words != std::string::npos) != has_meaning);
+            CHECK((words == std::string::npos || ended.err.find("no meaning", words + 20) == std::string::npos));
+        }
+    }
+    folder.write("old.json", R"({"integrator": "leapfrog"})");
+    const Ended wrong = shell(folder, start + " --config old.json");
+    CHECK(wrong.status == 2);
+    CHECK(wrong.err.find("integrator in old.json leapfrog: must be one of") != std::string::npos);
+}
+
 TEST_CASE("frames show t = n / fps from zero, in one folder or in one a scene, and are the same bytes every time") {
     const Folder folder;
     REQUIRE(shell(folder, "pushfactor render stack --seconds 0.1 --fps 30 --out one" + tiny).status == 0);
