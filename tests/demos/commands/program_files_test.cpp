@@ -137,10 +137,11 @@ TEST_CASE("the integrator in files of earlier versions is the scheme, and euler 
         const bool has_meaning = name == "rattle4";
         const std::string wanted = hash(has_meaning ? scheme : plain);
         folder.write("old.json", R"({"integrator": ")" + name + "\"}");
-        std::string text = folder.read("chain.json");
-        text.insert(text.rfind('}'), R"(, "options": {"integrator": ")" + name + "\"}");
-        folder.write("own.json", text);
-        for (const std::string command : {start + " --config old.json", "pushfactor run own.json --seconds 0.5"}) {
+        Json own = Json::parse(folder.read("chain.json"));
+        own["options"]["integrator"] = name;
+        folder.write("own.json", own.dump());
+        for (const std::string& command :
+             {start + " --config old.json", std::string("pushfactor run own.json --seconds 0.5")}) {
             const Ended ended = shell(folder, command);
             INFO(command << "\n" << ended.err);
             CHECK(ended.status == 0);
