@@ -16,8 +16,8 @@ inline double sum_of(Two pair) {
 // Calls `body` with 0, 1, .. count - 1 as compile-time constants: the overhead of such short loops exceeds their
 // body.
 template <int count, typename Body>
-void unrolled(const Body& body) {
-    [&]<int... i>(std::integer_sequence<int, i...>) {
+[[gnu::always_inline]] inline void unrolled(const Body& body) {
+    [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
         (body(std::integral_constant<int, i>()), ...);
     }
     (std::make_integer_sequence<int, count>());

@@ -2,7 +2,6 @@
 
 #include "engine/base/constants.h"
 #include "engine/bodies/integrator.h"
-#include "engine/solvers/sweep.h"
 #include "engine/step/choice.h"
 
 #include <algorithm>
@@ -100,7 +99,8 @@ void SmallSteps::size(const Island& island, bool has_detours) {
         of_bodies->resize(static_cast<std::size_t>(island.movable()));
     }
     detours_.resize(has_detours ? static_cast<std::size_t>(island.movable()) : 0);
-    stirred_.assign(static_cast<std::size_t>(island.movable()), -1);
+    stirred_.resize(static_cast<std::size_t>(island.movable()));
+    scratch_.resize(static_cast<std::size_t>(island.movable()));
     for (std::vector<double>* of_rows : {&pushing_, &lasting_}) {
         of_rows->assign(static_cast<std::size_t>(island.rows), 0.0);
     }
@@ -112,8 +112,8 @@ void SmallSteps::work(const Step& step, Team& team) {
     begin(step, team);
     for (int k = 0; k < step.division.steps; ++k) small_step(step, k, team);
     dissection_.in_any_order(team, [this](const Part& part) {
-        PartState& state = state_of(part);
-        state.residual = rows_.residual(state.blocks);
+        unpack(part);
+        state_of(part).residual = state_of(part).sweeps.residual(rows_);
     });
     store(step, team);
     push_apart(step, team);
@@ -128,17 +128,15 @@ void SmallSteps::load(const Step& step, Team& team) {
             rows_.load_run(step.system, island, run);
             rows_.take_run(step.system, run, step.lambda, step.lambda.cols() - 1, step.h);
         }
-        std::vector<Block>& blocks = state_of(part).blocks;
-        blocks.clear();
-        rows_.add_blocks(part.begin_row, part.end_row, blocks);
+        state_of(part).sweeps.load(rows_, part.begin_row, part.end_row);
     });
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
     Vector6 still = Vector6::Zero();
     team.wait_for_all();
     dissection_.by_rounds(team, [&](const Part& part) {
-        PartState& state = state_of(part);
-        rows_.couple(state.blocks);
-        rows_.add_velocities(state.blocks, still);
+        const auto blocks = state_of(part).sweeps.blocks();
+        rows_.couple(blocks);
+        rows_.add_velocities(blocks, still);
     });
 }
 
@@ -156,7 +154,10 @@ void SmallSteps::begin(const Step& step, Team& team) {
         const Vector6& detour = step.system.detours[body];
         detours_[i] = step.system.dt * weighted(inverse_mass, detour.head<3>(), detour.tail<3>());
     });
-    dissection_.in_any_order(team, [&](const Part& part) { begin(step, part); });
+    dissection_.by_rounds(team, [&](const Part& part) {
+        begin(step, part);
+        pack(part);
+    });
 }
 
 void SmallSteps::begin(const Step& step, const Part& part) {
@@ -199,26 +200,53 @@ double SmallSteps::moved_along(const solvers::UnitRow& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-// Targets of a solve that begins `elapsed` [s] after the step. Bodies move between the solve with the push and the
-// one without.
-void SmallSteps::aim(const Step& step, Solve which, double elapsed, const Part& part) {
-    using constants::small_steps::stiffness;
-    const bool pushes = which == Solve::with_push;
-    for (Holding& own : state_of(part).holding) {
-        solvers::UnitRow& row = rows_.rows[own.row];
-        if (!pushes && !own.is_followed) own.error = own.start + moved_along(row) - elapsed * own.carried;
-        const bool is_open = own.open_side * own.error > 0.0;
-        double speed = is_open ? -own.error / step.h : 0.0;
-        row.keeps = 1.0;
-        if (pushes) {
-            const Correction& correction = *own.correction;
-            const double most = own.open_side == 0.0 ? correction.max_speed : step.fastest;
-            const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
-            const double share = std::min(beta / step.division.steps, most * step.h / std::abs(own.error));
-            if (!is_open) speed = -share * own.error / step.h;
-            row.keeps = stiffness / (stiffness + share);
+// What fits is swept four at a time.
+void SmallSteps::pack(const Part& part) {
+    PartState& state = state_of(part);
+    state.sweeps.pack(rows_, scratch_);
+    for (FourContacts& four : state.sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) {
+            if (four.row[k] == FourContacts::none) continue;
+            const auto own =
+                std::lower_bound(state.holding.begin(), state.holding.end(), static_cast<std::size_t>(four.row[k]),
+                                 [](const Holding& holding, std::size_t row) { return holding.row < row; });
+            if (own == state.holding.end() || own->row != static_cast<std::size_t>(four.row[k])) continue;
+            own->is_in_four = true;
+            four.holds[k] = -1;
+            four.start[k] = four.error[k] = own->start;
+            four.carried[k] = own->carried;
+            four.beta[k] = own->correction->kind == PushKind::none ? 0.0 : own->correction->beta;
         }
-        row.t = (speed + own.carried) / row.scale;
+    }
+}
+
+void SmallSteps::unpack(const Part& part) {
+    PartSweeps& sweeps = state_of(part).sweeps;
+    sweeps.unpack(rows_);
+    for (const FourContacts& four : sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) {
+            for (int i = 0; i < FourContacts::rows && four.row[k] != FourContacts::none; ++i) {
+                pushing_[static_cast<std::size_t>(four.row[k] + i)] = four.pushing[i][k];
+                lasting_[static_cast<std::size_t>(four.row[k] + i)] = four.lasting[i][k];
+            }
+        }
+    }
+}
+
+// Targets of a solve. Bodies move between the solve with the push and the one without.
+void SmallSteps::aim(const Aim& aim, const Part& part) {
+    PartState& state = state_of(part);
+    engine::aim(state.sweeps.fours(), aim, moved_);
+    for (Holding& own : state.holding) {
+        if (own.is_in_four) continue;
+        solvers::UnitRow& row = rows_.rows[own.row];
+        if (!aim.pushes && !own.is_followed) own.error = own.start + moved_along(row) - aim.elapsed * own.carried;
+        const Correction& correction = *own.correction;
+        const double beta = correction.kind == PushKind::none ? 0.0 : correction.beta;
+        const double most = own.open_side == 0.0 ? correction.max_speed : aim.fastest;
+        const Target<double> target = target_of(aim, own.error, beta, own.open_side, most);
+        row.keeps = target.keeps;
+        row.t = (target.speed + own.carried) / row.scale;
     }
 }
 
@@ -247,7 +275,7 @@ void SmallSteps::follow(const Step& step, const Part& part) {
     PartState& state = state_of(part);
     if (state.followed.empty()) return;
     for (const Followed& own : state.followed) follow(step, own, state);
-    rows_.couple(state.blocks);
+    rows_.couple(state.sweeps.blocks());
 }
 
 // Writes the rows of a bar or a joint again where its bodies are now; their forces stay.
@@ -296,18 +324,22 @@ void SmallSteps::small_step(const Step& step, int number, Team& team) {
 }
 
 void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team) {
-    std::vector<double>& sums = which == Solve::with_push ? pushing_ : lasting_;
-    each_body(team, [this](std::size_t i) { stirred_[i] = -1; });
+    using constants::small_steps::most_sweeps;
+    const bool pushes = which == Solve::with_push;
+    std::vector<double>& sums = pushes ? pushing_ : lasting_;
+    const Aim aims{pushes, step.h, static_cast<double>(step.division.steps), step.fastest, elapsed};
+    each_body(team, [this](std::size_t i) { stirred_[i] = PartSweeps::never; });
     team.wait_for_all();  // until all bodies have moved
-    dissection_.in_any_order(team, [&](const Part& part) { aim(step, which, elapsed, part); });
+    dissection_.in_any_order(team, [&](const Part& part) { aim(aims, part); });
     double restless = constants::small_steps::hit * step.fastest / step.division.steps;
     double largest = infinity;
-    for (int k = 0; k < step.division.sweeps || (largest > restless && k < constants::small_steps::most_sweeps);
-         ++k) {
+    const int whole = step.division.sweeps;  // sweeps of all rows
+    for (int k = 0; k < whole || (largest > restless && k < most_sweeps); ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
             PartState& state = state_of(part);
-            state.change = k < step.division.sweeps ? sweep(state.blocks)
-                                                    : sweep_restless(state, restless, k, k == step.division.sweeps);
+            state.change =
+                k < whole ? state.sweeps.sweep(rows_)
+                          : state.sweeps.sweep_restless(rows_, restless, k, k == whole, stirred_, state.updates);
         });
         largest = 0.0;
         for (const PartState& state : states_) largest = std::max(largest, state.change);
@@ -315,38 +347,15 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
         team.wait_for_all();  // before anyone writes the next changes
     }
     dissection_.in_any_order(team, [&](const Part& part) {
-        const auto end = static_cast<std::size_t>(part.end_row);
-        for (auto j = static_cast<std::size_t>(part.begin_row); j < end; ++j) {
-            if (rows_.rows[j].scale > 0.0) sums[j] += rows_.rows[j].y / rows_.rows[j].scale;
+        PartSweeps& sweeps = state_of(part).sweeps;
+        add_up(sweeps.fours(), pushes);
+        for (const PartSweeps::Block& block : sweeps.blocks()) {
+            for (int i = 0; i < block.count; ++i) {
+                const solvers::UnitRow& row = rows_.rows_of(block)[i];
+                if (row.scale > 0.0) sums[static_cast<std::size_t>(block.begin + i)] += row.y / row.scale;
+            }
         }
     });
-}
-
-double SmallSteps::sweep(std::span<const Block> blocks) {
-    Vector6 still = Vector6::Zero();
-    return solvers::sweep<true>(rows_, blocks, [&](const Block& block) { return rows_.at_bodies(block, still); });
-}
-
-// Sweeps the blocks of bodies whose rows have changed by more than `least` [m/s] in sweep `number` or the one
-// before; all blocks if `is_first`.
-double SmallSteps::sweep_restless(PartState& state, double least, int number, bool is_first) {
-    const auto is_restless = [&](int body) {
-        const auto i = static_cast<std::size_t>(body);
-        return i < stirred_.size() && stirred_[i] >= number - 1;
-    };
-    double largest = 0.0;
-    for (const Block& block : state.blocks) {
-        if (!is_first && !is_restless(block.a) && !is_restless(block.b)) continue;
-        const double change = sweep({&block, 1});
-        largest = std::max(largest, change);
-        state.updates += block.count;
-        if (change <= least) continue;
-        for (const int body : {block.a, block.b}) {
-            const auto i = static_cast<std::size_t>(body);
-            if (i < stirred_.size()) stirred_[i] = number;
-        }
-    }
-    return largest;
 }
 
 // Writes the forces of the rows, and the lasting forces on the bodies.

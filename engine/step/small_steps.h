@@ -40,6 +40,8 @@
 #include "engine/base/threads.h"
 #include "engine/solvers/solver.h"
 #include "engine/solvers/unit_rows.h"
+#include "engine/step/four_contacts.h"
+#include "engine/step/part_sweeps.h"
 #include "engine/step/step_rows.h"
 #include "engine/system/dissection.h"
 #include "engine/system/islands.h"
@@ -88,7 +90,6 @@ class SmallSteps {
 
   private:
     using Part = Dissection::Part;
-    using Block = solvers::UnitRows::Block;
 
     // A row that holds a place, one-sided or not.
     struct Holding {
@@ -99,6 +100,7 @@ class SmallSteps {
         double carried;                // m/s, see SystemEquation
         double open_side;              // 1 if it is open for errors above zero, -1 if below, 0 if never
         bool is_followed;
+        bool is_in_four = false;  // aimed at there
     };
     // Rows that are written again where the bodies are now: consecutive ones of a bar or a joint.
     struct Followed {
@@ -109,7 +111,7 @@ class SmallSteps {
     };
     // State of a part of the island, on cache lines of its own.
     struct alignas(64) PartState {
-        std::vector<Block> blocks{};
+        PartSweeps sweeps{};
         std::vector<Holding> holding{};
         std::vector<Followed> followed{};
         RowList rows{};          // of one of `followed`
@@ -137,11 +139,11 @@ class SmallSteps {
     void load(const Step& step, Team& team);
     void begin(const Step& step, Team& team);
     void begin(const Step& step, const Part& part);
+    void pack(const Part& part);
+    void unpack(const Part& part);
     void small_step(const Step& step, int number, Team& team);
     void solve(const Step& step, Solve which, double elapsed, Team& team);
-    double sweep(std::span<const Block> blocks);
-    double sweep_restless(PartState& state, double least, int number, bool is_first);
-    void aim(const Step& step, Solve which, double elapsed, const Part& part);
+    void aim(const Aim& aim, const Part& part);
     void follow(const Step& step, const Part& part);
     void follow(const Step& step, const Followed& followed, PartState& state);
     Body placed(const Step& step, int number, int body) const;
@@ -168,7 +170,8 @@ class SmallSteps {
     std::vector<Vector6> impulse_;  // x added by the rows in the last solve
     std::vector<Vector6> moved_;    // d
     std::vector<Vector6> detours_;  // x that moves it besides, in the solve with push alone; empty without any
-    std::vector<int> stirred_;      // sweep of the current solve in which a row of it was last restless
+    std::vector<int> stirred_;      // see PartSweeps
+    std::vector<int> scratch_;
     // By row of the island, impulses of the step so far [N s]: with the push, without it.
     std::vector<double> pushing_, lasting_;
 };

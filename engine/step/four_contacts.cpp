@@ -1,0 +1,158 @@
+#include "engine/step/four_contacts.h"
+
+#include "engine/solvers/lanes.h"
+
+namespace pushfactor::engine {
+
+namespace {
+
+using Lanes = FourContacts::Lanes;
+using solvers::unrolled;
+constexpr int of_body = 6;
+
+// The six numbers of four bodies, a static one having zeros.
+template <typename Number>
+struct Bodies {
+    double still[of_body] = {};
+    Number* of[FourContacts::count];
+
+    [[gnu::always_inline]] inline Bodies(const FourContacts::Of& numbers, Number* all) {
+        unrolled<FourContacts::count>([&](auto i) __attribute__((always_inline)) {
+            const int number = numbers[i];
+            of[i] = number < 0 ? still : all + of_body * number;
+        });
+    }
+    [[gnu::always_inline]] inline void load(Lanes* to) const {
+        unrolled<of_body / 2>([&](auto k) __attribute__((always_inline)) {
+            Two pairs[FourContacts::count];
+            unrolled<FourContacts::count>([&](auto i) __attribute__((always_inline)) {
+                engine::load(of[i] + 2 * k, pairs[i]);
+            });
+            const Lanes even = __builtin_shufflevector(pairs[0], pairs[2], 0, 1, 2, 3);
+            const Lanes odd = __builtin_shufflevector(pairs[1], pairs[3], 0, 1, 2, 3);
+            to[2 * k] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
+            to[2 * k + 1] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
+        });
+    }
+    [[gnu::always_inline]] inline void store(const Lanes* from) const {
+        unrolled<of_body / 2>([&](auto k) __attribute__((always_inline)) {
+            const Lanes even = __builtin_shufflevector(from[2 * k], from[2 * k + 1], 0, 4, 2, 6);
+            const Lanes odd = __builtin_shufflevector(from[2 * k], from[2 * k + 1], 1, 5, 3, 7);
+            engine::store(__builtin_shufflevector(even, even, 0, 1), of[0] + 2 * k);
+            engine::store(__builtin_shufflevector(odd, odd, 0, 1), of[1] + 2 * k);
+            engine::store(__builtin_shufflevector(even, even, 2, 3), of[2] + 2 * k);
+            engine::store(__builtin_shufflevector(odd, odd, 2, 3), of[3] + 2 * k);
+        });
+    }
+};
+
+[[gnu::always_inline]] inline void to_absolute(Lanes& value) {
+    using Bits = decltype(value < value);
+    value = reinterpret_cast<Lanes>(reinterpret_cast<Bits>(value) & 0x7fffffffffffffff);
+}
+
+[[gnu::always_inline]] inline void to_root(Lanes& value) {
+    value = Lanes{__builtin_sqrt(value[0]), __builtin_sqrt(value[1]), __builtin_sqrt(value[2]),
+                  __builtin_sqrt(value[3])};
+}
+
+// u . x in the order of solvers::products(), for both bodies.
+[[gnu::always_inline]] inline void project(const Lanes* u, const Lanes* x, Lanes& sum) {
+    const Lanes even = (u[0] * x[0] + u[6] * x[6]) + (u[2] * x[2] + u[8] * x[8]) + (u[4] * x[4] + u[10] * x[10]);
+    const Lanes odd = (u[1] * x[1] + u[7] * x[7]) + (u[3] * x[3] + u[9] * x[9]) + (u[5] * x[5] + u[11] * x[11]);
+    sum = even + odd;
+}
+
+// For one body, in the order of Eigen's dot().
+[[gnu::always_inline]] inline void dot(const Lanes* u, const Lanes* x, Lanes& sum) {
+    sum = (u[0] * x[0] + (u[2] * x[2] + u[4] * x[4])) + (u[1] * x[1] + (u[3] * x[3] + u[5] * x[5]));
+}
+
+// These see arrays only (instruction_sets.h).
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void sweep_some(FourContacts* some, FourContacts* end, double* x) {
+    for (FourContacts* four = some; four != end; ++four) {
+        const Bodies a(four->a, x), b(four->b, x);
+        Lanes v[2 * of_body];
+        a.load(v);
+        b.load(v + of_body);
+        Lanes wanted[FourContacts::rows];
+        unrolled<FourContacts::rows>([&](auto i) __attribute__((always_inline)) {
+            project(four->axis[i], v, wanted[i]);
+            wanted[i] = four->y[i] + (four->t[i] - wanted[i]);
+        });
+        Lanes changes[FourContacts::rows], largest{};
+        const auto move = [&](int i, const Lanes& to) __attribute__((always_inline)) {
+            const Lanes moved = four->acts ? to : four->y[i];
+            changes[i] = moved - four->y[i];
+            four->y[i] = moved;
+            Lanes speed = changes[i];
+            to_absolute(speed);
+            speed *= four->scale[i];
+            largest = largest < speed ? speed : largest;
+        };
+        const Lanes pressed = wanted[0] * four->keeps;
+        move(0, pressed < 0.0 ? Lanes{} : pressed);
+        const Lanes first = wanted[1] - four->coupling[0] * changes[0];
+        const Lanes second = wanted[2] - four->coupling[1] * changes[0];
+        const Lanes square = first * first + second * second, radius = four->radius * four->y[0];
+        Lanes length = square;
+        to_root(length);
+        const Lanes share = square > radius * radius ? radius / length : Lanes{} + 1.0;
+        move(1, first * share);
+        move(2, second * share);
+        four->change = largest;
+        unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) {
+            v[k] = ((v[k] + four->axis[0][k] * changes[0]) + four->axis[1][k] * changes[1]) +
+                   four->axis[2][k] * changes[2];
+        });
+        a.store(v);
+        b.store(v + of_body);
+    }
+}
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void aim_some(FourContacts* some, FourContacts* end, const Aim& aim, const double* d) {
+    for (FourContacts* four = some; four != end; ++four) {
+        if (!aim.pushes) {
+            Lanes moved[2 * of_body];
+            Bodies(four->a, d).load(moved);
+            Bodies(four->b, d).load(moved + of_body);
+            Lanes by_a, by_b;
+            dot(four->axis[0], moved, by_a);
+            dot(four->axis[0] + of_body, moved + of_body, by_b);
+            four->error = four->start + four->scale[0] * (by_a + by_b) - aim.elapsed * four->carried;
+        }
+        const auto target = target_of(aim, four->error, four->beta, Lanes{} + 1.0, Lanes{} + aim.fastest);
+        four->t[0] = four->holds ? (target.speed + four->carried) / four->scale[0] : four->t[0];
+        four->keeps = four->holds ? target.keeps : four->keeps;
+        four->acts = four->scale[0] > 0.0;
+    }
+}
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void add_up_some(FourContacts* some, FourContacts* end, bool pushes) {
+    for (FourContacts* four = some; four != end; ++four) {
+        Lanes* const sums = pushes ? four->pushing : four->lasting;
+        unrolled<FourContacts::rows>([&](auto i) __attribute__((always_inline)) {
+            sums[i] += four->y[i] / four->scale[i];
+        });
+    }
+}
+
+}  // namespace
+
+void aim(std::span<FourContacts> some, const Aim& aim, std::span<const Vector6> d) {
+    if (!some.empty()) aim_some(some.data(), some.data() + some.size(), aim, d.front().data());
+}
+
+void sweep(std::span<FourContacts> some, std::span<Vector6> x) {
+    if (!some.empty()) sweep_some(some.data(), some.data() + some.size(), x.front().data());
+}
+
+void add_up(std::span<FourContacts> some, bool pushes) {
+    if (!some.empty()) add_up_some(some.data(), some.data() + some.size(), pushes);
+}
+
+}  // namespace pushfactor::engine

@@ -1,0 +1,82 @@
+// Four contacts with round friction that share no body, solved at once in the sweeps of small steps
+// (small_steps.h): each number stands once per contact, in the four lanes of a vector. Every lane is computed in
+// the order of solvers::sweep(), so that the bits are those of one contact after the other, on every instruction
+// set. Internal to the step.
+//
+// Symbols as in solvers/unit_row.h: u, y, t, s; x velocity and d displacement of a body, six numbers each.
+#pragma once
+
+#include "engine/base/constants.h"
+#include "engine/base/instruction_sets.h"
+#include "engine/base/math.h"
+
+#include <array>
+#include <span>
+
+namespace pushfactor::engine {
+
+// What a solve of small steps aims at.
+struct Aim {
+    bool pushes = false;   // else the momenta are set
+    double h = 0.0;        // s, of a small step
+    double steps = 1.0;    // in the whole step
+    double fastest = 0.0;  // m/s, push of one-sided rows
+    double elapsed = 0.0;  // s, of the step
+};
+
+// Numbers of one row that holds a place, or in the lanes of a vector those of several.
+template <typename Number>
+struct Target {
+    Number speed;  // m/s
+    Number keeps;  // share of its force that a row does not give way to
+};
+
+// Of rows with this error [m] and the share of it that a step corrects; `open_side` as in SmallSteps::Holding,
+// `most` the fastest push [m/s]; see small_steps.h.
+template <typename Number>
+[[gnu::always_inline]] inline Target<Number> target_of(const Aim& aim, const Number& error, const Number& beta,
+                                                       const Number& open_side, const Number& most) {
+    constexpr double stiffness = constants::small_steps::stiffness;
+    const Number none = error - error, to_zero = -error / aim.h;
+    const auto is_open = open_side * error > 0.0;
+    if (!aim.pushes) return {is_open ? to_zero : none, none + 1.0};
+    const Number magnitude = error < 0.0 ? -error : error + 0.0;  // not -0, by which it divides
+    const Number wanted = beta / aim.steps, at_most = most * aim.h / magnitude;
+    const Number share = at_most < wanted ? at_most : wanted;
+    return {is_open ? to_zero : -share * error / aim.h, stiffness / (stiffness + share)};
+}
+
+struct alignas(64) FourContacts {
+    static constexpr std::size_t count = 4;
+    static constexpr int rows = 3;   // the normal and both tangents
+    static constexpr int none = -1;  // a static body, or no contact
+    using Lanes = Four;
+    using Mask = decltype(Lanes() < Lanes());
+    using Of = std::array<int, count>;
+
+    // By row, and for axes by number of x: those of a, then those of b.
+    Lanes axis[rows][12];
+    Lanes coupling[rows];  // as UnitRows::Block::couplings
+    Lanes y[rows], t[rows], scale[rows];
+    Lanes radius;                        // of the disc, in units of the normal's y
+    Lanes keeps;                         // of the normal
+    Lanes change;                        // m/s, the largest of a contact's rows in the last sweep
+    Lanes pushing[rows], lasting[rows];  // N s, sums of y / s over all solves with and without the push
+    // Of the normal: error at the start of the step, and now [m]; velocity of moved bodies [m/s]; share of the
+    // error that a step corrects.
+    Lanes start, error, carried, beta;
+    Mask holds;  // whether it has these; else aim() leaves its target as it is
+    Mask acts;   // whether a contact takes part in a sweep
+
+    Of row;   // number of the normal in the island
+    Of a, b;  // bodies, by their numbers in the island
+};
+
+// The numbers of the normal, and keeps.
+void aim(std::span<FourContacts> some, const Aim& aim, std::span<const Vector6> d);
+// As solvers::sweep().
+void sweep(std::span<FourContacts> some, std::span<Vector6> x);
+// Adds the forces of a solve to its sums.
+void add_up(std::span<FourContacts> some, bool pushes);
+
+}  // namespace pushfactor::engine
