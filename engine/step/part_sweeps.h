@@ -1,10 +1,10 @@
 // The sweeps of small steps (small_steps.h) over the rows of one part of an island: solvers::sweep() for blocks,
-// and contacts four at a time where they share no body (four_contacts.h). The order of blocks that do share one is
+// and contacts four at a time where they share no body (fours.h). The order of blocks that do share one is
 // kept, so the bits are those of one block after the other. Internal to the step.
 #pragma once
 
 #include "engine/solvers/unit_rows.h"
-#include "engine/step/four_contacts.h"
+#include "engine/step/fours.h"
 
 #include <span>
 #include <vector>
@@ -17,7 +17,7 @@ class PartSweeps {
     // By movable body: the sweep of the current solve in which a row of it last changed its velocity by more than
     // what is asked for; `never` before.
     using Stirred = std::span<int>;
-    static constexpr int never = -2;
+    enum : int { never = -2 };
 
     // The blocks of rows `begin_row` .. `end_row` - 1, without couplings.
     void load(const solvers::UnitRows& rows, int begin_row, int end_row);

@@ -1,4 +1,4 @@
-#include "engine/step/four_contacts.h"
+#include "engine/step/fours.h"
 
 #include "engine/solvers/lanes.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using Lanes = FourContacts::Lanes;
 using solvers::unrolled;
-constexpr int of_body = 6;
+enum : int { of_body = 6 };
 
 // The six numbers of four bodies, a static one having zeros.
 template <typename Number>

@@ -36,7 +36,7 @@ struct Target {
 template <typename Number>
 [[gnu::always_inline]] inline Target<Number> target_of(const Aim& aim, const Number& error, const Number& beta,
                                                        const Number& open_side, const Number& most) {
-    constexpr double stiffness = constants::small_steps::stiffness;
+    using constants::small_steps::stiffness;
     const Number none = error - error, to_zero = -error / aim.h;
     const auto is_open = open_side * error > 0.0;
     if (!aim.pushes) return {is_open ? to_zero : none, none + 1.0};
@@ -48,8 +48,10 @@ template <typename Number>
 
 struct alignas(64) FourContacts {
     static constexpr std::size_t count = 4;
-    static constexpr int rows = 3;   // the normal and both tangents
-    static constexpr int none = -1;  // a static body, or no contact
+    enum : int {
+        rows = 3,  // the normal and both tangents
+        none = -1  // a static body, or no contact
+    };
     using Lanes = Four;
     using Mask = decltype(Lanes() < Lanes());
     using Of = std::array<int, count>;
