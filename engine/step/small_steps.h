@@ -40,7 +40,7 @@
 #include "engine/base/threads.h"
 #include "engine/solvers/solver.h"
 #include "engine/solvers/unit_rows.h"
-#include "engine/step/fours.h"
+#include "engine/step/aim.h"
 #include "engine/step/part_sweeps.h"
 #include "engine/step/step_rows.h"
 #include "engine/system/dissection.h"

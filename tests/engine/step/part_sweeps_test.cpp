@@ -62,7 +62,7 @@ bool are_equal(const UnitRows& a, const UnitRows& b) {
 }  // namespace
 
 TEST_CASE("contacts swept four at a time move as one after the other, to the last bit") {
-    std::size_t packed = 0, single = 0, restless = 0;
+    std::size_t packed = 0, single = 0, calm = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Frozen frozen = random_contacts(seed, RandomFriction::cone, 1.0);
         Islands islands;
@@ -95,16 +95,16 @@ TEST_CASE("contacts swept four at a time move as one after the other, to the las
                 const double change = one.sweep_restless(least, k, k == 3);
                 REQUIRE(sweeps.sweep_restless(actual, least, k, k == 3, stirred, updates) == change);
                 REQUIRE(stirred == one.stirred);
-                restless += updates < 17.0 * island.rows ? 1 : 0;
             }
+            calm += updates < 17.0 * island.rows ? 1 : 0;
             REQUIRE(updates == one.updates);
             sweeps.unpack(actual);
             REQUIRE(are_equal(actual, expected));
             REQUIRE(sweeps.residual(actual) == expected.residual());
         }
     }
-    // Of each kind there is enough.
+    // There is enough of each.
     CHECK(packed > 1000);
     CHECK(single > 1000);
-    CHECK(restless > 1000);
+    CHECK(calm > 20);  // islands of which some blocks were left out
 }
