@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <ctime>
 #include <exception>
 #include <thread>
 
@@ -16,12 +17,13 @@ namespace {
 // Polls before a waiting thread yields its core, some tenths of a millisecond: a thread that yields to another
 // program gets the core back only after milliseconds.
 constexpr int looks_before_yield = 400'000;
-// Polls after which the awaited thread counts as not running: none beyond the above for a team (its parts are
-// equal), about a millisecond at the end of shared work, whose last part may take long.
-constexpr int looks_of_a_team = looks_before_yield, looks_at_the_end = 2'000'000;
 
-// Number of keep_at_hand() calls that run on the caller alone after the threads had to wait for each other:
-// doubles each time, halves after each call without waiting.
+// Share of a keep_at_hand() call in which a thread was kept from running, from which on the threads hinder each
+// other: a second program on its core takes half, interrupts up to an eighth of a short call.
+constexpr double hindered = 0.25;
+
+// Number of keep_at_hand() calls that run on the caller alone after one in which threads were kept from running:
+// doubles each time, halves after each other call.
 constexpr int least_alone = 8, most_alone = 256;
 
 // A job stores its number of participants in one byte.
@@ -30,16 +32,36 @@ constexpr int most_threads = 255;
 // Parts per thread: enough that a slow part does not hold up the other threads for long.
 constexpr std::size_t parts_per_thread = 8;
 
-// Returns the number of polls.
 template <typename IsThere>
-int wait_until(const IsThere& is_there) {
-    int looks = 0;
-    while (!is_there()) {
-        if (looks < looks_at_the_end) ++looks;
-        if (looks > looks_before_yield) std::this_thread::yield();
+void wait_until(const IsThere& is_there) {
+    for (int looks = 0; !is_there();) {
+        if (looks < looks_before_yield) {
+            ++looks;
+        } else {
+            std::this_thread::yield();
+        }
     }
-    return looks;
 }
+
+// s
+double seconds_of(clockid_t clock) {
+    std::timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Since it was made, on the thread that has made it, which never sleeps meanwhile.
+class Presence {
+  public:
+    // The share of the time in which the system has kept the thread from running.
+    double kept_away() const {
+        const double all = seconds_of(CLOCK_MONOTONIC) - begun_, own = seconds_of(CLOCK_THREAD_CPUTIME_ID) - ran_;
+        return all > 0.0 ? 1.0 - own / all : 0.0;
+    }
+
+  private:
+    double begun_ = seconds_of(CLOCK_MONOTONIC), ran_ = seconds_of(CLOCK_THREAD_CPUTIME_ID);  // s
+};
 
 // On its own cache line, like everything that several threads write, to avoid false sharing.
 struct alignas(64) Counter {
@@ -51,22 +73,20 @@ struct alignas(64) Counter {
 struct Team::Meeting {
     alignas(64) std::atomic<int> arrived = 0;
     alignas(64) std::atomic<unsigned> round = 0;
-    alignas(64) std::atomic<bool> stalled = false;  // some member has waited for long
 
-    void wait_for(int size, int patience) {
+    void wait_for(int size) {
         const unsigned before = round.load(std::memory_order_relaxed);
         if (arrived.fetch_add(1, std::memory_order_acq_rel) + 1 == size) {
             arrived.store(0, std::memory_order_relaxed);
             round.store(before + 1, std::memory_order_release);
             return;
         }
-        const int looks = wait_until([&] { return round.load(std::memory_order_acquire) != before; });
-        if (looks >= patience) stalled.store(true, std::memory_order_relaxed);
+        wait_until([&] { return round.load(std::memory_order_acquire) != before; });
     }
 };
 
 void Team::wait_for_all() {
-    if (size_ > 1) meeting_->wait_for(size_, looks_of_a_team);
+    if (size_ > 1) meeting_->wait_for(size_);
 }
 
 // oneTBB already orders writes before a task with reads inside it, and its results with reads afterwards; `begun`
@@ -87,6 +107,7 @@ struct Threads::Crew {
 
     alignas(64) std::atomic<std::uint64_t> posted = 1;
     alignas(64) std::atomic<int> helpers = 0;
+    alignas(64) std::atomic<bool> kept_away = false;   // some thread, for long
     const std::function<void(Team&)>* work = nullptr;  // read by participants only
     Team::Meeting meeting;
 
@@ -96,10 +117,15 @@ struct Threads::Crew {
         team.size_ = size;
         team.meeting_ = &meeting;
         (*work)(team);
-        if (size > 1) meeting.wait_for(size, looks_at_the_end);
+        if (size > 1) meeting.wait_for(size);
+    }
+
+    void note(const Presence& of_thread) {
+        if (of_thread.kept_away() > hindered) kept_away.store(true, std::memory_order_relaxed);
     }
 
     void help() {
+        const Presence own;
         std::uint64_t seen = posted.load(std::memory_order_acquire);
         const int member = 1 + helpers.fetch_add(1, std::memory_order_acq_rel);
         while ((seen & size_mask) != dismissed) {
@@ -108,6 +134,7 @@ struct Threads::Crew {
             const int size = static_cast<int>(seen & size_mask);
             if (member < size) take_part(member, size);
         }
+        note(own);
     }
 
     void post(const std::function<void(Team&)>& job) {
@@ -187,13 +214,14 @@ void Threads::keep_at_hand(const std::function<void()>& work) {
     }
 }
 
-// Returns whether the threads had to wait for each other.
+// Returns whether threads were kept from running.
 bool Threads::work_in_crew(const std::function<void()>& work) {
     Crew crew;
     const auto leader = std::this_thread::get_id();
     bool led = false;
     std::exception_ptr failure;
     const auto lead = [&] {
+        const Presence own;
         led = true;
         try {
             crew_ = &crew;
@@ -202,6 +230,7 @@ bool Threads::work_in_crew(const std::function<void()>& work) {
             failure = std::current_exception();
         }
         crew_ = nullptr;
+        crew.note(own);
         crew.dismiss();
     };
     const auto come = [&](int) {
@@ -217,7 +246,7 @@ bool Threads::work_in_crew(const std::function<void()>& work) {
     arena_->of_tbb.execute([&] { tbb::parallel_for(0, count_, come, tbb::simple_partitioner()); });
     arena_->ended.load(std::memory_order_acquire);
     if (failure) std::rethrow_exception(failure);
-    return crew.meeting.stalled.load(std::memory_order_relaxed);
+    return crew.kept_away.load(std::memory_order_relaxed);
 }
 
 }  // namespace pushfactor::engine

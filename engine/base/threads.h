@@ -61,7 +61,8 @@ class Threads {
     // between these calls: waking one takes some ten microseconds per call.
     //
     // Threads that synchronise often have to run at the same time. Where other programs take their cores they
-    // wait for each other for milliseconds; after such a call the caller works alone for a number of calls.
+    // wait for each other for milliseconds; after a call in which the system has kept one of them from running for
+    // a quarter of the time the caller works alone for a number of calls.
     void keep_at_hand(const std::function<void()>& work);
 
   private:
@@ -74,7 +75,7 @@ class Threads {
     std::unique_ptr<Arena> arena_;
     Crew* crew_ = nullptr;    // during keep_at_hand()
     int alone_for_ = 0;       // remaining calls of keep_at_hand() that run on the caller alone
-    int after_next_one_ = 0;  // value of alone_for_ after the next call with waiting
+    int after_next_one_ = 0;  // value of alone_for_ after the next such call
 };
 
 // Calls `work(begin, end)` for ranges that cover 0 .. count - 1; a single call without threads.

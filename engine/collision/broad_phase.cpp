@@ -101,9 +101,9 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
     return pairs_;
 }
 
-std::span<const Pair> BroadPhase::find_pairs_of(const std::vector<bool>& of) {
-    for (Bounds& bounds : bounds_) bounds.wanted = of[static_cast<std::size_t>(bounds.collider)];
-    search(nullptr);
+std::span<const Pair> BroadPhase::find_pairs_of(std::span<const char> of, Threads* threads) {
+    for (Bounds& bounds : bounds_) bounds.wanted = of[static_cast<std::size_t>(bounds.collider)] != 0;
+    search(threads);
     return pairs_;
 }
 

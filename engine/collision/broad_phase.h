@@ -70,7 +70,7 @@ class BroadPhase {
 
     // The pairs with at least one collider in `of` (by collider), with the current boxes. Valid until the next
     // call, like those of find_pairs().
-    std::span<const Pair> find_pairs_of(const std::vector<bool>& of);
+    std::span<const Pair> find_pairs_of(std::span<const char> of, Threads* threads = nullptr);
 
   private:
     // Bounding box of one finite shape.

@@ -11,6 +11,9 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
+// Colliders per thread task.
+constexpr std::size_t colliders_of_a_part = 250;
+
 // By how much more than rounding a gap along one direction is below the largest of all, as a share of the size.
 constexpr double surely = 1e-6;
 
@@ -49,6 +52,21 @@ double depth_at_end(const Touch& touch, const StepScene& scene) {
     return depth;
 }
 
+// Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points
+// and the normal of the end of the step in `manifold`.
+bool ends_deep(const Touch& first, const StepScene& scene, Manifold& manifold, Touch& touch) {
+    if (first.restitution > 0.0) return false;
+    const double deep = std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
+                        constants::collision::deep * first.size;
+    if (gap_at_end(scene, first) > deep + surely * first.size) return false;
+    touch = first;
+    touch.time = scene.motions->dt;
+    touch.ends_deep = true;
+    const bool meets = contact_at_end(scene, touch, manifold);
+    touch.normal = manifold.normal;
+    return meets && manifold.separation < deep;
+}
+
 }  // namespace
 
 void ContinuousCollision::begin(std::span<const Touch> touches) {
@@ -59,21 +77,21 @@ void ContinuousCollision::begin(std::span<const Touch> touches) {
 // Puts the boxes of the thrown ones along their new motion.
 bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vector6> forces,
                                      std::span<const char> changed, std::span<const int> awake,
-                                     BroadPhase& broad_phase) {
-    thrown_.assign(scene.colliders.size(), false);
-    bool any = false;
-    for (const int index : awake) {
+                                     BroadPhase& broad_phase, Threads* threads) {
+    thrown_.assign(scene.colliders.size(), 0);
+    const auto look_at = [&](int index) {
         const auto i = static_cast<std::size_t>(index);
         const Collider& collider = scene.colliders[i];
         const auto body = static_cast<std::size_t>(collider.body);
-        if (!changed[body]) continue;
-        thrown_[i] = is_thrown(collider, scene.bodies[body], forces[body], scene);
-        if (!thrown_[i]) continue;
-        any = true;
+        if (!changed[body] || !is_thrown(collider, scene.bodies[body], forces[body], scene)) return;
+        thrown_[i] = 1;
         broad_phase.put(index, swept_box(collider.shape, scene.poses[body], scene.motions->paths[body],
                                          scene.motions->dt, scene.detection.margin * size_of(collider.shape)));
-    }
-    return any;
+    };
+    share(threads, awake.size(), colliders_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int index : awake.subspan(begin, end - begin)) look_at(index);
+    });
+    return std::ranges::find(thrown_, 1) != thrown_.end();
 }
 
 const Touch* ContinuousCollision::known(const Pair& pair) const {
@@ -84,37 +102,24 @@ const Touch* ContinuousCollision::known(const Pair& pair) const {
     return nullptr;
 }
 
-// Whether a pair that has a touch ends the step deep in each other because its rows turn it; then with the points
-// and the normal of the end of the step in `manifold_`.
-bool ContinuousCollision::ends_deep(const Touch& first, const StepScene& scene, Touch& touch) {
-    if (first.restitution > 0.0) return false;
-    const double deep = std::min(0.0, std::ranges::min(first.points, {}, &ContactPoint::gap).gap) -
-                        constants::collision::deep * first.size;
-    if (gap_at_end(scene, first) > deep + surely * first.size) return false;
-    touch = first;
-    touch.time = scene.motions->dt;
-    touch.ends_deep = true;
-    const bool meets = contact_at_end(scene, touch, manifold_);
-    touch.normal = manifold_.normal;
-    return meets && manifold_.separation < deep;
+// Whether the pair needs other rows than it has; then with their points in `manifold`.
+bool ContinuousCollision::is_missing(const Pair& pair, const StepScene& scene, Manifold& manifold,
+                                     Touch& touch) const {
+    if (const Touch* const first = known(pair)) return ends_deep(*first, scene, manifold, touch);
+    return find_touch(pair, scene, manifold, touch) &&
+           depth_at_end(touch, scene) > constants::collision::deep_without_rows * touch.size;
 }
 
 std::span<const Touch> ContinuousCollision::look(const StepScene& scene, std::span<const Vector6> forces,
                                                  std::span<const char> changed, std::span<const int> awake,
-                                                 BroadPhase& broad_phase) {
+                                                 BroadPhase& broad_phase, Threads* threads) {
     unforeseen_.clear();
-    if (!any_thrown(scene, forces, changed, awake, broad_phase)) return unforeseen_;
-    for (const Pair& pair : broad_phase.find_pairs_of(thrown_)) {
-        Touch touch;
-        const Touch* const first = known(pair);
-        const bool matters =
-            first ? ends_deep(*first, scene, touch)
-                  : find_touch(pair, scene, manifold_, touch) &&
-                        depth_at_end(touch, scene) > constants::collision::deep_without_rows * touch.size;
-        if (!matters) continue;
-        touch.points = scene.kept->keep(manifold_.points());
-        unforeseen_.push_back(touch);
-    }
+    if (!any_thrown(scene, forces, changed, awake, broad_phase, threads)) return unforeseen_;
+    unforeseen_ = search_.among(broad_phase.find_pairs_of(thrown_, threads), threads,
+                                [&](const Pair& pair, Manifold& manifold, Touch& touch) {
+                                    return is_missing(pair, scene, manifold, touch);
+                                });
+    for (Touch& touch : unforeseen_) touch.points = scene.kept->keep(touch.points);
     if (scene.detection.permitted > 0.0) seams_.put_right(scene, known_, unforeseen_);
     for (Touch& touch : unforeseen_) {
         found_.insert(std::ranges::upper_bound(found_, touch.pair, {}, &Touch::pair), touch);

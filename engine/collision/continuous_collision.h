@@ -27,20 +27,21 @@ class ContinuousCollision {
     // `awake`: colliders that are not at rest. Ascending order of the pair; valid until the next call, except for
     // the points, which stay valid until the next begin().
     std::span<const Touch> look(const StepScene& scene, std::span<const Vector6> forces,
-                                std::span<const char> changed, std::span<const int> awake, BroadPhase& broad_phase);
+                                std::span<const char> changed, std::span<const int> awake, BroadPhase& broad_phase,
+                                Threads* threads);
 
   private:
     bool any_thrown(const StepScene& scene, std::span<const Vector6> forces, std::span<const char> changed,
-                    std::span<const int> awake, BroadPhase& broad_phase);
+                    std::span<const int> awake, BroadPhase& broad_phase, Threads* threads);
     const Touch* known(const Pair& pair) const;  // of begin() or an earlier look(); null if there is none
-    bool ends_deep(const Touch& first, const StepScene& scene, Touch& touch);
+    bool is_missing(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch) const;
 
-    std::vector<bool> thrown_;  // by collider
+    std::vector<char> thrown_;  // by collider
     std::span<const Touch> known_;
     std::vector<Touch> found_;       // the first ones of pairs that look() has found in the step, ascending
     std::vector<Touch> unforeseen_;  // of the last look()
+    TouchSearch search_;
     Seams seams_;
-    Manifold manifold_;  // scratch
 };
 
 }  // namespace pushfactor::engine::collision

@@ -79,10 +79,16 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
     const StepScene scene{colliders, bodies, poses_, detection, motions};
     const std::span<const Pair> pairs = broad_phase_.find_pairs(
         colliders, bodies, poses_, detection.margin, motions, awake.colliders, awake.moved_colliders, threads);
+    return search_.among(pairs, threads, [&scene](const Pair& pair, Manifold& manifold, Touch& touch) {
+        return find_touch(pair, scene, manifold, touch);
+    });
+}
+
+std::vector<Touch>& TouchSearch::among(std::span<const Pair> pairs, Threads* threads, const Find& find) {
     found_.resize(std::max(found_.size(), parts_of(threads, pairs.size(), pairs_of_a_part)));
     const std::size_t parts =
         share_parts(threads, pairs.size(), pairs_of_a_part, [&](std::size_t k, std::size_t begin, std::size_t end) {
-            find(scene, pairs.subspan(begin, end - begin), found_[k]);
+            search(pairs.subspan(begin, end - begin), find, found_[k]);
         });
     touches_.clear();
     for (const Found& found : std::span(found_).first(parts)) {
@@ -91,12 +97,14 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
     return touches_;
 }
 
-void Detector::find(const StepScene& scene, std::span<const Pair> pairs, Found& found) {
+void TouchSearch::search(std::span<const Pair> pairs, const Find& find, Found& found) {
     found.touches.clear();
     found.points.clear();
+    Manifold manifold;
     for (const Pair& pair : pairs) {
         Touch& touch = found.touches.emplace_back();
-        if (find_touch(pair, scene, found.manifold, touch)) {
+        if (find(pair, manifold, touch)) {
+            touch.points = manifold.points();
             found.points.insert(found.points.end(), touch.points.begin(), touch.points.end());
         } else {
             found.touches.pop_back();

@@ -5,6 +5,7 @@
 #include "engine/collision/manifold.h"
 #include "engine/collision/time_of_impact.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -117,6 +118,28 @@ void name_touch(const Pair& pair, const StepScene& scene, Touch& touch);
 // none.
 bool find_touch(const Pair& pair, const StepScene& scene, Manifold& manifold, Touch& touch);
 
+// Searches pairs for touches.
+class TouchSearch {
+  public:
+    // As find_touch(); called concurrently.
+    using Find = std::function<bool(const Pair& pair, Manifold& manifold, Touch& touch)>;
+
+    // The touches of those pairs for which `find` returns true, in their order, with the points of their manifolds.
+    // Valid until the next call, and may be changed.
+    std::vector<Touch>& among(std::span<const Pair> pairs, Threads* threads, const Find& find);
+
+  private:
+    // Results of one part of the pairs.
+    struct Found {
+        std::vector<Touch> touches;
+        std::vector<ContactPoint> points;  // of these
+    };
+    static void search(std::span<const Pair> pairs, const Find& find, Found& found);
+
+    std::vector<Found> found_;  // by part of the pairs
+    std::vector<Touch> touches_;
+};
+
 class Detector {
   public:
     // All touches in ascending order of the pair; with `motions` also those of pairs that meet within the step.
@@ -133,18 +156,9 @@ class Detector {
     BroadPhase& broad_phase() { return broad_phase_; }      // with the boxes of the last detect()
 
   private:
-    // Results of one part of the pairs.
-    struct Found {
-        std::vector<Touch> touches;
-        std::vector<ContactPoint> points;  // of these
-        Manifold manifold;                 // scratch
-    };
-    static void find(const StepScene& scene, std::span<const Pair> pairs, Found& found);
-
     BroadPhase broad_phase_;
     std::vector<Pose> poses_;
-    std::vector<Touch> touches_;
-    std::vector<Found> found_;  // by part of the pairs
+    TouchSearch search_;
 };
 
 }  // namespace pushfactor::engine::collision

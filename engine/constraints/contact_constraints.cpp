@@ -315,12 +315,15 @@ void ContactConstraints::append_rows(const StepStart& step, RowList& rows) {
 void ContactConstraints::append_unforeseen(const StepStart& step, std::span<const Vector6> forces,
                                            std::span<const char> changed, RowList& rows) {
     if (!continuous_collision_) return;
-    for (const int index : awake_bodies_.members()) {
-        const auto i = static_cast<std::size_t>(index);
-        if (!changed[i]) continue;
-        after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
-        paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
-    }
+    const std::span<const int> awake = awake_bodies_.members();
+    share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+        for (const int index : awake.subspan(begin, end - begin)) {
+            const auto i = static_cast<std::size_t>(index);
+            if (!changed[i]) continue;
+            after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
+            paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
+        }
+    });
     for (const Strayed& own : step.strayed) {
         const Vector6& force = forces[at(own.body)];
         const Body& body = step.bodies[at(own.body)];
@@ -331,8 +334,9 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
         paths_solved_[at(own.body)] = motion;
     }
     const StepMotions motions{step.dt, before_, after_solved_, paths_solved_, strayed_};
-    const auto found = continuous_collision_->look(scene_of(step, motions), forces, changed,
-                                                   awake_colliders_.members(), detector_.broad_phase());
+    const auto found =
+        continuous_collision_->look(scene_of(step, motions), forces, changed, awake_colliders_.members(),
+                                    detector_.broad_phase(), step.threads);
     if (found.empty()) return;
     // No warm start: the solution that takes the bodies there was found without these rows.
     const std::size_t before = contacts_.size(), first = unforeseen_.size();

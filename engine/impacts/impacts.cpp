@@ -171,7 +171,7 @@ Flight& Impacts::fly_body(int body) {
 
 // Lets the changed bodies fly on from `time`: what they meet is foreseen anew.
 void Impacts::set_off(double time) {
-    std::vector<bool> looking;
+    std::vector<char> looking;  // by collider
     for (const int body : changed_) {
         const Flight& flight = fly_body(body);
         const Body now = flight.at(time);
@@ -184,7 +184,7 @@ void Impacts::set_off(double time) {
             const Vector3 reach = Vector3::Constant(1.01 * radii_[at(collider)] + reach_[at(body)]);
             contacts_.broad_phase().put(collider, {step_.bodies[at(body)].position, reach});
             looking.resize(contacts_.colliders().size());
-            looking[at(collider)] = true;
+            looking[at(collider)] = 1;
         }
     }
     for (const int body : changed_) {

@@ -18,7 +18,7 @@ void UnitRows::take(const SystemEquation& system, const Island& island, const Co
 
 void UnitRows::begin(const Island& island) {
     rows.resize(static_cast<std::size_t>(island.rows));
-    units_.resize(rows.size());
+    units_.resize(std::max(units_.size(), rows.size()));  // a vector that grows again fills what it adds
     velocity.resize(static_cast<std::size_t>(island.body_count));
     movable = island.movable();
     has_soft_ = island.has(RowDigest::soft);

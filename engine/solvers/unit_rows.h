@@ -174,7 +174,7 @@ class UnitRows {
         return row.leader < 0 ? 1.0 : rows[static_cast<std::size_t>(row.leader)].y;
     }
 
-    std::vector<Jacobian> units_;   // by row
+    std::vector<Jacobian> units_;   // by row, and more
     bool has_soft_ = false;         // some row of the island is soft
     double wanted_by_first_ = 0.0;  // of the disc whose second row is next; see move()
 };
