@@ -20,8 +20,6 @@ namespace {
 constexpr double worth_threads = 6e5;
 constexpr double work_of_a_row = 200.0, work_of_a_body = 100.0;
 
-constexpr std::size_t bodies_of_a_part = 250;  // per thread task
-
 // For a step of `dt` after one of `from`. The error of a bar or a joint is what the last step went straight on
 // where the path is curved, a from^2 / 2, and its push, error / dt, is the momentum that follows the curve. In a
 // step of `dt` that momentum is a dt / 2. The rest of the push moves the bodies only: as a momentum it would be

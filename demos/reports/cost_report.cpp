@@ -57,6 +57,9 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
         line.insert(line.end(), {kept, swept, exact, small_steps});
     line.insert(line.end(),
                 {counts.at_rest, counts.sweeps, counts.row_updates, counts.multiply_adds, thousandths(times.step)});
+    const bool touches = counts.contact_rows > 0.0;
+    line.push_back(touches ? Cell(thousandths(times.step / counts.contact_rows)) : Cell());
+    line.push_back(touches && times.bytes ? Cell(std::round(*times.bytes / counts.contact_rows)) : Cell());
     for (const double us : times.stages) line.emplace_back(thousandths(us));
     line.emplace_back(everything ? entry.all_command : entry.own_command);
     return line;
@@ -71,8 +74,8 @@ Table table_of(const std::vector<Entry>& entries, bool both) {
         for (const char* const way : {"kept", "swept", "exact", "small_steps"})
             table.columns.push_back(fmt::format("{}_{}", kind, way));
     }
-    table.columns.insert(table.columns.end(),
-                         {"bodies_at_rest", "sweeps", "row_updates", "multiply_adds", "step_us"});
+    table.columns.insert(table.columns.end(), {"bodies_at_rest", "sweeps", "row_updates", "multiply_adds",
+                                               "step_us", "us_per_contact", "bytes_per_contact"});
     for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("{}_us", stage));
     table.columns.emplace_back("command");
     for (const Entry& entry : entries) {
@@ -219,10 +222,13 @@ class CostReport {
             "one body, of at most 1.5 pairs per body (threads) and of more (heaps); of these, how many keep their "
             "last forces, are swept, and are solved exactly.",
             page_lines(islands_of(entries_)));
-        std::vector<std::string> times{"scene", "step_us"};
+        std::vector<std::string> times{"scene", "step_us", "us_per_contact", "bytes_per_contact"};
         for (const std::string_view stage : phase_names) times.push_back(fmt::format("{}_us", stage));
         add("times", "CPU time of the stages",
-            "CPU time in us per step, as each scene is; the stages without what reading the clock takes.",
+            "CPU time in us per step, as each scene is; the stages without what reading the clock takes. Per "
+            "contact "
+            "point: the time of a whole step, and what the world holds of the heap, bodies and room for growth "
+            "included.",
             page_lines(own, times), "cost_stages", stages_of(entries_));
         add("everything", "Savings from absent parts",
             "The same scene with every part there is: a poke, a distance, contacts with friction, restitution, "

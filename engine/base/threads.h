@@ -1,6 +1,6 @@
 // Threads that share the work of a step. Every result has its own place and every sum a fixed order, so results
 // are bit-identical for any number of threads. Where functions take `Threads*` these share their work; null is one
-// thread. The only file in the engine that uses oneTBB.
+// thread. The only file in the engine that uses oneTBB, and a clock, on which only the number of threads depends.
 #pragma once
 
 #include <algorithm>
@@ -77,6 +77,9 @@ class Threads {
     int alone_for_ = 0;       // remaining calls of keep_at_hand() that run on the caller alone
     int after_next_one_ = 0;  // value of alone_for_ after the next such call
 };
+
+// Grain of passes over bodies or their colliders.
+inline constexpr std::size_t bodies_of_a_part = 250;
 
 // Calls `work(begin, end)` for ranges that cover 0 .. count - 1; a single call without threads.
 template <typename Work>

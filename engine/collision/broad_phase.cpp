@@ -11,8 +11,8 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Work items per thread task.
-constexpr std::size_t boxes_of_a_part = 250, buckets_of_a_part = 500;
+// Buckets per thread task.
+constexpr std::size_t buckets_of_a_part = 500;
 
 // Most boxes are no wider than a share of a column; those of more columns are tested with all others.
 constexpr double usual = 0.9, columns_of_usual = 2.0, most_columns = 3.0;
@@ -77,7 +77,7 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
                                              std::span<const Pose> poses, double margin, const StepMotions* step,
                                              const Awake& awake, std::span<const int> moved, Threads* threads) {
     list_shapes(colliders, poses, step, moved);
-    share(threads, moved.size(), boxes_of_a_part, [&](std::size_t begin, std::size_t end) {
+    share(threads, moved.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int i : moved.subspan(begin, end - begin)) {
             const Collider& collider = colliders[static_cast<std::size_t>(i)];
             if (!is_finite(collider.shape)) continue;
@@ -162,7 +162,7 @@ void BroadPhase::search(Threads* threads) {
         for (std::size_t k = begin; k < end; ++k) add_with_planes_and_wide(chosen_[k], found);
     };
     pair_search_.append_to(pairs_, threads, begins_.size() - 1, buckets_of_a_part, find_in_columns);
-    pair_search_.append_to(pairs_, threads, chosen_.size(), boxes_of_a_part, find_others);
+    pair_search_.append_to(pairs_, threads, chosen_.size(), bodies_of_a_part, find_others);
     const auto a = [](const Pair& pair) { return static_cast<std::size_t>(pair.a); };
     const auto b = [](const Pair& pair) { return static_cast<std::size_t>(pair.b); };
     sort_by(b, place_.size(), pairs_, pairs_before_, begins_);

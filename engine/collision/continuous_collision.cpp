@@ -11,9 +11,6 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Colliders per thread task.
-constexpr std::size_t colliders_of_a_part = 250;
-
 // By how much more than rounding a gap along one direction is below the largest of all, as a share of the size.
 constexpr double surely = 1e-6;
 
@@ -88,7 +85,7 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
         broad_phase.put(index, swept_box(collider.shape, scene.poses[body], scene.motions->paths[body],
                                          scene.motions->dt, scene.detection.margin * size_of(collider.shape)));
     };
-    share(threads, awake.size(), colliders_of_a_part, [&](std::size_t begin, std::size_t end) {
+    share(threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int index : awake.subspan(begin, end - begin)) look_at(index);
     });
     return std::ranges::find(thrown_, 1) != thrown_.end();

@@ -10,8 +10,8 @@ namespace pushfactor::engine::collision {
 
 namespace {
 
-// Work items per thread task.
-constexpr std::size_t bodies_of_a_part = 250, pairs_of_a_part = 64;
+// Pairs per thread task.
+constexpr std::size_t pairs_of_a_part = 64;
 
 }  // namespace
 

@@ -189,7 +189,7 @@ void ContactConstraints::find_motions(const StepStart& step) {
     paths_.resize(step.bodies.size());
     accelerations_.resize(step.bodies.size(), 0.0);
     const std::span<const int> awake = awake_bodies_.members();
-    share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+    share(step.threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int index : awake.subspan(begin, end - begin)) {
             const auto i = static_cast<std::size_t>(index);
             const Body& body = step.bodies[i];
@@ -316,7 +316,7 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
                                            std::span<const char> changed, RowList& rows) {
     if (!continuous_collision_) return;
     const std::span<const int> awake = awake_bodies_.members();
-    share(step.threads, awake.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
+    share(step.threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
         for (const int index : awake.subspan(begin, end - begin)) {
             const auto i = static_cast<std::size_t>(index);
             if (!changed[i]) continue;

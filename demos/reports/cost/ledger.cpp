@@ -1,6 +1,7 @@
 #include "demos/reports/cost/ledger.h"
 
 #include "demos/platform/cpu_clock.h"
+#include "demos/platform/heap_memory.h"
 #include "demos/reports/study.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/text/median.h"
@@ -159,6 +160,18 @@ double time_of_step(const MeasuredState& moment) {
     return (thread_cpu_us() - before) / Walk::steps_counted;
 }
 
+namespace {
+
+std::optional<double> bytes_of_world(const MeasuredState& moment) {
+    const std::optional<double> before = heap_bytes();
+    Walk walk(moment);
+    walk.go(Walk::steps_counted);
+    const std::optional<double> after = heap_bytes();
+    return before && after ? std::optional(*after - *before) : std::nullopt;
+}
+
+}  // namespace
+
 Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check) {
     const double cost = clock_cost();
     std::vector<double> steps;
@@ -172,7 +185,7 @@ Times time_steps(const MeasuredState& moment, int repeats, const std::function<v
         walk.go(Walk::steps_counted, &clock);
         for (std::size_t k = 0; k < stages.size(); ++k) stages[k].push_back(clock.times()[k] / Walk::steps_counted);
     }
-    Times result{.step = median(steps)};
+    Times result{.step = median(steps), .bytes = bytes_of_world(moment)};
     for (std::size_t k = 0; k < stages.size(); ++k) result.stages[k] = std::max(0.0, median(stages[k]));
     return result;
 }

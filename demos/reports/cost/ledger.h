@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -107,8 +108,9 @@ struct Counts {
 };
 
 struct Times {
-    double step = 0.0;    // us, without reading the clock inside
-    PhaseTimes stages{};  // us
+    double step = 0.0;              // us, without reading the clock inside
+    PhaseTimes stages{};            // us
+    std::optional<double> bytes{};  // of the heap, for the world after these steps; none if not known
 };
 
 struct Ledger {
@@ -124,7 +126,7 @@ Counts count_steps(const MeasuredState& moment);
 // CPU time of one pass over those steps, us per step.
 double time_of_step(const MeasuredState& moment);
 
-// CPU times of those steps: median over `repeats` passes of the mean per step.
+// CPU times of those steps and memory of the world: median over `repeats` passes of the mean per step.
 Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports::cost

@@ -67,6 +67,14 @@ TEST_CASE("one command makes the ledger, its plots and a page, and a second one 
     CHECK(table.names.back() == "command");
     REQUIRE(table.lines.size() == 4);
     for (const auto& line : table.lines) CHECK(line.size() == table.names.size());
+    const double contacts = std::stod(table.at(0, "contact_rows"));
+    CHECK(std::stod(table.at(0, "us_per_contact")) * contacts ==
+          Approx(std::stod(table.at(0, "step_us"))).epsilon(0.01));
+    const double bytes = std::stod(table.at(0, "bytes_per_contact"));
+    CHECK(bytes > 3.0 * sizeof(engine::ConstraintRow));
+    CHECK(bytes * contacts < 1e6);
+    CHECK(table.at(2, "scene") == "pendulum-wave");
+    for (const char* per_contact : {"us_per_contact", "bytes_per_contact"}) CHECK(table.at(2, per_contact).empty());
     for (const char* file : {"cost_stages", "cost_everything"}) {
         CHECK(folder.read("index.html").find(std::string("<img src=\"") + file + ".png\"") != std::string::npos);
         for (const char* ending : {".png", ".svg", ".dat"}) {
