@@ -21,6 +21,7 @@ struct Case {
     std::vector<Ours> ours;
     Values (*cost)(const Run&) = whole_run;
     bool family = false;                   // which of the commands prints the scene
+    int pyramid = 0;                       // else: one of so many rows, see pyramid_file()
     std::string group = {};                // runs when this name or its own is asked for; none: always
     std::vector<std::string> ratios = {};  // measures that are also given as parts of those of reference settings
 };

@@ -44,7 +44,9 @@ bool meant_for(const Setting& setting, const Case& of) {
 }
 
 std::vector<Line> compare(const Program& program, const std::vector<Setting>& settings, const Case& of) {
-    const std::string arguments = of.family ? family_file(program, of.name, of.arguments) : of.arguments;
+    const std::string arguments = of.family        ? family_file(program, of.name, of.arguments)
+                                  : of.pyramid > 0 ? pyramid_file(program, of.name, of.pyramid)
+                                                   : of.arguments;
     const Scene scene = scene_of(program, arguments);
     std::vector<Line> lines;
     for (const Ours& ours : of.ours) {

@@ -52,6 +52,11 @@ Case stands(const std::string& name, const std::string& title, const std::string
     return result;
 }
 
+Case pyramid(Case result, int rows) {
+    result.pyramid = rows;
+    return result;
+}
+
 Case of_family(Case result) {
     result.family = true;
     return result;
@@ -87,6 +92,7 @@ std::vector<Case> pile_cases() {
         of_family(stands("kapla-600", "A round tower of 612 planks", tower(17, 36))),
         of_family(stands("wall", "A wall of 20 x 20 bricks", bricks + "0")),
         of_family(stands("wall-gap", "The same, neighbours 2 cm apart", bricks + "0.02")),
+        pyramid(stands("pyramid-100", "A pyramid of 5050 cubes, a hundred wide", ""), 100),
         of_family(stands("cards-3", "A house of cards of three storeys", cards(3))),
         of_family(stands("cards-4", "Of four storeys", cards(4))),
         of_family(stands("cards-5", "Of five storeys", cards(5))),

@@ -1,6 +1,7 @@
 #include "tests/peers/program.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -96,6 +97,29 @@ std::string family_file(const Program& program, const std::string& name, const s
     if (call(program, fmt::format("family {} > {}", arguments, file)) != 0)
         throw std::runtime_error("pushfactor family " + arguments + ": failed");
     return file;
+}
+
+std::string pyramid_file(const Program& program, const std::string& name, int rows) {
+    using Json = nlohmann::json;
+    constexpr double friction = 0.6;
+    Json bodies{{{"name", "ground"}, {"shape", "plane"}, {"position_m", {0.0, 0.0, 0.0}}, {"friction", friction}}};
+    for (int row = 0; row < rows; ++row) {
+        for (int k = 0; k < rows - row; ++k) {
+            bodies.push_back({{"name", fmt::format("row {}, cube {}", row + 1, k + 1)},
+                              {"shape", "box"},
+                              {"size_m", {1.0, 1.0, 1.0}},
+                              {"mass_kg", 100.0},
+                              {"position_m", {k - 0.5 * (rows - row - 1), 0.5 + row, 0.0}},
+                              {"friction", friction}});
+        }
+    }
+    const std::string file = fmt::format("{}/{}.json", program.folder, name);
+    std::ofstream(file) << Json{{"version", 1},
+                                {"name", name},
+                                {"gravity_m_per_s2", {0.0, -10.0, 0.0}},
+                                {"contacts", true},
+                                {"bodies", bodies}};
+    return fmt::format("'{}'", file);
 }
 
 Run run_program(const Program& program, const std::string& arguments, std::size_t bodies, std::size_t steps,
