@@ -226,9 +226,7 @@ class CostReport {
         for (const std::string_view stage : phase_names) times.push_back(fmt::format("{}_us", stage));
         add("times", "CPU time of the stages",
             "CPU time in us per step, as each scene is; the stages without what reading the clock takes. Per "
-            "contact "
-            "point: the time of a whole step, and what the world holds of the heap, bodies and room for growth "
-            "included.",
+            "contact point: the time of a whole step, and the heap that the world holds, spare room included.",
             page_lines(own, times), "cost_stages", stages_of(entries_));
         add("everything", "Savings from absent parts",
             "The same scene with every part there is: a poke, a distance, contacts with friction, restitution, "

@@ -160,32 +160,23 @@ double time_of_step(const MeasuredState& moment) {
     return (thread_cpu_us() - before) / Walk::steps_counted;
 }
 
-namespace {
-
-std::optional<double> bytes_of_world(const MeasuredState& moment) {
-    const std::optional<double> before = heap_bytes();
-    Walk walk(moment);
-    walk.go(Walk::steps_counted);
-    const std::optional<double> after = heap_bytes();
-    return before && after ? std::optional(*after - *before) : std::nullopt;
-}
-
-}  // namespace
-
 Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check) {
     const double cost = clock_cost();
     std::vector<double> steps;
     std::array<std::vector<double>, phase_names.size()> stages;
+    Times result;
     for (int i = 0; i < repeats; ++i) {
         check();
         steps.push_back(time_of_step(moment));
         check();
+        const std::optional<double> before = heap_bytes();
         Walk walk(moment);
         PhaseClock clock(cost);
         walk.go(Walk::steps_counted, &clock);
+        if (before) result.bytes = heap_bytes().value() - *before;
         for (std::size_t k = 0; k < stages.size(); ++k) stages[k].push_back(clock.times()[k] / Walk::steps_counted);
     }
-    Times result{.step = median(steps), .bytes = bytes_of_world(moment)};
+    result.step = median(steps);
     for (std::size_t k = 0; k < stages.size(); ++k) result.stages[k] = std::max(0.0, median(stages[k]));
     return result;
 }

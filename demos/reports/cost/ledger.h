@@ -126,7 +126,7 @@ Counts count_steps(const MeasuredState& moment);
 // CPU time of one pass over those steps, us per step.
 double time_of_step(const MeasuredState& moment);
 
-// CPU times of those steps and memory of the world: median over `repeats` passes of the mean per step.
+// CPU times of those steps: median over `repeats` passes of the mean per step; and memory of the world.
 Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports::cost
