@@ -284,11 +284,9 @@ void World::change_step(double from, double dt) {
 
 void World::integrate(double dt) {
     const std::span<const int> awake = awake_.members();
-    share(sharing_, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int index : awake.subspan(begin, end - begin)) {
-            const auto i = static_cast<std::size_t>(index);
-            integrate(bodies[i], i, dt);
-        }
+    share_each(sharing_, awake, bodies_of_a_part, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        integrate(bodies[i], i, dt);
     });
     for (const Strayed& own : strayed_) {
         const auto i = static_cast<std::size_t>(own.body);

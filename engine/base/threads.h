@@ -91,6 +91,14 @@ void share(Threads* threads, std::size_t count, std::size_t grain, const Work& w
     }
 }
 
+// Calls `visit` for each element of `all`.
+template <typename T, typename Visit>
+void share_each(Threads* threads, std::span<T> all, std::size_t grain, const Visit& visit) {
+    share(threads, all.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (T& one : all.subspan(begin, end - begin)) visit(one);
+    });
+}
+
 // The number of ranges that share_parts() would make.
 inline std::size_t parts_of(const Threads* threads, std::size_t count, std::size_t size) {
     return !threads || count <= size ? 1 : (count + size - 1) / size;

@@ -77,18 +77,16 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
                                              std::span<const Pose> poses, double margin, const StepMotions* step,
                                              const Awake& awake, std::span<const int> moved, Threads* threads) {
     list_shapes(colliders, poses, step, moved);
-    share(threads, moved.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int i : moved.subspan(begin, end - begin)) {
-            const Collider& collider = colliders[static_cast<std::size_t>(i)];
-            if (!is_finite(collider.shape)) continue;
-            const auto body = static_cast<std::size_t>(collider.body);
-            Bounds& bounds = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
-            set(bounds, swept_box(collider.shape, poses[body], step ? step->path_of(collider.body) : Motion{},
-                                  step ? step->dt : 0.0, margin * size_of(collider.shape)));
-            bounds.collider = i;
-            bounds.body = collider.body;
-            bounds.idle = bodies[body].is_static() || !awake.has(i);
-        }
+    share_each(threads, moved, bodies_of_a_part, [&](int i) {
+        const Collider& collider = colliders[static_cast<std::size_t>(i)];
+        if (!is_finite(collider.shape)) return;
+        const auto body = static_cast<std::size_t>(collider.body);
+        Bounds& bounds = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
+        set(bounds, swept_box(collider.shape, poses[body], step ? step->path_of(collider.body) : Motion{},
+                              step ? step->dt : 0.0, margin * size_of(collider.shape)));
+        bounds.collider = i;
+        bounds.body = collider.body;
+        bounds.idle = bodies[body].is_static() || !awake.has(i);
     });
     pairs_.clear();
     const auto can_move = [&](int i) {

@@ -85,9 +85,7 @@ bool ContinuousCollision::any_thrown(const StepScene& scene, std::span<const Vec
         broad_phase.put(index, swept_box(collider.shape, scene.poses[body], scene.motions->paths[body],
                                          scene.motions->dt, scene.detection.margin * size_of(collider.shape)));
     };
-    share(threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int index : awake.subspan(begin, end - begin)) look_at(index);
-    });
+    share_each(threads, awake, bodies_of_a_part, look_at);
     return std::ranges::find(thrown_, 1) != thrown_.end();
 }
 

@@ -71,10 +71,8 @@ std::vector<Touch>& Detector::detect(std::span<const Collider> colliders, std::s
                                      const Detection& detection, const StepMotions* motions,
                                      const AwakeColliders& awake, Threads* threads) {
     poses_.resize(bodies.size());
-    share(threads, awake.moved_bodies.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int body : awake.moved_bodies.subspan(begin, end - begin)) {
-            poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
-        }
+    share_each(threads, awake.moved_bodies, bodies_of_a_part, [&](int body) {
+        poses_[static_cast<std::size_t>(body)] = pose_of(bodies[static_cast<std::size_t>(body)]);
     });
     const StepScene scene{colliders, bodies, poses_, detection, motions};
     const std::span<const Pair> pairs = broad_phase_.find_pairs(

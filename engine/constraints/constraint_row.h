@@ -77,6 +77,11 @@ struct ConstraintRow {
     RowLabel label;
 };
 
+// Whether the row keeps bodies apart or points together, and its source says how errors are corrected.
+inline bool holds_a_place(const ConstraintRow& row) {
+    return row.correction != nullptr && row.bounds.of_row < 0;
+}
+
 // Rows that close a loop of joints, bars and contacts may be redundant, and after a finite rotation they disagree
 // slightly: the forces that enforce all of them are huge and move nothing, or jam what rubs. So they are soft,
 // s = 1e-4 j_c M^-1 j_c^T, and what that gives way to is taken out of their targets (IslandSolver::lessen), which

@@ -189,15 +189,13 @@ void ContactConstraints::find_motions(const StepStart& step) {
     paths_.resize(step.bodies.size());
     accelerations_.resize(step.bodies.size(), 0.0);
     const std::span<const int> awake = awake_bodies_.members();
-    share(step.threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int index : awake.subspan(begin, end - begin)) {
-            const auto i = static_cast<std::size_t>(index);
-            const Body& body = step.bodies[i];
-            before_[i] = motion_of(body);
-            after_[i] = motion_of(body, step.dt);
-            paths_[i] = motion_in_step(body, step.dt, step.rotate);
-            accelerations_[i] = body.inverse_mass * body.force.norm();
-        }
+    share_each(step.threads, awake, bodies_of_a_part, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        const Body& body = step.bodies[i];
+        before_[i] = motion_of(body);
+        after_[i] = motion_of(body, step.dt);
+        paths_[i] = motion_in_step(body, step.dt, step.rotate);
+        accelerations_[i] = body.inverse_mass * body.force.norm();
     });
     strayed_.clear();
     if (step.strayed.empty()) return;
@@ -316,13 +314,11 @@ void ContactConstraints::append_unforeseen(const StepStart& step, std::span<cons
                                            std::span<const char> changed, RowList& rows) {
     if (!continuous_collision_) return;
     const std::span<const int> awake = awake_bodies_.members();
-    share(step.threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int index : awake.subspan(begin, end - begin)) {
-            const auto i = static_cast<std::size_t>(index);
-            if (!changed[i]) continue;
-            after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
-            paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
-        }
+    share_each(step.threads, awake, bodies_of_a_part, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        if (!changed[i]) return;
+        after_solved_[i] = motion_of(step.bodies[i], step.dt, forces[i]);
+        paths_solved_[i] = motion_in_step(step.bodies[i], step.dt, step.rotate, forces[i]);
     });
     for (const Strayed& own : step.strayed) {
         const Vector6& force = forces[at(own.body)];
@@ -385,9 +381,7 @@ void ContactConstraints::remember(std::span<const Lambda> answers) {
         force.friction_first = contact.tangents[0] * along.first + contact.tangents[1] * across.first;
         force.friction_last = contact.tangents[0] * along.last + contact.tangents[1] * across.last;
     };
-    share(threads_, contacts_.size(), contacts_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const Contact& contact : std::span(contacts_).subspan(begin, end - begin)) take(contact);
-    });
+    share_each(threads_, std::span(contacts_), contacts_of_a_part, take);
     store_forces();
 }
 

@@ -44,6 +44,10 @@ inline Two products(const Axis& u, const Axis& v) {
            (u.a[2] * v.a[2] + u.b[2] * v.b[2]);
 }
 
+inline double product(const Jacobian& u, const Jacobian& v) {
+    return sum_of(products(axis_of(u), axis_of(v)));
+}
+
 // v += sum of u_i y_i, with one load and store per number of v.
 template <std::size_t count>
 void add(const Velocity& v, const Axis (&u)[count], const double (&y)[count]) {

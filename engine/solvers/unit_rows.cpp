@@ -6,8 +6,11 @@ namespace pushfactor::engine::solvers {
 
 void UnitRows::load(const SystemEquation& system, const Island& island) {
     begin(island);
-    for (const RowRun& run : island.runs) load_run(system, island, run);
-    add_blocks(0, island.rows, blocks);
+    rows.resize(static_cast<std::size_t>(island.rows));
+    for (const RowRun& run : island.runs) {
+        load_run(system, island, run);
+        add_blocks(system, run, blocks);
+    }
     couple(blocks);
 }
 
@@ -17,8 +20,9 @@ void UnitRows::take(const SystemEquation& system, const Island& island, const Co
 }
 
 void UnitRows::begin(const Island& island) {
-    rows.resize(static_cast<std::size_t>(island.rows));
-    units_.resize(std::max(units_.size(), rows.size()));  // a vector that grows again fills what it adds
+    const std::size_t least = std::max(rows.size(), static_cast<std::size_t>(island.rows));
+    rows.resize(least);  // a vector that grows again fills what it adds
+    units_.resize(std::max(units_.size(), least));
     velocity.resize(static_cast<std::size_t>(island.body_count));
     movable = island.movable();
     has_soft_ = island.has(RowDigest::soft);
@@ -86,15 +90,23 @@ void UnitRows::store(const SystemEquation& system, const Island& island, Eigen::
     }
 }
 
-void UnitRows::add_blocks(int begin_row, int end_row, std::vector<Block>& to) const {
-    for (int j = begin_row; j < end_row; ++j) {
-        const UnitRow& row = rows[static_cast<std::size_t>(j)];
-        const bool soft = has_soft_ && row.soft > 0.0;
-        const int wanted = row.disc == Disc::first ? 2 : 1;
-        const bool goes_on = !soft && !to.empty() && to.back().disc != soft_row && to.back().a == row.a &&
-                             to.back().b == row.b && to.back().count + wanted <= rows_of_a_block;
-        if (!goes_on) to.push_back({.begin = j, .count = 0, .a = row.a, .b = row.b, .disc = soft ? soft_row : -1});
-        if (row.disc == Disc::first) to.back().disc = to.back().count;
+void UnitRows::add_blocks(const SystemEquation& system, const RowRun& run, std::vector<Block>& to) {
+    for (int j = run.begin; j < run.end; ++j) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        const bool soft = row.softness > 0.0;
+        const int wanted = row.bounds.disc == Disc::first ? 2 : 1;
+        const bool goes_on = !soft && !to.empty() && to.back().disc != soft_row && to.back().a == run.a &&
+                             to.back().b == run.b && to.back().count + wanted <= rows_of_a_block;
+        if (!goes_on) {
+            to.push_back({.begin = run.first + j - run.begin,
+                          .of_step = j,
+                          .a = run.a,
+                          .b = run.b,
+                          .disc = soft ? soft_row : -1});
+        } else if (j == run.begin) {
+            to.back().of_step = -1;
+        }
+        if (row.bounds.disc == Disc::first) to.back().disc = to.back().count;
         ++to.back().count;
     }
 }
@@ -103,9 +115,7 @@ void UnitRows::couple(std::span<Block> some) {
     for_each_block(some, [&](Block& block, auto count, auto) {
         const UnitRow* row = rows_of(block);
         unrolled<count>([&](auto i) {
-            unrolled<i>([&](auto k) {
-                block.couplings[i + k - 1] = sum_of(products(axis_of(*row[i].unit), axis_of(*row[k].unit)));
-            });
+            unrolled<i>([&](auto k) { block.couplings[i + k - 1] = product(*row[i].unit, *row[k].unit); });
         });
     });
 }

@@ -25,6 +25,7 @@ class UnitRows {
     static constexpr int soft_row = -2;        // a single one
     struct Block {
         int begin = 0, count = 0;  // rows
+        int of_step = 0;           // row of the step that is `begin`; -1 if they are not consecutive there
         int a = 0, b = 0;          // bodies
         int disc = -1;  // index in the block of the first row of a disc, or -1; at most one disc; or soft_row
         // u_i . u_j of its rows 1 and 0, 2 and 0, 2 and 1
@@ -39,14 +40,14 @@ class UnitRows {
     // island has one.
     void store(const SystemEquation& system, const Island& island, Eigen::Index column, Columns& lambda) const;
 
-    // Both in stages that threads may share, by run and by block, after the first: sizes.
+    // Both in stages that threads may share, by run and by block, after the first: sizes; there may be more rows.
     void begin(const Island& island);
     // Second, for each run: its rows, and their numbers in a column for a step of `dt` [s].
     void load_run(const SystemEquation& system, const Island& island, const RowRun& run);
     void take_run(const SystemEquation& system, const RowRun& run, const Columns& guess, Eigen::Index column,
                   double dt);
-    // Third: the blocks of rows `begin_row` .. `end_row` - 1, without their couplings.
-    void add_blocks(int begin_row, int end_row, std::vector<Block>& to) const;
+    // Third: the blocks of the run, after those of the one before, without their couplings.
+    static void add_blocks(const SystemEquation& system, const RowRun& run, std::vector<Block>& to);
     // Fourth: the couplings, and the velocities due to the forces. Either follow(), or, for movable bodies whose
     // velocities are zero, adding the blocks that act on them one after the other.
     void couple(std::span<Block> some);

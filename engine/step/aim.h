@@ -37,4 +37,24 @@ template <typename Number>
     return {is_open ? to_zero : -share * error / aim.h, stiffness / (stiffness + share)};
 }
 
+// What is left of the correction of a step `dt` after small steps of `h` [s].
+struct Apart {
+    double dt = 0.0, h = 0.0;
+};
+
+// Displacement [m] that a one-sided row wants at the end of a step that began with the error `before` and has moved
+// it by `moved` [m]: what is left of the correction of its source, `correcting` [m/s], and no way into each other.
+// `force` as y s [m/s]. All of these positive towards the open side.
+template <typename Number>
+[[gnu::always_inline]] inline void find_left(const Apart& step, const Number& before, const Number& moved,
+                                             const Number& correcting, const Number& force, Number& left) {
+    using constants::small_steps::stiffness;
+    const Number error = before + moved, none = error - error, size = force < 0.0 ? -force : force;
+    // By what its force compresses it, it would be compressed again, and what it carries would creep.
+    const Number deep = -before - size * step.h / stiffness, all = step.dt * correcting;
+    const Number most = none < deep ? deep : none, wanted = none < all ? all : none;
+    const Number rest = (most < wanted ? most : wanted) - (none < moved ? moved : none);
+    left = error > 0.0 ? -error : none < rest ? rest : none;
+}
+
 }  // namespace pushfactor::engine

@@ -68,6 +68,25 @@ struct Bodies {
     sum = (u[0] * x[0] + (u[2] * x[2] + u[4] * x[4])) + (u[1] * x[1] + (u[3] * x[3] + u[5] * x[5]));
 }
 
+// s u . d of the normals [m].
+[[gnu::always_inline]] inline void find_way(const FourContacts& four, const double* d, Lanes& way) {
+    Lanes moved[2 * of_body], by_a, by_b;
+    Bodies(four.a, d).load(moved);
+    Bodies(four.b, d).load(moved + of_body);
+    dot(four.axis[0], moved, by_a);
+    dot(four.axis[0] + of_body, moved + of_body, by_b);
+    way = four.scale[0] * (by_a + by_b);
+}
+
+// The share of a force that is in its disc.
+[[gnu::always_inline]] inline void find_share(const Lanes& first, const Lanes& second, const Lanes& radius,
+                                              Lanes& share) {
+    const Lanes square = first * first + second * second;
+    Lanes length = square;
+    to_root(length);
+    share = square > radius * radius ? radius / length : Lanes{} + 1.0;
+}
+
 // These see arrays only (instruction_sets.h).
 
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
@@ -96,10 +115,8 @@ void sweep_some(FourContacts* some, FourContacts* end, double* x) {
         move(0, pressed < 0.0 ? Lanes{} : pressed);
         const Lanes first = wanted[1] - four->coupling[0] * changes[0];
         const Lanes second = wanted[2] - four->coupling[1] * changes[0];
-        const Lanes square = first * first + second * second, radius = four->radius * four->y[0];
-        Lanes length = square;
-        to_root(length);
-        const Lanes share = square > radius * radius ? radius / length : Lanes{} + 1.0;
+        Lanes share;
+        find_share(first, second, four->radius * four->y[0], share);
         move(1, first * share);
         move(2, second * share);
         four->change = largest;
@@ -116,13 +133,9 @@ PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void aim_some(FourContacts* some, FourContacts* end, const Aim& aim, const double* d) {
     for (FourContacts* four = some; four != end; ++four) {
         if (!aim.pushes) {
-            Lanes moved[2 * of_body];
-            Bodies(four->a, d).load(moved);
-            Bodies(four->b, d).load(moved + of_body);
-            Lanes by_a, by_b;
-            dot(four->axis[0], moved, by_a);
-            dot(four->axis[0] + of_body, moved + of_body, by_b);
-            four->error = four->start + four->scale[0] * (by_a + by_b) - aim.elapsed * four->carried;
+            Lanes way;
+            find_way(*four, d, way);
+            four->error = four->start + way - aim.elapsed * four->carried;
         }
         const auto target = target_of(aim, four->error, four->beta, Lanes{} + 1.0, Lanes{} + aim.fastest);
         four->t[0] = four->holds ? (target.speed + four->carried) / four->scale[0] : four->t[0];
@@ -141,6 +154,74 @@ void add_up_some(FourContacts* some, FourContacts* end, bool pushes) {
     }
 }
 
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void push_some(FourContacts* some, FourContacts* end, double* x) {
+    for (FourContacts* four = some; four != end; ++four) {
+        const Bodies a(four->a, x), b(four->b, x);
+        Lanes v[2 * of_body];
+        a.load(v);
+        b.load(v + of_body);
+        unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) {
+            v[k] = ((v[k] + four->axis[0][k] * four->y[0]) + four->axis[1][k] * four->y[1]) +
+                   four->axis[2][k] * four->y[2];
+        });
+        a.store(v);
+        b.store(v + of_body);
+    }
+}
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void look_some(FourContacts* some, FourContacts* end, double* x) {
+    for (FourContacts* four = some; four != end; ++four) {
+        Lanes v[2 * of_body], moved[FourContacts::rows];
+        Bodies(four->a, x).load(v);
+        Bodies(four->b, x).load(v + of_body);
+        unrolled<FourContacts::rows>([&](auto i) __attribute__((always_inline)) {
+            project(four->axis[i], v, moved[i]);
+            moved[i] = four->y[i] + (four->t[i] - moved[i]);
+        });
+        Lanes normal = (moved[0] < 0.0 ? Lanes{} : moved[0]) - four->y[0], share;
+        find_share(moved[1], moved[2], four->radius * four->y[0], share);
+        const Lanes first = moved[1] * share - four->y[1], second = moved[2] * share - four->y[2];
+        Lanes across = first * first + second * second;
+        to_root(across);
+        to_absolute(normal);
+        normal *= four->scale[0], across *= four->scale[2];
+        four->change = normal < across ? across : normal;
+    }
+}
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void aim_some_apart(FourContacts* some, FourContacts* end, const Apart& apart, const double* d) {
+    for (FourContacts* four = some; four != end; ++four) {
+        Lanes way, left;
+        find_way(*four, d, way);
+        find_left(apart, four->start, way - apart.dt * four->carried, four->correcting, four->y[0] * four->scale[0],
+                  left);
+        four->t[0] = left / four->scale[0];
+        four->y[0] = Lanes{};
+    }
+}
+
+PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
+void push_some_apart(FourContacts* some, FourContacts* end, double* d) {
+    for (FourContacts* four = some; four != end; ++four) {
+        const Bodies a(four->a, d), b(four->b, d);
+        Lanes v[2 * of_body], by_a, by_b;
+        a.load(v);
+        b.load(v + of_body);
+        dot(four->axis[0], v, by_a);
+        dot(four->axis[0] + of_body, v + of_body, by_b);
+        const Lanes wanted = four->y[0] + (four->t[0] - by_a - by_b);
+        const Lanes moved = four->holds ? wanted < 0.0 ? Lanes{} : wanted : four->y[0];
+        const Lanes change = moved - four->y[0];
+        four->y[0] = moved;
+        unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) { v[k] += four->axis[0][k] * change; });
+        a.store(v);
+        b.store(v + of_body);
+    }
+}
+
 }  // namespace
 
 void aim(std::span<FourContacts> some, const Aim& aim, std::span<const Vector6> d) {
@@ -153,6 +234,22 @@ void sweep(std::span<FourContacts> some, std::span<Vector6> x) {
 
 void add_up(std::span<FourContacts> some, bool pushes) {
     if (!some.empty()) add_up_some(some.data(), some.data() + some.size(), pushes);
+}
+
+void push(std::span<FourContacts> some, std::span<Vector6> x) {
+    if (!some.empty()) push_some(some.data(), some.data() + some.size(), x.front().data());
+}
+
+void look(std::span<FourContacts> some, std::span<Vector6> x) {
+    if (!some.empty()) look_some(some.data(), some.data() + some.size(), x.front().data());
+}
+
+void aim_apart(std::span<FourContacts> some, const Apart& apart, std::span<const Vector6> d) {
+    if (!some.empty()) aim_some_apart(some.data(), some.data() + some.size(), apart, d.front().data());
+}
+
+void push_apart(std::span<FourContacts> some, std::span<Vector6> d) {
+    if (!some.empty()) push_some_apart(some.data(), some.data() + some.size(), d.front().data());
 }
 
 }  // namespace pushfactor::engine

@@ -1,5 +1,6 @@
 #include "engine/step/part_sweeps.h"
 
+#include "engine/base/overloaded.h"
 #include "engine/solvers/sweep.h"
 
 #include <algorithm>
@@ -12,34 +13,81 @@ std::size_t index(int number) {
     return static_cast<std::size_t>(number);
 }
 
+const ConstraintRow& row_of(const SystemEquation& system, int row) {
+    return system.rows[index(row)];
+}
+
 // Whether the block is a contact with round friction and nothing else.
-bool fits_in_four(const solvers::UnitRows& rows, const solvers::UnitRows::Block& block) {
-    if (block.count != FourContacts::rows || block.disc != 1) return false;
-    const solvers::UnitRow* const row = &rows.rows[index(block.begin)];
-    return row[0].scale > 0.0 && row[1].scale > 0.0 && row[2].scale > 0.0 && row[0].leader < 0 &&
-           row[0].low == 0.0 && row[0].high == infinity && row[2].leader == block.begin;
+bool fits_in_four(const PartSweeps::Start& start, const PartSweeps::Block& block) {
+    if (block.count != FourContacts::rows || block.disc != 1 || block.of_step < 0) return false;
+    if (!(start.system.diagonal.segment<FourContacts::rows>(block.of_step).minCoeff() > 0.0)) return false;
+    const Bounds& bounds = row_of(start.system, block.of_step).bounds;
+    return bounds.of_row < 0 && bounds.c_min == 0.0 && bounds.c_max == infinity &&
+           (start.column == 0 || bounds.in_momenta) &&
+           row_of(start.system, block.of_step + 2).bounds.of_row == block.of_step;
+}
+
+void put_in_lane(std::size_t k, const Jacobian& unit, FourContacts::Lanes (&axis)[12]) {
+    for (int n = 0; n < 6; ++n) {
+        axis[n][k] = unit.a[n];
+        axis[n + 6][k] = unit.b[n];
+    }
+}
+
+double largest_change(std::span<const FourContacts> some) {
+    double largest = 0.0;
+    for (const FourContacts& four : some) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) largest = std::max(largest, four.change[k]);
+    }
+    return largest;
+}
+
+// No contact: it moves nothing, and nothing is divided by zero.
+void clear(FourContacts& four) {
+    four.row.fill(FourContacts::none);
+    four.a = four.b = four.row;
+    for (auto& scale : four.scale) scale += 1.0;
+    four.acts = four.scale[0] > 0.0;
 }
 
 }  // namespace
 
-void PartSweeps::load(const solvers::UnitRows& rows, int begin_row, int end_row) {
+void PartSweeps::load(const Start& start, solvers::UnitRows& rows, std::span<int> scratch) {
+    find_groups(start, scratch);
     blocks_.clear();
-    rows.add_blocks(begin_row, end_row, blocks_);
+    fours_.clear();
+    turns_.clear();
+    for (const Group& group : groups_) {
+        if (group.count > 1) {
+            turns_.push_back(-1 - static_cast<int>(fours_.size()));
+            put_in_four(start, group, rows.movable, fours_.emplace_back());
+        } else {
+            turns_.push_back(static_cast<int>(blocks_.size()));
+            blocks_.push_back(group.blocks[0]);
+        }
+    }
+    load_blocks(start, rows);
+    rows.couple(blocks_);
+    Vector6 still = Vector6::Zero();
+    in_turn(Overloaded{
+        [&](std::span<FourContacts> some) { push(some, rows.velocity); },
+        [&](std::span<const Block> some) { rows.add_velocities(some, still); },
+    });
 }
 
-// Each contact joins the first group with a free place that comes after all with one of its bodies.
-void PartSweeps::pack(solvers::UnitRows& rows, std::span<int> scratch) {
-    fours_.clear();
-    packed_.clear();
-    turns_.clear();
+// Each contact joins the first group with a free place that comes after all with one of its bodies. Where bounds
+// follow rows of other bodies, these have to be rows.
+void PartSweeps::find_groups(const Start& start, std::span<int> scratch) {
+    blocks_.clear();
     groups_.clear();
+    for (const RowRun& run : start.runs) solvers::UnitRows::add_blocks(start.system, run, blocks_);
     const auto each_body = [&](const Block& block, const auto& visit) {
-        if (block.a < rows.movable) visit(scratch[index(block.a)]);
-        if (block.b < rows.movable) visit(scratch[index(block.b)]);
+        if (index(block.a) < scratch.size()) visit(scratch[index(block.a)]);
+        if (index(block.b) < scratch.size()) visit(scratch[index(block.b)]);
     };
     for (const Block& block : blocks_) each_body(block, [](int& next_group) { next_group = 0; });
     for (const Block& block : blocks_) {
-        const bool fits = fits_in_four(rows, block);
+        const bool fits = !start.island.follows_others && fits_in_four(start, block);
         std::size_t number = groups_.size();
         if (fits) {
             number -= std::min(number, open_groups);
@@ -52,87 +100,73 @@ void PartSweeps::pack(solvers::UnitRows& rows, std::span<int> scratch) {
         group.is_full = !fits || group.count == FourContacts::count;
         each_body(block, [&](int& next_group) { next_group = static_cast<int>(number) + 1; });
     }
-    blocks_.clear();
-    for (const Group& group : groups_) {
-        if (group.count > 1) {
-            turns_.push_back(-1 - static_cast<int>(fours_.size()));
-            put_in_four(rows, group);
-        } else {
-            turns_.push_back(static_cast<int>(blocks_.size()));
-            blocks_.push_back(group.blocks[0]);
-        }
-    }
 }
 
-void PartSweeps::put_in_four(const solvers::UnitRows& rows, const Group& group) {
-    FourContacts& four = fours_.emplace_back();
-    four.row.fill(FourContacts::none);
-    four.a = four.b = four.row;
-    for (auto& scale : four.scale) scale += 1.0;
-    four.acts = four.scale[0] > 0.0;
+void PartSweeps::put_in_four(const Start& start, const Group& group, int movable, FourContacts& four) {
+    clear(four);
+    const SystemEquation& system = start.system;
     for (std::size_t k = 0; k < group.count; ++k) {
         const Block& block = group.blocks[k];
-        four.row[k] = block.begin;
-        four.a[k] = block.a < rows.movable ? block.a : FourContacts::none;
-        four.b[k] = block.b < rows.movable ? block.b : FourContacts::none;
-        for (int i = 0; i < FourContacts::rows; ++i) {
-            const solvers::UnitRow& row = rows.rows[index(block.begin + i)];
-            for (int n = 0; n < 6; ++n) {
-                four.axis[i][n][k] = row.unit->a[n];
-                four.axis[i][n + 6][k] = row.unit->b[n];
-            }
-            four.coupling[i][k] = block.couplings[index(i)];
-            four.y[i][k] = row.y;
-            four.t[i][k] = row.t;
-            four.scale[i][k] = row.scale;
+        four.row[k] = block.of_step;
+        four.a[k] = block.a < movable ? block.a : FourContacts::none;
+        four.b[k] = block.b < movable ? block.b : FourContacts::none;
+        std::array<Jacobian, FourContacts::rows> units;
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            const int j = block.of_step + static_cast<int>(i);
+            const double scale = std::sqrt(system.diagonal[j]);
+            units[i] = unit_axis(system, row_of(system, j), scale);
+            put_in_lane(k, units[i], four.axis[i]);
+            for (std::size_t other = 0; other < i; ++other)
+                four.coupling[i + other - 1][k] = solvers::product(units[i], units[other]);
+            four.scale[i][k] = scale;
+            four.y[i][k] = start.lambda(j, start.column) * (start.h * scale);
+            four.t[i][k] = (row_of(system, j).push.lasting + system.carried_by(index(j))) / scale;
         }
-        four.keeps[k] = rows.rows[index(block.begin)].keeps;
-        four.radius[k] = rows.rows[index(block.begin + 2)].high;
-        packed_.push_back(block);
+        const Bounds& friction = row_of(system, block.of_step + 2).bounds;
+        if (start.column == 0 || friction.in_momenta)
+            four.radius[k] = friction.c_max * (four.scale[2][k] / four.scale[0][k]);
+        four.keeps[k] = 1.0;
+        const ConstraintRow& normal = row_of(system, block.of_step);
+        if (!holds_a_place(normal)) continue;
+        four.holds[k] = -1;
+        four.start[k] = four.error[k] = normal.error;
+        four.carried[k] = system.carried_by(index(block.of_step));
+        four.beta[k] = normal.correction->kind == PushKind::none ? 0.0 : normal.correction->beta;
+        four.correcting[k] = normal.push.correcting;
     }
 }
 
-void PartSweeps::unpack(solvers::UnitRows& rows) const {
-    for (const FourContacts& four : fours_) {
-        for (std::size_t k = 0; k < FourContacts::count; ++k) {
-            if (four.row[k] == FourContacts::none) continue;
-            for (int i = 0; i < FourContacts::rows; ++i) {
-                solvers::UnitRow& row = rows.rows[index(four.row[k] + i)];
-                row.y = four.y[i][k];
-                row.t = four.t[i][k];
-            }
-        }
+// Whole runs of rows: bounds may follow rows of the same run.
+void PartSweeps::load_blocks(const Start& start, solvers::UnitRows& rows) const {
+    const RowRun* loaded = nullptr;
+    auto run = start.runs.begin();
+    for (const Block& block : blocks_) {
+        while (block.begin >= run->first + run->end - run->begin) ++run;
+        if (&*run == loaded) continue;
+        loaded = &*run;
+        rows.load_run(start.system, start.island, *run);
+        rows.take_run(start.system, *run, start.lambda, start.column, start.h);
     }
 }
 
-double PartSweeps::residual(solvers::UnitRows& rows) const {
-    return std::max(rows.residual(blocks_), rows.residual(packed_));
+double PartSweeps::residual(solvers::UnitRows& rows) {
+    look(fours_, rows.velocity);
+    return std::max(rows.residual(blocks_), largest_change(fours_));
 }
 
-double PartSweeps::sweep_blocks(solvers::UnitRows& rows, std::span<const Block> some) {
+double PartSweeps::sweep_some(solvers::UnitRows& rows, std::span<const Block> some) {
     Vector6 still = Vector6::Zero();
     return solvers::sweep<true>(rows, some, [&](const Block& block) { return rows.at_bodies(block, still); });
 }
 
-double PartSweeps::sweep_fours(solvers::UnitRows& rows, std::span<FourContacts> some) {
+double PartSweeps::sweep_some(solvers::UnitRows& rows, std::span<FourContacts> some) {
     engine::sweep(some, rows.velocity);
-    double largest = 0.0;
-    for (const FourContacts& four : some) {
-        for (std::size_t k = 0; k < FourContacts::count; ++k) largest = std::max(largest, four.change[k]);
-    }
-    return largest;
+    return largest_change(some);
 }
 
-// Runs of blocks and runs of fours at once.
 double PartSweeps::sweep(solvers::UnitRows& rows) {
     double largest = 0.0;
-    for (std::size_t begin = 0, end = 0; begin < turns_.size(); begin = end) {
-        const int first = turns_[begin];
-        while (end < turns_.size() && (turns_[end] < 0) == (first < 0)) ++end;
-        const double change = first < 0 ? sweep_fours(rows, fours().subspan(index(-1 - first), end - begin))
-                                        : sweep_blocks(rows, blocks().subspan(index(first), end - begin));
-        largest = std::max(largest, change);
-    }
+    in_turn([&](const auto& some) { largest = std::max(largest, sweep_some(rows, some)); });
     return largest;
 }
 
@@ -152,7 +186,7 @@ double PartSweeps::sweep_restless(solvers::UnitRows& rows, double least, int num
         if (turn >= 0) {
             const Block& block = blocks_[index(turn)];
             if (!all && !is_restless(block.a) && !is_restless(block.b)) continue;
-            const double change = sweep_blocks(rows, {&block, 1});
+            const double change = sweep_some(rows, std::span<const Block>(&block, 1));
             largest = std::max(largest, change);
             updates += block.count;
             stir(change, block.a, block.b);
@@ -167,7 +201,7 @@ double PartSweeps::sweep_restless(solvers::UnitRows& rows, double least, int num
             acting += acts ? 1 : 0;
         }
         if (acting == 0) continue;
-        largest = std::max(largest, sweep_fours(rows, {&four, 1}));
+        largest = std::max(largest, sweep_some(rows, std::span<FourContacts>(&four, 1)));
         updates += FourContacts::rows * acting;
         for (std::size_t k = 0; k < FourContacts::count; ++k) stir(four.change[k], four.a[k], four.b[k]);
     }

@@ -1,6 +1,6 @@
-// The sweeps of small steps (small_steps.h) over the rows of one part of an island: solvers::sweep() for blocks,
-// and contacts four at a time where they share no body (fours.h). The order of blocks that do share one is
-// kept, so the bits are those of one block after the other. Internal to the step.
+// The rows of one part of an island in small steps (small_steps.h) and the sweeps over them: contacts four at a
+// time where they share no body (fours.h), all else as blocks of unit rows. The order of blocks that do share one
+// is kept, so the bits are those of one block after the other. Internal to the step.
 #pragma once
 
 #include "engine/solvers/unit_rows.h"
@@ -19,12 +19,20 @@ class PartSweeps {
     using Stirred = std::span<int>;
     enum : int { never = -2 };
 
-    // The blocks of rows `begin_row` .. `end_row` - 1, without couplings.
-    void load(const solvers::UnitRows& rows, int begin_row, int end_row);
-    // Puts contacts into fours, without what Aim needs. `scratch`: by movable body.
-    void pack(solvers::UnitRows& rows, std::span<int> scratch);
-    // Writes y and t of the fours to the rows.
-    void unpack(solvers::UnitRows& rows) const;
+    // What it starts from: the runs of the part, and forces in a column of `lambda` [N] as warm start of steps of
+    // `h` [s].
+    struct Start {
+        const SystemEquation& system;
+        const Island& island;
+        std::span<const RowRun> runs;
+        const Columns& lambda;
+        Eigen::Index column;
+        double h;
+    };
+
+    // Puts contacts into fours, and the other rows into `rows`, which has its size. Adds what the forces do to the
+    // velocities. `scratch`: by movable body.
+    void load(const Start& start, solvers::UnitRows& rows, std::span<int> scratch);
 
     // One sweep; returns the largest change of a row's velocity [m/s].
     double sweep(solvers::UnitRows& rows);
@@ -33,10 +41,24 @@ class PartSweeps {
     double sweep_restless(solvers::UnitRows& rows, double least, int number, bool all, Stirred stirred,
                           double& updates);
 
-    // Natural-map residual of all its rows, after unpack() [m/s].
-    double residual(solvers::UnitRows& rows) const;
+    // Natural-map residual of all its rows [m/s].
+    double residual(solvers::UnitRows& rows);
 
-    std::span<Block> blocks() { return blocks_; }  // after pack() those that are not in fours
+    // Calls `visit` for runs of blocks and of fours, in the order of a sweep.
+    template <typename Visit>
+    void in_turn(const Visit& visit) {
+        for (std::size_t begin = 0, end = 0; begin < turns_.size(); begin = end) {
+            const int first = turns_[begin];
+            while (end < turns_.size() && (turns_[end] < 0) == (first < 0)) ++end;
+            if (first < 0) {
+                visit(fours().subspan(static_cast<std::size_t>(-1 - first), end - begin));
+            } else {
+                visit(blocks().subspan(static_cast<std::size_t>(first), end - begin));
+            }
+        }
+    }
+
+    std::span<Block> blocks() { return blocks_; }  // those that are not in fours, ascending
     std::span<FourContacts> fours() { return fours_; }
 
   private:
@@ -50,11 +72,13 @@ class PartSweeps {
     // together in memory.
     static constexpr std::size_t open_groups = 16;
 
-    void put_in_four(const solvers::UnitRows& rows, const Group& group);
-    double sweep_blocks(solvers::UnitRows& rows, std::span<const Block> some);
-    double sweep_fours(solvers::UnitRows& rows, std::span<FourContacts> some);
+    void find_groups(const Start& start, std::span<int> scratch);
+    static void put_in_four(const Start& start, const Group& group, int movable, FourContacts& four);
+    void load_blocks(const Start& start, solvers::UnitRows& rows) const;
+    static double sweep_some(solvers::UnitRows& rows, std::span<const Block> some);
+    static double sweep_some(solvers::UnitRows& rows, std::span<FourContacts> some);
 
-    std::vector<Block> blocks_, packed_;  // swept one by one; those of the contacts in fours
+    std::vector<Block> blocks_;
     std::vector<FourContacts> fours_;
     std::vector<int> turns_;  // in the order of a sweep: k for block k, -1 - k for four k
     std::vector<Group> groups_;

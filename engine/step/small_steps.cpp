@@ -1,6 +1,7 @@
 #include "engine/step/small_steps.h"
 
 #include "engine/base/constants.h"
+#include "engine/base/overloaded.h"
 #include "engine/bodies/integrator.h"
 #include "engine/step/choice.h"
 
@@ -25,22 +26,19 @@ Vector6 weighted(const InverseMass& inverse_mass, const Vector3& linear, const V
     return stacked(inverse_mass.linear_root * linear, inverse_mass.angular_root.transpose() * angular);
 }
 
-// Whether the row keeps bodies apart or points together, and its source says how errors are corrected.
-bool holds_a_place(const ConstraintRow& row) {
-    return row.correction != nullptr && row.bounds.of_row < 0;
+// Calls `visit(number in the island, row of the step)` for each row of some blocks of the runs.
+template <typename Visit>
+void each_row(std::span<const RowRun> runs, std::span<const PartSweeps::Block> blocks, const Visit& visit) {
+    auto run = runs.begin();
+    for (const PartSweeps::Block& block : blocks) {
+        for (int number = block.begin; number < block.begin + block.count; ++number) {
+            while (number >= run->first + run->end - run->begin) ++run;
+            visit(static_cast<std::size_t>(number), run->begin + number - run->first);
+        }
+    }
 }
 
 }  // namespace
-
-// Calls `visit(number in the island, row of the step)` for each row.
-template <typename Visit>
-void SmallSteps::each_row(const Part& part, const Visit& visit) const {
-    auto number = static_cast<std::size_t>(part.begin_row);
-    for (int k = part.begin_run; k < part.end_run; ++k) {
-        const RowRun& run = dissection_.island().runs[static_cast<std::size_t>(k)];
-        for (int j = run.begin; j < run.end; ++j) visit(number++, j);
-    }
-}
 
 // Calls `visit` with the number of each movable body of this member.
 template <typename Visit>
@@ -76,18 +74,18 @@ solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<co
         work(step, alone);
     }
 
-    std::size_t holding = 0;
-    double updates = 0.0;
+    double aimed = 0.0, updates = 0.0;
     residual_ = 0.0;
     for (const PartState& state : states_) {
-        holding += state.holding.size();
+        aimed += state.aimed;
         updates += state.updates;
         if (!(state.residual <= residual_)) residual_ = state.residual;
     }
     const int sweeps = 2 * division.steps * division.sweeps;
     updates += 1.0 * sweeps * island.rows;
-    const double aimed = 2.0 * division.steps * static_cast<double>(holding);
-    return {.iterations = sweeps, .row_updates = updates, .multiply_adds = 24.0 * (updates + aimed)};
+    return {.iterations = sweeps,
+            .row_updates = updates,
+            .multiply_adds = 24.0 * (updates + 2.0 * division.steps * aimed)};
 }
 
 // Sizes the memory shared by all threads.
@@ -111,32 +109,21 @@ void SmallSteps::work(const Step& step, Team& team) {
     load(step, team);
     begin(step, team);
     for (int k = 0; k < step.division.steps; ++k) small_step(step, k, team);
-    dissection_.in_any_order(team, [this](const Part& part) {
-        unpack(part);
+    dissection_.in_any_order(team, [&](const Part& part) {
         state_of(part).residual = state_of(part).sweeps.residual(rows_);
+        store(step, part);
     });
-    store(step, team);
     push_apart(step, team);
     write_forces(step, team);
 }
 
 void SmallSteps::load(const Step& step, Team& team) {
-    const Island& island = dissection_.island();
-    dissection_.in_any_order(team, [&](const Part& part) {
-        for (int k = part.begin_run; k < part.end_run; ++k) {
-            const RowRun& run = island.runs[static_cast<std::size_t>(k)];
-            rows_.load_run(step.system, island, run);
-            rows_.take_run(step.system, run, step.lambda, step.lambda.cols() - 1, step.h);
-        }
-        state_of(part).sweeps.load(rows_, part.begin_row, part.end_row);
-    });
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
-    Vector6 still = Vector6::Zero();
     team.wait_for_all();
     dissection_.by_rounds(team, [&](const Part& part) {
-        const auto blocks = state_of(part).sweeps.blocks();
-        rows_.couple(blocks);
-        rows_.add_velocities(blocks, still);
+        state_of(part).sweeps.load(
+            {step.system, dissection_.island(), part.runs, step.lambda, step.lambda.cols() - 1, step.h}, rows_,
+            scratch_);
     });
 }
 
@@ -154,10 +141,7 @@ void SmallSteps::begin(const Step& step, Team& team) {
         const Vector6& detour = step.system.detours[body];
         detours_[i] = step.system.dt * weighted(inverse_mass, detour.head<3>(), detour.tail<3>());
     });
-    dissection_.by_rounds(team, [&](const Part& part) {
-        begin(step, part);
-        pack(part);
-    });
+    dissection_.in_any_order(team, [&](const Part& part) { begin(step, part); });
 }
 
 void SmallSteps::begin(const Step& step, const Part& part) {
@@ -165,7 +149,7 @@ void SmallSteps::begin(const Step& step, const Part& part) {
     state.updates = 0;
     state.holding.clear();
     state.followed.clear();
-    each_row(part, [&](std::size_t number, int j) {
+    each_row(part.runs, state.sweeps.blocks(), [&](std::size_t number, int j) {
         const ConstraintRow& source = row_of(step.system, j);
         solvers::UnitRow& row = rows_.rows[number];
         const double carried = step.system.carried_by(static_cast<std::size_t>(j));
@@ -189,6 +173,10 @@ void SmallSteps::begin(const Step& step, const Part& part) {
             row.t = (source.push.lasting + carried) / row.scale;
         }
     });
+    state.aimed = static_cast<double>(state.holding.size());
+    for (const FourContacts& four : state.sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) state.aimed += four.holds[k] ? 1.0 : 0.0;
+    }
 }
 
 // s u . d of a row [m].
@@ -200,45 +188,11 @@ double SmallSteps::moved_along(const solvers::UnitRow& row) const {
     return row.scale * (half(row.a, row.unit->a) + half(row.b, row.unit->b));
 }
 
-// What fits is swept four at a time.
-void SmallSteps::pack(const Part& part) {
-    PartState& state = state_of(part);
-    state.sweeps.pack(rows_, scratch_);
-    for (FourContacts& four : state.sweeps.fours()) {
-        for (std::size_t k = 0; k < FourContacts::count; ++k) {
-            if (four.row[k] == FourContacts::none) continue;
-            const auto own =
-                std::lower_bound(state.holding.begin(), state.holding.end(), static_cast<std::size_t>(four.row[k]),
-                                 [](const Holding& holding, std::size_t row) { return holding.row < row; });
-            if (own == state.holding.end() || own->row != static_cast<std::size_t>(four.row[k])) continue;
-            own->is_in_four = true;
-            four.holds[k] = -1;
-            four.start[k] = four.error[k] = own->start;
-            four.carried[k] = own->carried;
-            four.beta[k] = own->correction->kind == PushKind::none ? 0.0 : own->correction->beta;
-        }
-    }
-}
-
-void SmallSteps::unpack(const Part& part) {
-    PartSweeps& sweeps = state_of(part).sweeps;
-    sweeps.unpack(rows_);
-    for (const FourContacts& four : sweeps.fours()) {
-        for (std::size_t k = 0; k < FourContacts::count; ++k) {
-            for (int i = 0; i < FourContacts::rows && four.row[k] != FourContacts::none; ++i) {
-                pushing_[static_cast<std::size_t>(four.row[k] + i)] = four.pushing[i][k];
-                lasting_[static_cast<std::size_t>(four.row[k] + i)] = four.lasting[i][k];
-            }
-        }
-    }
-}
-
 // Targets of a solve. Bodies move between the solve with the push and the one without.
 void SmallSteps::aim(const Aim& aim, const Part& part) {
     PartState& state = state_of(part);
     engine::aim(state.sweeps.fours(), aim, moved_);
     for (Holding& own : state.holding) {
-        if (own.is_in_four) continue;
         solvers::UnitRow& row = rows_.rows[own.row];
         if (!aim.pushes && !own.is_followed) own.error = own.start + moved_along(row) - aim.elapsed * own.carried;
         const Correction& correction = *own.correction;
@@ -358,47 +312,59 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     });
 }
 
-// Writes the forces of the rows, and the lasting forces on the bodies.
-void SmallSteps::store(const Step& step, Team& team) {
+// Writes the forces of the rows. Bounds follow rows of the same part.
+void SmallSteps::store(const Step& step, const Part& part) {
+    PartSweeps& sweeps = state_of(part).sweeps;
     const Eigen::Index last = step.lambda.cols() - 1;
     const bool two = dissection_.island().columns == 2;  // else both columns hold the same
-    dissection_.by_rounds(team, [&](const Part& part) {
-        each_row(part, [&](std::size_t number, int j) {
-            const double scale = rows_.rows[number].scale;
-            step.lambda(j, last) = lasting_[number] / step.system.dt;
-            step.lambda(j, 0) = two ? pushing_[number] / step.system.dt : step.lambda(j, last);
-            const double latest = scale > 0.0 ? rows_.rows[number].y / (step.h * scale) : 0.0;
-            step.ending[static_cast<std::size_t>(j)] = {latest, latest};
-        });
-        for (Eigen::Index column = 0; column <= last; ++column) {
-            each_row(part, [&](std::size_t, int j) { clamp_force(step.system.rows, j, column, step.lambda); });
+    const auto write = [&](Eigen::Index j, double pushing, double lasting, double y, double scale) {
+        step.lambda(j, last) = lasting / step.system.dt;
+        step.lambda(j, 0) = two ? pushing / step.system.dt : step.lambda(j, last);
+        const double latest = scale > 0.0 ? y / (step.h * scale) : 0.0;
+        step.ending[static_cast<std::size_t>(j)] = {latest, latest};
+    };
+    const auto clamp = [&](Eigen::Index j) {
+        for (Eigen::Index column = 0; column <= last; ++column)
+            clamp_force(step.system.rows, j, column, step.lambda);
+    };
+    for (const FourContacts& four : sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) {
+            if (four.row[k] == FourContacts::none) continue;
+            for (int i = 0; i < FourContacts::rows; ++i) {
+                write(four.row[k] + i, four.pushing[i][k], four.lasting[i][k], four.y[i][k], four.scale[i][k]);
+                clamp(four.row[k] + i);
+            }
         }
+    }
+    each_row(part.runs, sweeps.blocks(), [&](std::size_t number, int j) {
+        const solvers::UnitRow& row = rows_.rows[number];
+        write(j, pushing_[number], lasting_[number], row.y, row.scale);
+        clamp(j);
     });
 }
 
-// Targets of the displacement of each one-sided row of the part, after the last small step: what is left of the
-// correction of its source, and no way into each other for the others.
+// Targets of the displacement of each one-sided row of the part, after the last small step.
 void SmallSteps::plan_push(const Step& step, const Part& part) {
     PartState& state = state_of(part);
+    const Apart apart{step.system.dt, step.h};
     state.is_pushed = false;
     for (const Holding& own : state.holding) {
         if (own.open_side == 0.0) continue;
-        const ConstraintRow& source = row_of(step.system, own.of_step);
         solvers::UnitRow& row = rows_.rows[own.row];
-        const double moved = moved_along(row) - step.system.dt * own.carried;
-        const double error = own.open_side * (source.error + moved), before = own.open_side * source.error;
-        const double correcting = own.open_side * step.system.dt * source.push.correcting;
-        double want = -error;
-        if (error <= 0.0) {
-            // By what its force compresses it, it would be compressed again, and what it carries would creep.
-            const double pressed = std::abs(row.y) * row.scale * step.h / constants::small_steps::stiffness;
-            want = std::clamp(correcting, 0.0, std::max(0.0, -before - pressed)) -
-                   std::max(0.0, own.open_side * moved);
-            want = std::max(0.0, want);
-        }
+        const double moved = moved_along(row) - apart.dt * own.carried;
+        const double correcting = row_of(step.system, own.of_step).push.correcting;
+        double want = 0.0;
+        find_left(apart, own.open_side * own.start, own.open_side * moved, own.open_side * correcting,
+                  row.y * row.scale, want);
         row.t = own.open_side * want / row.scale;
         row.y = 0.0;
         state.is_pushed = state.is_pushed || want > 0.0;
+    }
+    aim_apart(state.sweeps.fours(), apart, moved_);
+    for (const FourContacts& four : state.sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) {
+            state.is_pushed = state.is_pushed || (four.holds[k] && four.t[0][k] > 0.0);
+        }
     }
 }
 
@@ -411,15 +377,25 @@ void SmallSteps::push_apart(const Step& step, Team& team) {
         return;
     each_body(team, [this](std::size_t i) { rows_.velocity[i].setZero(); });
     for (int k = 0; k < constants::small_steps::push_sweeps; ++k) {
-        dissection_.by_rounds(team, [&](const Part& part) {
-            for (const Holding& own : state_of(part).holding) {
-                if (own.open_side == 0.0) continue;
-                solvers::UnitRow& row = rows_.rows[own.row];
-                rows_.set(row, rows_.clamped(row, row.y + rows_.error(row)));
-            }
-        });
+        dissection_.by_rounds(team, [&](const Part& part) { push_apart(state_of(part)); });
     }
     each_body(team, [this](std::size_t i) { moved_[i] += rows_.velocity[i]; });
+}
+
+// One sweep over the one-sided rows of a part.
+void SmallSteps::push_apart(PartState& state) {
+    auto own = state.holding.begin();
+    state.sweeps.in_turn(Overloaded{
+        [&](std::span<FourContacts> some) { engine::push_apart(some, rows_.velocity); },
+        [&](std::span<const PartSweeps::Block> some) {
+            const auto end = static_cast<std::size_t>(some.back().begin + some.back().count);
+            for (; own != state.holding.end() && own->row < end; ++own) {
+                if (own->open_side == 0.0) continue;
+                solvers::UnitRow& row = rows_.rows[own->row];
+                rows_.set(row, rows_.clamped(row, row.y + rows_.error(row)));
+            }
+        },
+    });
 }
 
 // Constant forces that move the bodies in a whole step as far as the small steps did, and leave their velocities.

@@ -91,7 +91,7 @@ class SmallSteps {
   private:
     using Part = Dissection::Part;
 
-    // A row that holds a place, one-sided or not.
+    // A row that holds a place, one-sided or not, and is in no four.
     struct Holding {
         std::size_t row;               // number in the island
         int of_step;                   // number in the step
@@ -100,7 +100,6 @@ class SmallSteps {
         double carried;                // m/s, see SystemEquation
         double open_side;              // 1 if it is open for errors above zero, -1 if below, 0 if never
         bool is_followed;
-        bool is_in_four = false;  // aimed at there
     };
     // Rows that are written again where the bodies are now: consecutive ones of a bar or a joint.
     struct Followed {
@@ -111,10 +110,11 @@ class SmallSteps {
     };
     // State of a part of the island, on cache lines of its own.
     struct alignas(64) PartState {
-        PartSweeps sweeps{};
+        PartSweeps sweeps{};  // its rows
         std::vector<Holding> holding{};
         std::vector<Followed> followed{};
         RowList rows{};          // of one of `followed`
+        double aimed = 0.0;      // rows that hold a place
         bool is_pushed = false;  // some row is to be displaced
         double residual = 0.0;   // m/s
         double change = 0.0;     // m/s, the largest of a row in the last sweep
@@ -139,8 +139,6 @@ class SmallSteps {
     void load(const Step& step, Team& team);
     void begin(const Step& step, Team& team);
     void begin(const Step& step, const Part& part);
-    void pack(const Part& part);
-    void unpack(const Part& part);
     void small_step(const Step& step, int number, Team& team);
     void solve(const Step& step, Solve which, double elapsed, Team& team);
     void aim(const Aim& aim, const Part& part);
@@ -149,12 +147,11 @@ class SmallSteps {
     Body placed(const Step& step, int number, int body) const;
     void push_apart(const Step& step, Team& team);
     void plan_push(const Step& step, const Part& part);
-    void store(const Step& step, Team& team);
+    void push_apart(PartState& state);
+    void store(const Step& step, const Part& part);
     void write_forces(const Step& step, Team& team) const;
     double moved_along(const solvers::UnitRow& row) const;
     void add_impulse(const solvers::UnitRow& row, double y);
-    template <typename Visit>
-    void each_row(const Part& part, const Visit& visit) const;
     template <typename Visit>
     void each_body(Team& team, const Visit& visit) const;
     PartState& state_of(const Part& part) { return states_[dissection_.number_of(part)]; }
@@ -172,7 +169,7 @@ class SmallSteps {
     std::vector<Vector6> detours_;  // x that moves it besides, in the solve with push alone; empty without any
     std::vector<int> stirred_;      // see PartSweeps
     std::vector<int> scratch_;
-    // By row of the island, impulses of the step so far [N s]: with the push, without it.
+    // By row of the island that is in no four, impulses of the step so far [N s]: with the push, without it.
     std::vector<double> pushing_, lasting_;
 };
 

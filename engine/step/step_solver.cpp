@@ -115,11 +115,8 @@ std::span<const Lambda> StepSolver::end(const StepProblem& problem) {
     const SystemEquation& system = problem.system;
     answers_.assign(system.rows.size(), {});
     for (const Island& island : islands_.all()) {
-        share(problem.threads, island.runs.size(), rows_of_a_part, [&](std::size_t begin, std::size_t end) {
-            for (const RowRun& run : island.runs.subspan(begin, end - begin)) {
-                find_next_guesses(island, run);
-            }
-        });
+        share_each(problem.threads, island.runs, rows_of_a_part,
+                   [&](const RowRun& run) { find_next_guesses(island, run); });
     }
     return answers_;
 }

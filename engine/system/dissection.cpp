@@ -92,7 +92,7 @@ void Dissection::cut(std::span<const Body> bodies, const Island& island) {
 void Dissection::leave_whole(const Island& island) {
     island_ = island;
     leaves_.assign(1, {0, island.movable()});
-    parts_.assign(1, {0, static_cast<int>(island.runs.size()), 0, island.rows});
+    parts_.assign(1, {island.runs});
 }
 
 void Dissection::find_spots(std::span<const Body> bodies, const Island& island) {
@@ -206,18 +206,15 @@ void Dissection::put_bodies(const Island& island, int halvings) {
     next_.assign(begin_.begin(), begin_.end());
     for (std::size_t k = 0; k < island.runs.size(); ++k) runs_[at(next_[at(part_of_[k])]++)] = island.runs[k];
     int rows = 0;
+    for (RowRun& run : runs_) {
+        run.first = rows;
+        run.a = number_[at(run.a)];
+        run.b = number_[at(run.b)];
+        rows += run.end - run.begin;
+    }
     parts_.clear();
     for (std::size_t k = 0; k < parts; ++k) {
-        Part part{.begin_run = begin_[k], .end_run = begin_[k + 1], .begin_row = rows, .end_row = rows};
-        for (int r = part.begin_run; r < part.end_run; ++r) {
-            RowRun& run = runs_[at(r)];
-            run.first = part.end_row;
-            run.a = number_[at(run.a)];
-            run.b = number_[at(run.b)];
-            part.end_row += run.end - run.begin;
-        }
-        rows = part.end_row;
-        parts_.push_back(part);
+        parts_.push_back({std::span(runs_).subspan(at(begin_[k]), at(begin_[k + 1] - begin_[k]))});
     }
     island_ = island;
     island_.bodies = bodies_;

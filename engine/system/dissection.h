@@ -27,8 +27,7 @@ class Dissection {
   public:
     // Consecutive rows in the new order, processed by one thread.
     struct Part {
-        int begin_run = 0, end_run = 0;  // indices into island().runs
-        int begin_row = 0, end_row = 0;  // row numbers in island()
+        std::span<const RowRun> runs{};  // of island()
     };
     // Bodies of one leaf, consecutive in the new order.
     struct Leaf {

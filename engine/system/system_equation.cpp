@@ -223,12 +223,10 @@ void build_system(std::span<const Body> bodies, std::span<const int> awake, std:
     system.awake.assign(awake.begin(), awake.end());
     system.inverse_mass.resize(bodies.size());
     free.resize(bodies.size(), Vector6::Zero());
-    share(threads, awake.size(), bodies_of_a_part, [&](std::size_t begin, std::size_t end) {
-        for (const int index : awake.subspan(begin, end - begin)) {
-            const auto i = static_cast<std::size_t>(index);
-            find_inverse_mass(bodies[i], system.inverse_mass[i]);
-            find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
-        }
+    share_each(threads, awake, bodies_of_a_part, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        find_inverse_mass(bodies[i], system.inverse_mass[i]);
+        find_free_acceleration(bodies[i], system.inverse_mass[i], dt, free[i]);
     });
     append_to_system(rows, 0, system, threads);
 }

@@ -1,6 +1,7 @@
 // Sweeps of four contacts at once against one block after the other: equal to the last bit.
 #include "engine/step/part_sweeps.h"
 
+#include "engine/base/overloaded.h"
 #include "engine/solvers/sweep.h"
 #include "tests/catch.h"
 #include "tests/engine/random_contacts.h"
@@ -43,20 +44,80 @@ struct OneByOne {
     }
 };
 
-void load(const Frozen& frozen, const Island& island, UnitRows& rows, Random& random) {
-    rows.load(frozen.system, island);
+Columns random_guess(const Frozen& frozen, Random& random) {
     Columns guess = frozen.zero();
     for (Eigen::Index j = 0; j < guess.rows(); ++j) guess(j, 0) = random.in(0, 1);
+    return guess;
+}
+
+void load(const Frozen& frozen, const Island& island, const Columns& guess, UnitRows& rows, Random& random) {
+    rows.load(frozen.system, island);
     rows.take(frozen.system, island, guess, 0);
     for (const UnitRows::Block& block : rows.blocks) rows.rows_of(block)->keeps = random.in(0.5, 1);
 }
 
-bool are_equal(const UnitRows& a, const UnitRows& b) {
-    const auto same_force = [](const solvers::UnitRow& x, const solvers::UnitRow& y) {
-        return x.y == y.y && x.t == y.t;
-    };
-    return a.velocity == b.velocity &&
-           std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), same_force);
+// The first unit row of a contact that is in a four.
+int unit_row_of(const FourContacts& four, std::size_t k, const UnitRows& rows) {
+    const auto found = std::find_if(rows.blocks.begin(), rows.blocks.end(),
+                                    [&](const UnitRows::Block& block) { return block.of_step == four.row[k]; });
+    return found->begin;
+}
+
+// Calls `visit(numbers in a four, row)` for each row in a four, and `visit(row, row)` for the others.
+template <typename InFour, typename InBlock>
+void each_row(PartSweeps& sweeps, UnitRows& actual, UnitRows& expected, const InFour& in_four,
+              const InBlock& in_block) {
+    for (FourContacts& four : sweeps.fours()) {
+        for (std::size_t k = 0; k < FourContacts::count; ++k) {
+            if (four.row[k] == FourContacts::none) continue;
+            const int first = unit_row_of(four, k, expected);
+            for (int i = 0; i < FourContacts::rows; ++i)
+                in_four(four, i, k, expected.rows[static_cast<std::size_t>(first + i)]);
+        }
+    }
+    for (const UnitRows::Block& block : sweeps.blocks()) {
+        for (int i = 0; i < block.count; ++i) in_block(actual.rows_of(block)[i], expected.rows_of(block)[i]);
+    }
+}
+
+// Targets and shares as in `expected`.
+void take_targets(PartSweeps& sweeps, UnitRows& actual, UnitRows& expected) {
+    each_row(
+        sweeps, actual, expected,
+        [](FourContacts& four, int i, std::size_t k, const solvers::UnitRow& row) {
+            four.t[i][k] = row.t;
+            if (i == 0) four.keeps[k] = row.keeps;
+        },
+        [](solvers::UnitRow& own, const solvers::UnitRow& row) {
+            own.t = row.t;
+            own.keeps = row.keeps;
+        });
+}
+
+bool are_equal(PartSweeps& sweeps, UnitRows& actual, UnitRows& expected) {
+    bool equal = actual.velocity == expected.velocity;
+    each_row(
+        sweeps, actual, expected,
+        [&](const FourContacts& four, int i, std::size_t k, const solvers::UnitRow& row) {
+            equal = equal && four.y[i][k] == row.y && four.t[i][k] == row.t;
+        },
+        [&](const solvers::UnitRow& own, const solvers::UnitRow& row) {
+            equal = equal && own.y == row.y && own.t == row.t;
+        });
+    return equal;
+}
+
+// What is left to push apart: of contacts by random shares, of all others nothing.
+void plan_apart(PartSweeps& sweeps, UnitRows& actual, UnitRows& expected, Random& random) {
+    each_row(
+        sweeps, actual, expected,
+        [&](FourContacts& four, int i, std::size_t k, solvers::UnitRow& row) {
+            if (i > 0) return;
+            four.t[0][k] = row.t = random.in(-1, 1);
+            four.y[0][k] = row.y = 0.0;
+            four.holds[k] = -1;
+        },
+        [](const solvers::UnitRow&, const solvers::UnitRow&) {});
 }
 
 }  // namespace
@@ -70,15 +131,17 @@ TEST_CASE("contacts swept four at a time move as one after the other, to the las
         for (const Island& island : islands.all()) {
             INFO("seed " << seed << ", island of body " << island.bodies.front());
             UnitRows expected, actual;
-            Random random(seed), again(seed);
-            load(frozen, island, expected, random);
-            load(frozen, island, actual, again);
+            Random random(seed);
+            const Columns guess = random_guess(frozen, random);
+            load(frozen, island, guess, expected, random);
             OneByOne one{expected, std::vector<int>(static_cast<std::size_t>(island.movable()), PartSweeps::never)};
             std::vector<int> stirred = one.stirred, scratch(stirred.size());
             PartSweeps sweeps;
-            sweeps.load(actual, 0, island.rows);
-            actual.couple(sweeps.blocks());
-            sweeps.pack(actual, scratch);
+            actual.begin(island);
+            std::fill(actual.velocity.begin(), actual.velocity.end(), Vector6::Zero());
+            sweeps.load({frozen.system, island, island.runs, guess, 0, frozen.system.dt}, actual, scratch);
+            take_targets(sweeps, actual, expected);
+            REQUIRE(are_equal(sweeps, actual, expected));
             for (const FourContacts& four : sweeps.fours()) {
                 for (const int row : four.row) packed += row != FourContacts::none ? 1 : 0;
             }
@@ -98,9 +161,21 @@ TEST_CASE("contacts swept four at a time move as one after the other, to the las
             }
             calm += updates < 17.0 * island.rows ? 1 : 0;
             REQUIRE(updates == one.updates);
-            sweeps.unpack(actual);
-            REQUIRE(are_equal(actual, expected));
+            REQUIRE(are_equal(sweeps, actual, expected));
             REQUIRE(sweeps.residual(actual) == expected.residual());
+
+            plan_apart(sweeps, actual, expected, random);
+            sweeps.in_turn(Overloaded{
+                [&](std::span<FourContacts> some) { push_apart(some, actual.velocity); },
+                [](std::span<const UnitRows::Block>) {},
+            });
+            for (const UnitRows::Block& block : expected.blocks) {
+                const auto is_single = [&](const UnitRows::Block& other) { return other.begin == block.begin; };
+                if (std::any_of(sweeps.blocks().begin(), sweeps.blocks().end(), is_single)) continue;
+                solvers::UnitRow& row = *expected.rows_of(block);
+                expected.set(row, expected.clamped(row, row.y + expected.error(row)));
+            }
+            REQUIRE(are_equal(sweeps, actual, expected));
         }
     }
     // There is enough of each.
