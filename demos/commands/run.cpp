@@ -80,7 +80,7 @@ void carry_out(const Run& request) {
     });
     const std::string summary = recorded.finish().front();
     const std::vector<std::string> data = files.all();
-    const bool data_on_stdout = std::ranges::find(data, "-") != data.end();
+    const bool data_on_stdout = std::ranges::find(data, named_descriptor("-"), named_descriptor) != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);
     say(recorded.recorder.warnings());
 }

@@ -27,7 +27,7 @@ fs::path place_of(const std::string& name) {
 
 bool are_one_file(const std::string& a, const std::string& b) {
     std::error_code ignored;
-    if (a == "-" || b == "-") return a == b;
+    if (const auto open = named_descriptor(a)) return open == named_descriptor(b);
     // Devices such as /dev/null take any number of outputs.
     if (fs::is_character_file(a, ignored)) return false;
     return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);

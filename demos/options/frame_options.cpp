@@ -166,7 +166,7 @@ const std::array frame_table{
                 "second; trails:0.5: half a second)",
                 "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, "
                 "no-contacts, thrust, trails, each once, with islands or rest; forces, torques, push and "
-                "velocities may have a scale like forces:50, trails seconds",
+                "velocities may have a scale like forces:50, trails seconds, from 1e-12 to 1e12",
                 set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); },
                 of_pictures | of_models | of_run},
     FrameOption{

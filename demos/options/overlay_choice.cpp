@@ -12,6 +12,9 @@ namespace {
 constexpr std::array<std::string_view, 10> names{"contacts", "forces", "torques",     "push",   "velocities",
                                                  "islands",  "rest",   "no-contacts", "thrust", "trails"};
 
+// Of what follows a colon: pictures have single precision.
+constexpr double least = 1e-12, most = 1e12;
+
 }  // namespace
 
 std::string_view name_of(OverlayKind kind) {
@@ -29,7 +32,8 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
             const bool trails = item.kind == OverlayKind::trails;
             std::optional<double>& number = trails ? item.seconds : item.units_a_metre;
             number = parse_number(part.substr(colon + 1));
-            if (!(trails || has_arrows(item.kind)) || !number || *number <= 0.0) return std::nullopt;
+            if (!(trails || has_arrows(item.kind)) || !number || *number < least || *number > most)
+                return std::nullopt;
         }
         const bool twice = std::any_of(overlay.begin(), overlay.end(), [&](const OverlayItem& other) {
             return other.kind == item.kind || (colours_bodies(other.kind) && colours_bodies(item.kind));

@@ -1,6 +1,7 @@
 #include "demos/platform/output_file.h"
 
 #include "demos/text/errors.h"
+#include "demos/text/numbers.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -102,23 +103,43 @@ bool is_file_of(const fs::path& folder, const fs::path& file) {
            fs::weakly_canonical(parent.empty() ? "." : parent, error) == fs::weakly_canonical(folder, error);
 }
 
+std::optional<int> named_descriptor(fs::path path) {
+    if (path == "-") return STDOUT_FILENO;
+    std::error_code error;
+    const fs::path descriptors = fs::canonical("/proc/self/fd", error);
+    if (error) return std::nullopt;
+    constexpr int most_links = 40;
+    for (int i = 0; i < most_links; ++i) {
+        const std::string name = path.filename().string();
+        if (!name.empty() && fs::canonical(path.parent_path(), error) == descriptors && !error)
+            return parse_integer(name);
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) break;
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return std::nullopt;
+}
+
 bool is_stream(const fs::path& path) {
+    if (named_descriptor(path)) return true;
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
-    return path == "-" || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-    if (!is_stream(path_)) {
+    if (const auto named = named_descriptor(path_)) {
+        descriptor_ = *named;
+    } else if (is_stream(path_)) {
+        descriptor_ = own_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail(errno);
+    } else {
         descriptor_ = staged_.emplace(path_).descriptor();
-        return;
     }
-    descriptor_ = path_ == "-" ? STDOUT_FILENO : open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail(errno);
 }
 
 OutputFile::~OutputFile() {
-    if (!staged_ && descriptor_ >= 0 && path_ != "-") close(descriptor_);
+    if (own_ >= 0) close(own_);
 }
 
 void OutputFile::fail(int error) const {
@@ -139,7 +160,7 @@ void OutputFile::commit() {
     flush();
     if (staged_) {
         staged_->commit();
-    } else if (path_ != "-" && close(std::exchange(descriptor_, -1)) != 0) {
+    } else if (own_ >= 0 && close(std::exchange(own_, -1)) != 0) {
         fail(errno);
     }
 }

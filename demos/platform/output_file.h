@@ -36,9 +36,9 @@ class StagedFile {
     int descriptor_ = -1;
 };
 
-// Writes go to a staged file. Without commit() an existing file stays. "-" is standard output; an existing path
-// that is not a regular file (a device, a pipe) is written to directly. Every member throws OutputError that names
-// the path and the reason.
+// Writes go to a staged file. Without commit() an existing file stays. "-" and the names of open files
+// (/dev/stdout, /dev/fd/3) are written to where they stand, and other paths that exist and are no regular files
+// (devices, pipes) directly. Every member throws OutputError that names the path and the reason.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
@@ -58,14 +58,18 @@ class OutputFile {
 
     std::filesystem::path path_;
     std::optional<StagedFile> staged_;  // none when written to directly
-    int descriptor_ = -1;
+    int descriptor_ = -1, own_ = -1;    // written to; the same if it is to be closed here
     std::string buffer_;
 };
 
 // Where a name leads to through links; the file may not exist yet.
 std::filesystem::path followed(std::filesystem::path path);
 
-// Standard output, or what exists and is neither file nor folder: a device, a pipe. It is written to directly.
+// The open file of this process that "-", /dev/stdout, /dev/fd/3 and links to them name. A file that it goes to is
+// neither replaced nor opened again, which would lose what others write to it.
+std::optional<int> named_descriptor(std::filesystem::path path);
+
+// An open file, or what exists and is neither file nor folder: a device, a pipe. It is written to directly.
 bool is_stream(const std::filesystem::path& path);
 
 // Whether the folder has a file of this name, or would have it.

@@ -15,6 +15,9 @@ using renderer::Picture;
 
 constexpr glm::vec3 pale(0.84f, 0.855f, 0.875f);  // about that of the ground and the sky
 constexpr double slack = 1e-9;                    // s, for rounded times
+// Share of the distance from eye to target by which a ghost is behind the next younger one, and that behind the
+// body: where they are nearly at one place, the younger one is to be seen.
+constexpr float behind = 5e-4f;
 
 void move(renderer::Bar& bar, const renderer::Bar& from, float share) {
     bar.from = glm::mix(from.from, bar.from, share);
@@ -49,13 +52,29 @@ bool same_place(const renderer::Body& a, const renderer::Body& b) {
     return a.position == b.position && a.orientation == b.orientation;
 }
 
+void shift(renderer::Bar& bar, const glm::vec3& by) {
+    bar.from += by;
+    bar.to += by;
+}
+
+void shift(renderer::Body& body, const glm::vec3& by) {
+    body.position += by;
+}
+
+// How a ghost differs from the body where it was.
+struct Ghost {
+    float paleness;
+    glm::vec3 back;  // m
+};
+
 // `own` is the number of bodies that are no ghosts.
 template <typename Thing>
-void add_moved(const std::vector<Thing>& then, std::size_t own, float paleness, std::vector<Thing>& now) {
+void add_moved(const std::vector<Thing>& then, std::size_t own, const Ghost& ghost, std::vector<Thing>& now) {
     for (std::size_t i = 0; i < std::min(then.size(), own); ++i) {
         if (same_place(then[i], now[i])) continue;
         now.push_back(then[i]);
-        now.back().colour = glm::mix(then[i].colour, pale, paleness);
+        now.back().colour = glm::mix(then[i].colour, pale, ghost.paleness);
+        shift(now.back(), ghost.back);
     }
 }
 
@@ -105,10 +124,11 @@ void Motion::note(const Picture& now) {
 void Motion::add_ghosts(Picture& now) const {
     const std::size_t bodies = now.bodies.size(), bars = now.bars.size();
     for (std::size_t i = 0; i < ghosts_.size(); ++i) {
-        const float age = static_cast<float>(ghosts_.size() - i) / static_cast<float>(ghosts_.size());
-        const float paleness = 0.3f + 0.45f * age;
-        add_moved(ghosts_[i].bodies, bodies, paleness, now.bodies);
-        add_moved(ghosts_[i].bars, bars, paleness, now.bars);
+        const auto younger = static_cast<float>(ghosts_.size() - i), all = static_cast<float>(ghosts_.size());
+        const Ghost ghost{.paleness = 0.3f + 0.45f * younger / all,
+                          .back = behind * younger * (now.camera.target - now.camera.eye)};
+        add_moved(ghosts_[i].bodies, bodies, ghost, now.bodies);
+        add_moved(ghosts_[i].bars, bars, ghost, now.bars);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "engine/base/elementary.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -51,12 +52,13 @@ double aside(const BallOnBar& pendulum, const Swing& swing) {
     return pendulum.length * elementary::sin(swing.a) + pendulum.radius * elementary::sin(swing.b);
 }
 
-// Times at which the centre passes the vertical, each found by the secant between two steps.
+// Times at which the centre passes the vertical, each found by the secant between two steps. Fewer if the bar is so
+// short that the steps do not follow.
 std::vector<double> crossings(const BallOnBar& pendulum, double amplitude, std::size_t count) {
     constexpr double h = 1.0 / 60.0;  // s; of fourth order, times wrong by less than 1e-7 of them
     Swing swing{.a = amplitude, .b = amplitude};
     std::vector<double> times;
-    for (long n = 1; times.size() < count; ++n) {
+    for (long n = 1; times.size() < count && std::isfinite(swing.a_rate + swing.b_rate); ++n) {
         const Swing next = runge_kutta(pendulum, swing, h);
         if ((aside(pendulum, swing) > 0.0) != (aside(pendulum, next) > 0.0)) {
             // Within a step the angle is nearly linear; some refinements reach rounding.
@@ -90,6 +92,7 @@ double centre_angle(const BallOnBar& pendulum, const Swing& swing) {
 double period(const BallOnBar& pendulum, double amplitude) {
     constexpr std::size_t halves = 24;
     const std::vector<double> times = crossings(pendulum, amplitude, halves + 1);
+    if (times.size() <= halves) return std::numeric_limits<double>::quiet_NaN();
     double weighted = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < halves; ++i) {
@@ -106,11 +109,13 @@ double length_for_period(BallOnBar pendulum, double amplitude, double wanted) {
     const double per_radian = wanted / (2.0 * std::numbers::pi);
     const double per_length = pendulum.gravity * per_radian * per_radian;
     pendulum.length = per_length / (1.0 + amplitude * amplitude / 8.0) - pendulum.radius;
+    if (!(pendulum.length > 0.0)) return 0.0;
     // T^2 grows almost in proportion to l + r; the secant through both guesses then has the last digits.
     const double first = pendulum.length, first_period = period(pendulum, amplitude);
     const double ratio = wanted / first_period;
     pendulum.length = (first + pendulum.radius) * ratio * ratio - pendulum.radius;
     if (pendulum.length == first) return first;
+    if (!(pendulum.length > 0.0)) return 0.0;
     const double slope = (period(pendulum, amplitude) - first_period) / (pendulum.length - first);
     return first + (wanted - first_period) / slope;
 }

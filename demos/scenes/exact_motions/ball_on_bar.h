@@ -31,7 +31,8 @@ double centre_angle(const BallOnBar& pendulum, const Swing& swing);
 // the ball also swing against each other, faster; a smoothly weighted mean over several periods averages that out.
 double period(const BallOnBar& pendulum, double amplitude);
 
-// The length of bar [m] that gives `wanted` [s] as period; that of `pendulum` is ignored.
+// The length of bar [m] that gives `wanted` [s] as period; that of `pendulum` is ignored. 0 if none is short
+// enough.
 double length_for_period(BallOnBar pendulum, double amplitude, double wanted);
 
 }  // namespace pushfactor::demos::scenes

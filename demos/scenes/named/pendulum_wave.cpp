@@ -4,6 +4,7 @@
 // four groups after 60, 40 and 30 s. The balls never touch, and the scene has no collision detection.
 #include "demos/scenes/exact_motions/ball_on_bar.h"
 #include "demos/scenes/named/named_scenes.h"
+#include "engine/base/invalid_input.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/world.h"
 
@@ -83,7 +84,7 @@ class WaveMeasure : public SceneMeasure {
 
 std::span<const Parameter> pendulum_wave_parameters() {
     static constexpr std::array table{
-        Parameter{"count", "N", "number of pendulums [50]", 50, 1, 1000, true},
+        Parameter{"count", "N", "number of pendulums [50]", 50, 1, 122, true},
         Parameter{"amplitude", "DEG", "angle at which they are released, in degrees [22.9183, which is 0.4 rad]",
                   0.4 * 180.0 / std::numbers::pi, 0.1, 80},
     };
@@ -99,6 +100,10 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
     for (int k = 0; k < count; ++k) {
         BallOnBar pendulum{.length = 0.0, .radius = bob_radius, .gravity = -scene.gravity.y()};
         pendulum.length = length_for_period(pendulum, amplitude, cycle / (fewest_swings + k));
+        if (!(pendulum.length > 0.0))
+            throw engine::InvalidInput(
+                "count", std::to_string(count),
+                "at most " + std::to_string(k) + " at this amplitude: no bar is short enough");
         pendulums.push_back(pendulum);
 
         // Bar and ball aligned at the amplitude, swinging in the y-z plane.
