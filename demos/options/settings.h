@@ -41,7 +41,7 @@ struct Settings {
     std::optional<engine::SmallSteps::Division> small_steps;  // none: chosen per island
 
     engine::Correction contacts{engine::PushKind::single_frame, 0.2};
-    engine::Correction distances{engine::PushKind::persistent, 1.0};
+    engine::Correction distances{engine::PushKind::curve, 1.0};
     bool warm_start = true;
     double slop = 0.002;   // fraction of the body's size
     double margin = 0.01;  // fraction of the body's size

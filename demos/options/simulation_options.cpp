@@ -30,6 +30,10 @@ using Names = std::array<std::pair<std::string_view, Value>, n>;
 
 constexpr Names<PushKind, 3> push_names{
     {{"none", PushKind::none}, {"persistent", PushKind::persistent}, {"single-frame", PushKind::single_frame}}};
+constexpr Names<PushKind, 4> distance_push_names{{{"none", PushKind::none},
+                                                  {"persistent", PushKind::persistent},
+                                                  {"single-frame", PushKind::single_frame},
+                                                  {"curve", PushKind::curve}}};
 constexpr Names<RowOrder, 4> order_names{{{"bottom-up", RowOrder::bottom_up},
                                           {"reverse", RowOrder::reverse},
                                           {"creation", RowOrder::creation},
@@ -205,10 +209,13 @@ const std::array simulation_table{
         "max-push-speed", "V", "maximum speed at which contacts correct penetration, in m/s [no limit]",
         "a speed above 0 and up to 1e9 m/s", set_max_push_speed,
         [](const Settings& s) { return std::isfinite(s.contacts.max_speed) ? to_text(s.contacts.max_speed) : ""; }},
-    SimulationOption{"distance-push", "KIND", "how distances correct their length: none, persistent, single-frame",
-                     "one of none, persistent, single-frame",
-                     [](Settings& s, std::string_view t) { return take_name(s.distances.kind, push_names, t); },
-                     [](const Settings& s) { return name_of(s.distances.kind, push_names); }},
+    SimulationOption{
+        "distance-push", "KIND",
+        "how bars and joints correct their errors: none, persistent, single-frame, curve (what turning leaves "
+        "becomes momentum, everything else is single-frame)",
+        "one of none, persistent, single-frame, curve",
+        [](Settings& s, std::string_view t) { return take_name(s.distances.kind, distance_push_names, t); },
+        [](const Settings& s) { return name_of(s.distances.kind, distance_push_names); }},
     SimulationOption{
         "distance-beta", "X", "share of the length error that one step corrects", "a number from 0 to 1",
         [](Settings& s, std::string_view t) { return take(s.distances.beta, parse_number(t), 0.0, 1.0); },

@@ -66,7 +66,7 @@ bool is_seen(const UnsolvedSteps& steps, const Simulation& simulation) {
 std::string remedy(const Simulation& simulation, const Measurements& measured) {
     const Settings& settings = simulation.settings();
     const bool persists = settings.distances.kind == engine::PushKind::persistent;
-    if (persists && measured.start_stretch() > much_stretch) return "--distance-push single-frame";
+    if (persists && measured.start_stretch() > much_stretch) return "--distance-push curve";
     std::vector<std::string> options;
     if (settings.substeps && (simulation.scene().distances || simulation.scene().joints))
         options.emplace_back("--substeps auto");

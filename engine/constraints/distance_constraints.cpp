@@ -16,11 +16,11 @@ bool is_loose(const Distance& distance, double error) {
            (distance.acts == Distance::Acts::pushes && error > 0.0);
 }
 
-// A loose rope may tighten within the step, in both columns, like a contact point that closes its gap; a strut
-// likewise.
-PushFactor distance_push(const Distance& distance, double error, const Correction& correction, double dt) {
-    if (is_loose(distance, error)) return {.correcting = 0.0, .lasting = -error / dt};
-    return correct(correction, -error, dt);
+// Second derivative of the length [m/s^2] of a bar along `n` while its bodies keep their velocities.
+double curve_of(const BodyPair& bodies, const Vector3& p_a, const Vector3& p_b, const Vector3& n, double length) {
+    const Parting parting(bodies, p_a, p_b);
+    const double across = parting.velocity.cross(n).squaredNorm();
+    return (across > 0.0 ? across / length : 0.0) + n.dot(parting.acceleration);
 }
 
 Bounds distance_bounds(const Distance& distance) {
@@ -67,7 +67,13 @@ void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, 
         row.label = {.kind = RowKind::spring, .point = static_cast<int>(index), .gap = error};
         return;
     }
-    row.push = distance_push(distance, error, correction_, dt);
+    // A loose rope may tighten within the step, in both columns, like a contact point that closes its gap; a strut
+    // likewise.
+    row.push = is_loose(distance, error)
+                   ? PushFactor{.correcting = 0.0, .lasting = -error / dt}
+                   : correct(
+                         correction_, -error, dt, [&] { return curve_of(bodies, p_a, p_b, n, length); },
+                         unseen_speed(bodies, distance.length, dt));
     row.bounds = distance_bounds(distance);
     row.error = error;
     row.correction = &correction_;

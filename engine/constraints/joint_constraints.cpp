@@ -78,7 +78,10 @@ std::size_t row_count(const Joint& joint) {
 
 JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached)
     : HeldPairs(std::move(joints), correction, cached),
-      angles_(items_.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      in_loops_(correction),
+      angles_(items_.size(), std::numeric_limits<double>::quiet_NaN()) {
+    if (in_loops_.kind == PushKind::curve) in_loops_.kind = PushKind::persistent;
+}
 
 void JointConstraints::append_rows(const StepStart& step, RowList& rows) {
     for (const std::size_t i : acting_) {
@@ -91,7 +94,7 @@ void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies,
     const Joint& joint = items_[index];
     const std::size_t first = rows.size();
     const auto [p_a, p_b] = span_of(joint, bodies);
-    append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
+    append_point_rows(bodies, p_a, p_b, correction_of(joint), dt, rows);
     for (std::size_t j = first; j < rows.size(); ++j) {
         rows[j].label = {.kind = RowKind::joint, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};
     }
@@ -108,13 +111,20 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     const Hinge& hinge = *joint.hinge;
     const double lever = lever_of(pair);
     const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
+    const Correction& correction = correction_of(joint);
+    const auto curve_about = [&](const Vector3& axis) {  // which turns with a
+        const Vector3 w_a = angular_velocity(pair.body_a);
+        return (angular_velocity(pair.body_b) - w_a).dot(w_a.cross(axis));
+    };
     // A row about `axis` that has the error `error` [m]; `is_open`: it has not reached its limit yet.
     const auto append = [&](const Vector3& axis, RowKind kind, double error, bool is_open) -> ConstraintRow& {
         ConstraintRow& row = append_turn(pair, axis, rows);
         row.push =
-            is_open ? PushFactor{.correcting = 0.0, .lasting = -error / dt} : correct(correction_, -error, dt);
+            is_open ? PushFactor{.correcting = 0.0, .lasting = -error / dt}
+                    : correct(
+                          correction, -error, dt, [&] { return curve_about(axis); }, unseen_speed(pair, lever, dt));
         row.error = error;
-        row.correction = &correction_;
+        row.correction = &correction;
         row.label = {.kind = kind, .point = static_cast<int>(index), .gap = error};
         return row;
     };
@@ -160,7 +170,7 @@ void JointConstraints::append_motor(std::size_t index, const BodyPair& pair, dou
     if (gap > 0.0) {
         row.push.lasting = -side * std::min(lever * std::abs(motor.speed), gap / dt);
     } else {
-        const PushFactor back = correct(correction_, -gap, dt);
+        const PushFactor back = correct(correction_of(items_[index]), -gap, dt);
         row.push = {.correcting = side * back.correcting, .lasting = side * back.lasting};
     }
 }

@@ -1,9 +1,12 @@
 // j_c of rows that act at a point (paper 5.2.1, 5.3, 5.4).
 #pragma once
 
+#include "engine/base/constants.h"
 #include "engine/bodies/body.h"
 #include "engine/constraints/constraint_row.h"
 #include "engine/constraints/row_list.h"
+
+#include <algorithm>
 
 namespace pushfactor::engine {
 
@@ -55,6 +58,33 @@ class PairPoint {
     bool a_moves_, b_moves_;
 };
 
+// Velocity [m/s] and acceleration [m/s^2] of a point of b less those of a point of a [m], world frame, while both
+// bodies keep their velocities.
+struct Parting {
+    Vector3 velocity, acceleration;
+
+    Parting(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b) : Parting(bodies.body_b, on_b) {
+        const Parting of_a(bodies.body_a, on_a);
+        velocity -= of_a.velocity;
+        acceleration -= of_a.acceleration;
+    }
+
+  private:
+    Parting(const Body& body, const Vector3& point) {
+        const Vector3 w = angular_velocity(body), along = w.cross(point - body.position);
+        velocity = engine::velocity(body) + along;
+        acceleration = w.cross(along);
+    }
+};
+
+// Speed [m/s] up to which a push of a bar or a joint of this `size` [m] is small.
+inline double unseen_speed(const BodyPair& bodies, double size, double dt) {
+    using constants::collision::meeting_gap, constants::held::share_of_forces;
+    const auto acceleration = [](const Body& body) { return body.inverse_mass * body.force.norm(); };
+    return share_of_forces * dt * std::max(acceleration(bodies.body_a), acceleration(bodies.body_b)) +
+           meeting_gap * size / dt;
+}
+
 // kg m^2, world frame.
 inline Matrix3 world_inertia(const Body& body) {
     const Matrix3 axes = body.orientation.toRotationMatrix();
@@ -77,13 +107,18 @@ inline void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const
         const Matrix3 inertia = world_inertia(bodies.body_a);
         share_of_a = inertia * (inertia + world_inertia(bodies.body_b)).inverse();
     }
+    const bool curves = correction.kind == PushKind::curve;
+    const Vector3 curve = curves ? Parting(bodies, on_a, on_b).acceleration : Vector3(Vector3::Zero());
+    const double size = (on_a - bodies.body_a.position).norm() + (on_b - bodies.body_b.position).norm();
+    const double unseen = unseen_speed(bodies, size, dt);
     for (int axis = 0; axis < 3; ++axis) {
         ConstraintRow& row = rows.emplace_back();
         points.place(row, Vector3::Unit(axis));
         const Vector3 couple = p_ab.cross(Vector3::Unit(axis)), of_a = share_of_a * couple;
         if (a_moves) row.jacobian.a.tail<3>() -= of_a;
         if (b_moves) row.jacobian.b.tail<3>() -= couple - of_a;
-        row.push = correct(correction, -p_ab[axis], dt);
+        row.push = correct(
+            correction, -p_ab[axis], dt, [&] { return curve[axis]; }, unseen);
         row.error = p_ab[axis];
         row.correction = &correction;
     }

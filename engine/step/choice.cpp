@@ -84,8 +84,10 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double near_one = near * speed_by_forces(dt, bodies, island);
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
     const int steps = division_of(dt, bodies, island).steps;
-    const double sweeps = sweeps_of_a_step * steps * mass_ratio(bodies, island);
-    const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
+    const double ratio = mass_ratio(bodies, island);
+    const bool served = !standing && ratio <= 2.0 * steps;  // a load passes so many solves in a step
+    const double sweeps = served ? 0.0 : sweeps_of_a_step * steps * ratio;
+    const double worth = lasts ? sweeps_that_last : std::min(sweeps, sweeps_that_last);
     const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
     const double most = most_work * std::max(1.0, island.movable() / bodies_of_limits);
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;

@@ -206,9 +206,12 @@ solvers::SolveCount IslandSolver::find_better(Bench& bench, const solvers::Termi
     return count;
 }
 
+// Small steps count only if they came last: they leave two forces per body and guesses of their own, which a later
+// solution does not.
 void IslandSolver::note(const Island& island, Outcome outcome) {
     for (const int body : island.bodies) {
-        outcome.method = std::max(outcome.method, outcomes_[static_cast<std::size_t>(body)].method);
+        const Method before = outcomes_[static_cast<std::size_t>(body)].method;
+        if (before != Method::in_small_steps) outcome.method = std::max(outcome.method, before);
     }
     for (const int body : island.bodies) outcomes_[static_cast<std::size_t>(body)] = outcome;
 }

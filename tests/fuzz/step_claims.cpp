@@ -146,8 +146,8 @@ std::optional<Broken> energy(const Step& step) {
     for (Eigen::Index j = 0; j < system.row_count(); ++j) {
         gain -= system.dt * answer(j) * (system.rows[at(j)].push.lasting + system.carried_by(at(j)));
     }
-    // In small steps a gap closes at any speed, and may be closed when its force acts; and of the push, which is at
-    // most the speed of a step's external forces, sweeps may leave something in the momenta.
+    // In small steps a gap closes at any speed, and may be closed when its force acts; and of the push, which for
+    // contacts is at most the speed of a step's external forces, sweeps may leave something in the momenta.
     for (const engine::Island& island : step.world.islands().all()) {
         if (step.world.outcome_of(island).method != engine::IslandSolver::Method::in_small_steps) continue;
         const double fastest = engine::choice::speed_by_forces(system.dt, step.world.bodies, island);
@@ -155,6 +155,9 @@ std::optional<Broken> energy(const Step& step) {
             for (int j = run.begin; j < run.end; ++j) {
                 gain += std::min(
                     0.0, system.dt * answer(j) * (system.rows[at(j)].push.lasting + system.carried_by(at(j))));
+                const ConstraintRow& row = system.rows[at(j)];
+                if (row.correction && row.correction->kind == engine::PushKind::curve)
+                    gain -= std::max(0.0, system.dt * answer(j) * row.push.correcting);
                 if (system.rows[at(j)].bounds.of_row < 0) {
                     gain -= system.dt * std::abs(step.world.lambda()(j, 0)) * fastest;
                 }

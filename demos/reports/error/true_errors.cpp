@@ -214,6 +214,7 @@ double PartingCube::height(long steps) const {
         case engine::PushKind::persistent:
             return start + push.beta * (rest - start) * n - gravity * dt * dt * n * (n - 1.0) / 2.0;
         case engine::PushKind::single_frame:
+        case engine::PushKind::curve:
             return rest - (rest - start) * std::pow(1.0 - push.beta, n);
         case engine::PushKind::none:
             break;

@@ -107,25 +107,22 @@ TEST_CASE("a motor that hangs on a moved body: its work and that of the motion a
                            .b = {.body = "arm", .point = {-0.5, 0, 0}}};
     joint.hinge = HingeDescription{.axis = Vector3::UnitY(), .motor = engine::Motor{.speed = 4, .max_torque = 20}};
     scene.joints.push_back(joint);
-    // What is left is of first order in the step.
-    std::vector<double> gains;
     for (const long division : {60, 240}) {
         Settings settings = tests::awake_settings("exact");
         settings.dt = {1, division};
         Simulation run(build_scene(scene, settings), settings);
         double most = 0.0;
-        double& gain = gains.emplace_back(0.0);
+        double gain = 0.0;
         for (long i = 0; i < 5 * division; ++i) {
             const Sample& sample = run.advance();
             gain = std::max(gain, std::abs(sample.energy_gain));
             most = std::max(most, sample.kinetic_energy);
         }
         CHECK(most > 60.0);  // J
-        CHECK(gain < 1.5 * 60.0 / static_cast<double>(division));
+        CHECK(gain < 0.01);  // J
         const Vector3 turning = angular_velocity(run.scene().world.bodies[1]);
         CHECK((turning - Vector3(0, 6, 0)).norm() < 1e-6);  // that of the table and of the motor
     }
-    CHECK(gains[1] < 0.3 * gains[0]);
 }
 
 TEST_CASE("joined bodies touch each other only where the joint says so") {

@@ -2,6 +2,7 @@
 #include "engine/constraints/distance_constraints.h"
 
 #include "engine/bodies/diagnostics.h"
+#include "engine/bodies/integrator.h"
 #include "engine/forces/gravity.h"
 #include "engine/world.h"
 #include "tests/catch.h"
@@ -151,9 +152,50 @@ TEST_CASE("on a swing the persistent push with beta 1 keeps the energy that the 
     const double baumgarte = energy_left({PushKind::persistent, 0.2});
     const double eats = energy_left({PushKind::single_frame, 1.0});
     CHECK(keeps > 0.95);
+    CHECK(energy_left({PushKind::curve, 1.0}) == keeps);
     CHECK(keeps > baumgarte);
     CHECK(baumgarte > eats + 0.2);
     CHECK(eats < 0.5);
+}
+
+TEST_CASE("of a bar's error what its turning leaves becomes momentum, and everything else moves its bodies alone") {
+    Random random(15);
+    int turning = 0;
+    for (int i = 0; i < 100; ++i) {
+        std::vector<Body> bodies;
+        for (int k = 0; k < 2; ++k) {
+            bodies.push_back(box_body(1.0, random.vector(0.5, 2), random.vector(-2, 2), random.rotation()));
+            bodies.back().linear_momentum = random.vector(-5, 5);
+            bodies.back().angular_momentum = random.vector(-1, 1);
+        }
+        Distance distance{
+            .body_a = 0, .body_b = 1, .point_a = random.vector(-1, 1), .point_b = random.vector(-1, 1)};
+        // Its length while the bodies keep their velocities, and the second derivative by differences.
+        const auto length_at = [&](double time) {
+            const auto point = [&](const Body& body, const Vector3& own) -> Vector3 {
+                const Quaternion turned = exponential(time * angular_velocity(body)) * body.orientation;
+                return body.position + time * velocity(body) + turned * own;
+            };
+            return (point(bodies[1], distance.point_b) - point(bodies[0], distance.point_a)).norm();
+        };
+        const double h = 1e-3;
+        const double curve = (length_at(h) - 2.0 * length_at(0) + length_at(-h)) / (h * h);
+        for (const double share : {0.0, 0.6, 1.0, 1.9, 2.1, 5.0, -1.0}) {
+            const double error = share * 0.5 * dt * dt * curve;
+            distance.length = length_at(0) - error;
+            DistanceConstraints source({distance}, {PushKind::curve, 1.0}, false);
+            const PushFactor push = pushfactor::tests::rows_of(source, {bodies, dt})[0].push;
+            INFO("bodies " << i << ", share " << share);
+            CHECK(push.lasting + push.correcting == Approx(-error / dt).margin(1e-9));
+            if (std::abs(curve) < 3.0) continue;  // else smaller than what is seen
+            ++turning;
+            const bool is_explained = share >= 0.0 && share <= 2.0;
+            CHECK((push.correcting == 0.0) == is_explained);
+            if (is_explained) continue;
+            CHECK(push.lasting == Approx(share < 0.0 ? 0.0 : -0.5 * dt * curve).epsilon(1e-3));
+        }
+    }
+    CHECK(turning > 300);
 }
 
 TEST_CASE("half a kick back at the start makes a swing of second order") {
