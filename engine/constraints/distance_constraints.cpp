@@ -50,7 +50,8 @@ void DistanceConstraints::append_rows_of(std::size_t index, const BodyPair& bodi
 
 void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const {
     const Distance& distance = items_[index];
-    const auto [p_a, p_b] = span_of(distance, bodies);
+    const Span ends = span_of(distance, bodies);
+    const Vector3 &p_a = ends.from, &p_b = ends.to;
     const Vector3 p_ab = p_b - p_a;
     const double length = p_ab.norm();
     // Points at one place may part in any direction: one that turns with the scene.
