@@ -85,7 +85,8 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
     const int steps = division_of(dt, bodies, island).steps;
     const double ratio = mass_ratio(bodies, island);
-    const bool served = !standing && ratio <= 2.0 * steps;  // a load passes so many solves in a step
+    // In motion small steps serve where load passes so many solves in a step, and islands of more than a few.
+    const bool served = !standing && (ratio <= 2.0 * steps || island.movable() > few);
     const double sweeps = served ? 0.0 : sweeps_of_a_step * steps * ratio;
     const double worth = lasts ? sweeps_that_last : std::min(sweeps, sweeps_that_last);
     const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
