@@ -20,24 +20,6 @@ namespace {
 constexpr double worth_threads = 6e5;
 constexpr double work_of_a_row = 200.0, work_of_a_body = 100.0;
 
-// For a step of `dt` after one of `from`. The error of a bar or a joint is what the last step went straight on
-// where the path is curved, a from^2 / 2, and its push, error / dt, is the momentum that follows the curve. In a
-// step of `dt` that momentum is a dt / 2. The rest of the push moves the bodies only: as a momentum it would be
-// energy, which comes with every shorter step and goes with every longer one.
-void keep_for_step(double from, double dt, RowList& rows) {
-    const double share = dt * dt / (from * from);
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-        ConstraintRow& row = rows[j];
-        PushFactor& push = row.push;
-        if (!row.correction || row.correction->kind != PushKind::persistent) continue;
-        if (row.label.kind == RowKind::contact) continue;  // its error is an overlap
-        // One that is open or loose approaches its place, and that is no correction.
-        const bool corrects = push.lasting > 0.0 ? row.bounds.c_max > 0.0 : row.bounds.c_min < 0.0;
-        if (!corrects) continue;
-        push = {.correcting = push.correcting + (1.0 - share) * push.lasting, .lasting = share * push.lasting};
-    }
-}
-
 }  // namespace
 
 World::World() = default;
@@ -89,7 +71,6 @@ StepCount World::take_step(double dt, PhaseObserver* observer) {
     before_.clear();
     system_.detours.clear();
     time_ += dt;
-    changed_from_ = 0.0;
     follow_paths();
     if (rest) settle(dt);
     ended(Phase::integrate);
@@ -166,7 +147,6 @@ Vector3 World::up() const {
 
 void World::append_rows(double dt) {
     rows_.append(constraints, start_of(dt));
-    if (changed_from_ > 0.0) keep_for_step(changed_from_, dt, rows_.list());
     system_.carried.clear();
     carry_rows(dt);
 }
@@ -267,10 +247,8 @@ void World::kick_back_half(double dt) {
     }
 }
 
-// What constraints add to these forces is what their next solution takes away again, but for the pushes of errors
-// (keep_for_step).
+// What constraints add to these forces is what their next solution takes away again.
 void World::change_step(double from, double dt) {
-    changed_from_ = from;
     find_awake(dt);
     add_forces(dt);
     const double back = 0.5 * (from - dt);
@@ -313,12 +291,8 @@ void World::integrate(Body& body, std::size_t i, double dt) {
         return;
     }
     const Vector6& f_c0 = step_solver_.forces().lasting[i];
-    const Vector3 l_c0 = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
     body.linear_momentum = advance_momentum(body.linear_momentum, body.force + f_c0.head<3>(), dt);
-    // What a change of the step moves only (keep_for_step) turns the momentum along with the body, which else
-    // would turn faster or slower about it.
-    body.angular_momentum =
-        changed_from_ > 0.0 ? Vector3(turned * (rotate(body, l_c0, dt).conjugate() * l_c0)) : l_c0;
+    body.angular_momentum = advance_momentum(body.angular_momentum, body.torque + f_c0.tail<3>(), dt);
     body.orientation = turned;
 }
 

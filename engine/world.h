@@ -66,8 +66,7 @@ class World {
     void kick_back_half(double dt);
 
     // Before a step of `dt` [s] after one of `from`: moves the momenta, which belong half a step before the
-    // positions, from half of the one to half of the other by the external forces, and lets the next step correct
-    // the errors of bars and joints as errors of a step of `from`.
+    // positions, from half of the one to half of the other by the external forces.
     void change_step(double from, double dt);
 
     // The threads, if the last step was large enough to share; null: one thread is faster.
@@ -139,7 +138,6 @@ class World {
     };
 
     double time_ = 0.0;
-    double changed_from_ = 0.0;  // s, length of the last step if the next one has another; else 0
     std::vector<Moved> moved_;
     Threads* sharing_ = nullptr;      // in this step; null: too small, or no threads
     double shareable_work_ = 0.0;     // multiply-adds of the last step

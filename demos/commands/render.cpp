@@ -117,13 +117,15 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Offscre
     std::optional<pictures::Film> film;
     if (offscreen) film.emplace(*offscreen, recorded.session, survey);
     prepare_folder(job, request);
+    // That of an earlier run would be taken for this one's if this one fails.
+    const fs::path summary = request.summary ? fs::path(*request.summary) : job.folder / "summary.json";
+    if (!request.summary && !request.shard) fs::remove(summary);
     recorded.play([&] {
         make_frames(job, request, recorded.session, &recorded.recorder,
                     {.film = film ? &*film : nullptr, .replay = recorded.replay ? &*recorded.replay : nullptr},
                     times);
     });
-    write_file(request.summary ? fs::path(*request.summary) : job.folder / "summary.json",
-               summary_of(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
+    write_file(summary, summary_of(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
     say(recorded.recorder.warnings());
 }
 

@@ -23,6 +23,17 @@ namespace {
 
 constexpr std::size_t most_buffered = 1 << 16;
 
+constexpr int most_links = 40;
+
+// Replaces the path of a link by where it leads to. Returns false if it is none.
+bool follow_link(fs::path& path) {
+    std::error_code error;
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) return false;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+    return true;
+}
+
 bool write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -36,12 +47,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }  // namespace
 
 fs::path followed(fs::path path) {
-    constexpr int most_links = 40;
-    std::error_code error;
-    for (int i = 0; i < most_links && fs::is_symlink(path, error); ++i) {
-        const fs::path next = fs::read_symlink(path, error);
-        if (error) break;
-        path = next.is_absolute() ? next : path.parent_path() / next;
+    for (int i = 0; i < most_links && follow_link(path); ++i) {
     }
     return path;
 }
@@ -106,16 +112,10 @@ bool is_file_of(const fs::path& folder, const fs::path& file) {
 std::optional<int> named_descriptor(fs::path path) {
     if (path == "-") return STDOUT_FILENO;
     std::error_code error;
-    const fs::path descriptors = fs::canonical("/proc/self/fd", error);
-    if (error) return std::nullopt;
-    constexpr int most_links = 40;
     for (int i = 0; i < most_links; ++i) {
-        const std::string name = path.filename().string();
-        if (!name.empty() && fs::canonical(path.parent_path(), error) == descriptors && !error)
-            return parse_integer(name);
-        const fs::path next = fs::read_symlink(path, error);
-        if (error) break;
-        path = next.is_absolute() ? next : path.parent_path() / next;
+        if (fs::equivalent(path.parent_path(), "/proc/self/fd", error) && !error)
+            return parse_integer(path.filename().string());
+        if (!follow_link(path)) break;
     }
     return std::nullopt;
 }

@@ -133,7 +133,7 @@ inline constexpr double near = 1e-3, good = 1e-6;
 inline constexpr double at_rest = 0.01, as_fast = 0.1;
 }  // namespace choice
 
-// Pushes of bars and joints that are not worth a second column (constraints/point_jacobian.h).
+// Pushes of bars and joints that are not worth a second column (constraints/held_pairs.h).
 namespace held {
 // Over the speed that the external forces give in a step: what carries load in small steps is compressed by as
 // much.

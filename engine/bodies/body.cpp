@@ -84,6 +84,11 @@ Matrix3 world_inverse_inertia(const Body& body) {
     return rotation * body.inverse_inertia.asDiagonal() * rotation.transpose();
 }
 
+Matrix3 world_inertia(const Body& body) {
+    const Matrix3 axes = body.orientation.toRotationMatrix();
+    return axes * body.inverse_inertia.cwiseInverse().asDiagonal() * axes.transpose();
+}
+
 Vector3 velocity_at(const Body& body, const Vector3& point) {
     return velocity(body) + angular_velocity(body).cross(point - body.position);
 }

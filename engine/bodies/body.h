@@ -70,6 +70,7 @@ Vector3 angular_velocity(const Body& body);  // rad/s, world frame: I^-1 l; the 
 // kg m^2/s, world frame: I w, with the angular velocity w [rad/s].
 Vector3 angular_momentum_of(const Body& body, const Vector3& angular_velocity);
 Matrix3 world_inverse_inertia(const Body& body);  // 1/(kg m^2), world frame: R I^-1 R^T
+Matrix3 world_inertia(const Body& body);          // kg m^2, world frame
 
 // Velocity [m/s] of the material point of `body` at `point` [m], both in the world frame.
 Vector3 velocity_at(const Body& body, const Vector3& point);

@@ -3,9 +3,8 @@
 
 #include "engine/base/threads.h"
 #include "engine/bodies/awake.h"
-#include "engine/bodies/body.h"
+#include "engine/bodies/body_pair.h"
 #include "engine/bodies/motion.h"
-#include "engine/constraints/point_jacobian.h"
 #include "engine/constraints/row_list.h"
 
 #include <span>

@@ -70,14 +70,15 @@ void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, 
     }
     // A loose rope may tighten within the step, in both columns, like a contact point that closes its gap; a strut
     // likewise.
-    row.push = is_loose(distance, error)
-                   ? PushFactor{.correcting = 0.0, .lasting = -error / dt}
-                   : correct(
-                         correction_, -error, dt, [&] { return curve_of(bodies, p_a, p_b, n, length); },
-                         unseen_speed(bodies, distance.length, dt));
     row.bounds = distance_bounds(distance);
     row.error = error;
-    row.correction = &correction_;
+    if (is_loose(distance, error)) {
+        row.push.lasting = -error / dt;
+        row.correction = &correction_;
+    } else {
+        push_held({rows.last(1), bodies, distance.length, dt}, correction_,
+                  [&](std::size_t) { return curve_of(bodies, p_a, p_b, n, length); });
+    }
     row.label = {.kind = RowKind::distance,
                  .point = static_cast<int>(index),
                  .gap = is_loose(distance, error) ? 0.0 : error};

@@ -7,7 +7,7 @@
 //
 //   c_k = p_ab . e_k,   j_c = [-e_k, -r_a x e_k, e_k, r_b x e_k],   v_k = -beta c_k / dt
 //
-// without the couple by which force and reaction of an open joint would turn the pair (point_jacobian.h); |p_ab|
+// without the couple by which force and reaction of an open joint would turn the pair (held_pairs.h); |p_ab|
 // closes at the same rate, because turning moves p_ab only sideways.
 //
 // A spring of stiffness k and damping c pulls with k (|p_ab| - l) + c d|p_ab|/dt, both at the end of the step

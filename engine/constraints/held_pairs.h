@@ -32,6 +32,54 @@ Span span_of(const Item& item, std::span<const Body> bodies) {
     return span_of(item, pair_of(item, bodies));
 }
 
+// Consecutive rows, whose axes and errors are set, that hold one place of a bar or a joint in up to three
+// directions.
+struct HeldRows {
+    std::span<ConstraintRow> rows;
+    const BodyPair& bodies;
+    double size;  // m
+    double dt;    // s
+};
+
+// The parts of push_held(): the whole push, and whether some of it may have to be kept out of the momenta; and
+// that.
+bool push_whole(const HeldRows& held, const Correction& correction);
+void keep_in_common(const HeldRows& held, const std::array<double, 3>& by_curve);
+
+// Gives the rows their push and `correction`, which must outlive them. `curve(k)` is the second derivative of the
+// error of row k while nothing acts on the bodies [m/s^2].
+//
+// PushKind::curve (erratum 33): bodies go straight on where their path is curved, which leaves an error of
+// c'' dt^2 / 2, and the push that takes it back is the momentum with which they follow the curve: not to be kept
+// out of the momenta. Everything else in an error, from an impact, a longer step or unsolved rows, would become
+// energy, without limit if steps get shorter. So of a push becomes momentum what three measures of the curve have
+// in common:
+//
+//   v              the push itself
+//   - c'' dt / 2   by the curve
+//   - j_c v1       by the velocities before the step, which belong half a step before the places: momenta change by
+//                  j_c^T lambda dt and energy by lambda dt . j_c (v1 + v2) / 2, so reversing them takes and gives
+//                  none
+//
+// It is a share of the last one, or of the second where a body is moved (path.h), and the same in all directions.
+// Where what is left of the push is less than that, it is not worth a second column.
+template <typename Curve>
+void push_held(const HeldRows& held, const Correction& correction, const Curve& curve) {
+    if (!push_whole(held, correction)) return;
+    std::array<double, 3> by_curve{};
+    for (std::size_t k = 0; k < held.rows.size(); ++k) by_curve[k] = -0.5 * held.dt * curve(k);
+    keep_in_common(held, by_curve);
+}
+
+// Appends three rows, along the world's x, y and z, that hold a point of each body together [m, world frame]: a
+// ball joint (5.2 with length 0).
+//
+// While it is open, force and reaction act at two points, and would turn the pair by a couple. It is taken from
+// both bodies as from one piece, so that both get the same angular acceleration; halves, as of forces in the
+// middle, would spin a slender bar about itself. A static body takes half: then they act in the middle.
+void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b,
+                       const Correction& correction, double dt, RowList& rows);
+
 // A source of rows whose items are numbered as RowLabel::point. row_count(item) is the number of rows of one.
 template <typename Item, std::size_t most_rows>
 class HeldPairs : public ConstraintSource {

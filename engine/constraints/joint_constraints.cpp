@@ -78,10 +78,7 @@ std::size_t row_count(const Joint& joint) {
 
 JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached)
     : HeldPairs(std::move(joints), correction, cached),
-      in_loops_(correction),
-      angles_(items_.size(), std::numeric_limits<double>::quiet_NaN()) {
-    if (in_loops_.kind == PushKind::curve) in_loops_.kind = PushKind::persistent;
-}
+      angles_(items_.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 void JointConstraints::append_rows(const StepStart& step, RowList& rows) {
     for (const std::size_t i : acting_) {
@@ -94,7 +91,7 @@ void JointConstraints::append_rows_of(std::size_t index, const BodyPair& bodies,
     const Joint& joint = items_[index];
     const std::size_t first = rows.size();
     const auto [p_a, p_b] = span_of(joint, bodies);
-    append_point_rows(bodies, p_a, p_b, correction_of(joint), dt, rows);
+    append_point_rows(bodies, p_a, p_b, correction_, dt, rows);
     for (std::size_t j = first; j < rows.size(); ++j) {
         rows[j].label = {.kind = RowKind::joint, .point = static_cast<int>(index), .gap = (p_b - p_a).norm()};
     }
@@ -111,40 +108,46 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     const Hinge& hinge = *joint.hinge;
     const double lever = lever_of(pair);
     const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
-    const Correction& correction = correction_of(joint);
     const auto curve_about = [&](const Vector3& axis) {  // which turns with a
-        const Vector3 w_a = angular_velocity(pair.body_a);
-        return (angular_velocity(pair.body_b) - w_a).dot(w_a.cross(axis));
+        const Body &a = pair.body_a, &b = pair.body_b;
+        const Vector3 w_a = angular_velocity(a);
+        return (free_angular_acceleration(b) - free_angular_acceleration(a)).dot(axis) +
+               (angular_velocity(b) - w_a).dot(w_a.cross(axis));
     };
-    // A row about `axis` that has the error `error` [m]; `is_open`: it has not reached its limit yet.
-    const auto append = [&](const Vector3& axis, RowKind kind, double error, bool is_open) -> ConstraintRow& {
+    // A row about `axis` that has the error `error` [m].
+    const auto append = [&](const Vector3& axis, RowKind kind, double error) -> ConstraintRow& {
         ConstraintRow& row = append_turn(pair, axis, rows);
-        row.push =
-            is_open ? PushFactor{.correcting = 0.0, .lasting = -error / dt}
-                    : correct(
-                          correction, -error, dt, [&] { return curve_about(axis); }, unseen_speed(pair, lever, dt));
         row.error = error;
-        row.correction = &correction;
         row.label = {.kind = kind, .point = static_cast<int>(index), .gap = error};
         return row;
     };
 
     const Vector3 theta = rotation_between(hinge.axis, turn * hinge.axis);
-    const Vector3 across = hinge.axis.unitOrthogonal();
-    for (const Vector3& t : {across, Vector3(hinge.axis.cross(across))}) {
-        append(lever * (frame * t), RowKind::joint, lever * theta.dot(t), false);
-    }
+    const Vector3 first = hinge.axis.unitOrthogonal();
+    const std::array across{first, Vector3(hinge.axis.cross(first))};
+    for (const Vector3& t : across) append(lever * (frame * t), RowKind::joint, lever * theta.dot(t));
+    push_held({rows.last(2), pair, lever, dt}, correction_,
+              [&](std::size_t k) { return curve_about(lever * (frame * across[k])); });
     const Vector3 axis = lever * (frame * hinge.axis);
     const double phi = needs_angle(joint) ? angle_near(index, pair) : 0.0;
     if (hinge.motor) append_motor(index, pair, dt, phi, rows);
     if (!hinge.limits) return;
     if (!(hinge.limits->low < hinge.limits->high)) {
-        append(axis, RowKind::limit, lever * (phi - hinge.limits->low), false);
+        append(axis, RowKind::limit, lever * (phi - hinge.limits->low));
+        push_held({rows.last(1), pair, lever, dt}, correction_, [&](std::size_t) { return curve_about(axis); });
         return;
     }
     for (const double side : {1.0, -1.0}) {
         const double gap = lever * gap_to(*hinge.limits, side, phi);
-        append(side * axis, RowKind::limit, gap, gap > 0.0).bounds.c_min = 0.0;
+        ConstraintRow& row = append(side * axis, RowKind::limit, gap);
+        row.bounds.c_min = 0.0;
+        if (gap > 0.0) {  // it has not reached its limit yet
+            row.push.lasting = -gap / dt;
+            row.correction = &correction_;
+        } else {
+            push_held({rows.last(1), pair, lever, dt}, correction_,
+                      [&](std::size_t) { return curve_about(side * axis); });
+        }
     }
 }
 
@@ -170,7 +173,7 @@ void JointConstraints::append_motor(std::size_t index, const BodyPair& pair, dou
     if (gap > 0.0) {
         row.push.lasting = -side * std::min(lever * std::abs(motor.speed), gap / dt);
     } else {
-        const PushFactor back = correct(correction_of(items_[index]), -gap, dt);
+        const PushFactor back = correct(correction_, -gap, dt);
         row.push = {.correcting = side * back.correcting, .lasting = side * back.lasting};
     }
 }

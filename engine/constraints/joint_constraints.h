@@ -91,13 +91,7 @@ class JointConstraints : public HeldPairs<Joint, most_joint_rows> {
     void append_hinge(std::size_t index, const BodyPair& bodies, double dt, RowList& rows) const;
     void append_motor(std::size_t index, const BodyPair& bodies, double dt, double angle, RowList& rows) const;
     double angle_near(std::size_t index, const BodyPair& bodies) const;
-    const Correction& correction_of(const Joint& joint) const {
-        return joint.closes_loop ? in_loops_ : correction_;
-    }
 
-    // Persistent in place of curve: rows of loops are soft, and what is left of their errors is not that of
-    // turning.
-    Correction in_loops_;
     std::vector<double> angles_;
 };
 

@@ -1,12 +1,8 @@
 // j_c of rows that act at a point (paper 5.2.1, 5.3, 5.4).
 #pragma once
 
-#include "engine/base/constants.h"
-#include "engine/bodies/body.h"
+#include "engine/bodies/body_pair.h"
 #include "engine/constraints/constraint_row.h"
-#include "engine/constraints/row_list.h"
-
-#include <algorithm>
 
 namespace pushfactor::engine {
 
@@ -20,13 +16,6 @@ inline void place_axis(double x, double y, double z, const Vector3& r, Vector6& 
     axis[4] = r.z() * x - r.x() * z;
     axis[5] = r.x() * y - r.y() * x;
 }
-
-struct BodyPair {
-    int a = 0;
-    int b = 0;
-    const Body& body_a;
-    const Body& body_b;
-};
 
 // The point at which the bodies of a pair act on each other. Shared by the rows of a contact.
 class PairPoint {
@@ -57,71 +46,5 @@ class PairPoint {
     Vector3 r_a_, r_b_;  // m, offsets from the centres of mass
     bool a_moves_, b_moves_;
 };
-
-// Velocity [m/s] and acceleration [m/s^2] of a point of b less those of a point of a [m], world frame, while both
-// bodies keep their velocities.
-struct Parting {
-    Vector3 velocity, acceleration;
-
-    Parting(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b) : Parting(bodies.body_b, on_b) {
-        const Parting of_a(bodies.body_a, on_a);
-        velocity -= of_a.velocity;
-        acceleration -= of_a.acceleration;
-    }
-
-  private:
-    Parting(const Body& body, const Vector3& point) {
-        const Vector3 w = angular_velocity(body), along = w.cross(point - body.position);
-        velocity = engine::velocity(body) + along;
-        acceleration = w.cross(along);
-    }
-};
-
-// Speed [m/s] up to which a push of a bar or a joint of this `size` [m] is small.
-inline double unseen_speed(const BodyPair& bodies, double size, double dt) {
-    using constants::collision::meeting_gap, constants::held::share_of_forces;
-    const auto acceleration = [](const Body& body) { return body.inverse_mass * body.force.norm(); };
-    return share_of_forces * dt * std::max(acceleration(bodies.body_a), acceleration(bodies.body_b)) +
-           meeting_gap * size / dt;
-}
-
-// kg m^2, world frame.
-inline Matrix3 world_inertia(const Body& body) {
-    const Matrix3 axes = body.orientation.toRotationMatrix();
-    return axes * body.inverse_inertia.cwiseInverse().asDiagonal() * axes.transpose();
-}
-
-// Appends three rows, along the world's x, y and z, that hold a point of each body together [m, world frame]: a
-// ball joint (5.2 with length 0).
-//
-// While it is open, force and reaction act at two points, and would turn the pair by a couple. It is taken from
-// both bodies as from one piece, so that both get the same angular acceleration; halves, as of forces in the
-// middle, would spin a slender bar about itself. A static body takes half: then they act in the middle.
-inline void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const Vector3& on_b,
-                              const Correction& correction, double dt, RowList& rows) {
-    const Vector3 p_ab = on_b - on_a;
-    const PairPoint points(bodies, on_a, on_b);
-    const bool a_moves = !bodies.body_a.is_static(), b_moves = !bodies.body_b.is_static();
-    Matrix3 share_of_a = 0.5 * Matrix3::Identity();
-    if (a_moves && b_moves) {
-        const Matrix3 inertia = world_inertia(bodies.body_a);
-        share_of_a = inertia * (inertia + world_inertia(bodies.body_b)).inverse();
-    }
-    const bool curves = correction.kind == PushKind::curve;
-    const Vector3 curve = curves ? Parting(bodies, on_a, on_b).acceleration : Vector3(Vector3::Zero());
-    const double size = (on_a - bodies.body_a.position).norm() + (on_b - bodies.body_b.position).norm();
-    const double unseen = unseen_speed(bodies, size, dt);
-    for (int axis = 0; axis < 3; ++axis) {
-        ConstraintRow& row = rows.emplace_back();
-        points.place(row, Vector3::Unit(axis));
-        const Vector3 couple = p_ab.cross(Vector3::Unit(axis)), of_a = share_of_a * couple;
-        if (a_moves) row.jacobian.a.tail<3>() -= of_a;
-        if (b_moves) row.jacobian.b.tail<3>() -= couple - of_a;
-        row.push = correct(
-            correction, -p_ab[axis], dt, [&] { return curve[axis]; }, unseen);
-        row.error = p_ab[axis];
-        row.correction = &correction;
-    }
-}
 
 }  // namespace pushfactor::engine

@@ -7,7 +7,6 @@
 #include "engine/base/math.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pushfactor::engine {
 
@@ -47,24 +46,6 @@ inline PushFactor correct(const Correction& correction, double distance, double 
             break;
     }
     return {};
-}
-
-// The same for a row whose error has the second derivative `curve()` [m/s^2] while the bodies keep their
-// velocities. A step goes straight on where their path is curved, which leaves an error of curve dt^2 / 2, and the
-// push that takes it back is the momentum with which they follow the curve: not to be kept out of the momenta
-// (erratum 33). An error that this does not explain, because it comes from an impact, a longer step or unsolved
-// rows, would become energy, without limit if steps get shorter. Pushes up to `unseen` [m/s] are not worth a second
-// column.
-template <typename Curve>
-PushFactor correct(const Correction& correction, double distance, double dt, const Curve& curve, double unseen) {
-    const PushFactor push = correct(correction, distance, dt);
-    if (correction.kind != PushKind::curve) return push;
-    const double whole = push.correcting;
-    if (std::abs(whole) > unseen) {
-        const double along = -0.5 * dt * curve(), lasting = whole * along > 0.0 ? along : 0.0;
-        if (std::abs(whole - along) > std::abs(along) + unseen) return {whole - lasting, lasting};
-    }
-    return {.correcting = 0.0, .lasting = whole};
 }
 
 }  // namespace pushfactor::engine

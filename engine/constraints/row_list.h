@@ -35,6 +35,7 @@ class RowList {
     ConstraintRow* end() { return made_.data() + count_; }
     ConstraintRow* data() { return made_.data(); }
     const ConstraintRow* data() const { return made_.data(); }
+    std::span<ConstraintRow> last(std::size_t count) { return {end() - count, count}; }
     std::span<const ConstraintRow> all() const { return {data(), count_}; }
     const ConstraintRow* begin() const { return made_.data(); }
     const ConstraintRow* end() const { return made_.data() + count_; }

@@ -85,15 +85,14 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
     const int steps = division_of(dt, bodies, island).steps;
     const double ratio = mass_ratio(bodies, island);
-    // In motion small steps serve where load passes so many solves in a step, and islands of more than a few.
-    const bool served = !standing && (ratio <= 2.0 * steps || island.movable() > few);
-    const double sweeps = served ? 0.0 : sweeps_of_a_step * steps * ratio;
-    const double worth = lasts ? sweeps_that_last : std::min(sweeps, sweeps_that_last);
+    const double sweeps = sweeps_of_a_step * steps * ratio;
+    const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
     const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
     const double most = most_work * std::max(1.0, island.movable() / bodies_of_limits);
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
-    const double of_few = standing && island.movable() <= few ? few * of_a_body : 0.0;
+    const bool passes = ratio <= 2.0 * steps;  // load, in the solves of so many small steps
+    const double of_few = (standing || !passes) && island.movable() <= few ? few * of_a_body : 0.0;
     const double least = std::max(of_few, of_body * island.movable());
     const double multiply_adds = std::max(std::min(of_sweeps, most), least);
     return {.multiply_adds = multiply_adds,

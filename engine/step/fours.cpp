@@ -46,6 +46,22 @@ struct Bodies {
     }
 };
 
+// Both bodies of four contacts; twelve numbers, those of a first.
+template <typename Number>
+struct Pairs {
+    Bodies<Number> a, b;
+
+    [[gnu::always_inline]] inline Pairs(const FourContacts& four, Number* all) : a(four.a, all), b(four.b, all) {}
+    [[gnu::always_inline]] inline void load(Lanes* to) const {
+        a.load(to);
+        b.load(to + of_body);
+    }
+    [[gnu::always_inline]] inline void store(const Lanes* from) const {
+        a.store(from);
+        b.store(from + of_body);
+    }
+};
+
 [[gnu::always_inline]] inline void to_absolute(Lanes& value) {
     using Bits = decltype(value < value);
     value = reinterpret_cast<Lanes>(reinterpret_cast<Bits>(value) & 0x7fffffffffffffff);
@@ -71,11 +87,17 @@ struct Bodies {
 // s u . d of the normals [m].
 [[gnu::always_inline]] inline void find_way(const FourContacts& four, const double* d, Lanes& way) {
     Lanes moved[2 * of_body], by_a, by_b;
-    Bodies(four.a, d).load(moved);
-    Bodies(four.b, d).load(moved + of_body);
+    Pairs(four, d).load(moved);
     dot(four.axis[0], moved, by_a);
     dot(four.axis[0] + of_body, moved + of_body, by_b);
     way = four.scale[0] * (by_a + by_b);
+}
+
+// Adds the changes `y` of all rows to the velocities.
+[[gnu::always_inline]] inline void add(const FourContacts& four, const Lanes* y, Lanes* v) {
+    unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) {
+        v[k] = ((v[k] + four.axis[0][k] * y[0]) + four.axis[1][k] * y[1]) + four.axis[2][k] * y[2];
+    });
 }
 
 // The share of a force that is in its disc.
@@ -92,11 +114,9 @@ struct Bodies {
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void sweep_some(FourContacts* some, FourContacts* end, double* x) {
     for (FourContacts* four = some; four != end; ++four) {
-        const Bodies a(four->a, x), b(four->b, x);
-        Lanes v[2 * of_body];
-        a.load(v);
-        b.load(v + of_body);
-        Lanes wanted[FourContacts::rows];
+        const Pairs bodies(*four, x);
+        Lanes v[2 * of_body], wanted[FourContacts::rows];
+        bodies.load(v);
         unrolled<FourContacts::rows>([&](auto i) __attribute__((always_inline)) {
             project(four->axis[i], v, wanted[i]);
             wanted[i] = four->y[i] + (four->t[i] - wanted[i]);
@@ -120,12 +140,8 @@ void sweep_some(FourContacts* some, FourContacts* end, double* x) {
         move(1, first * share);
         move(2, second * share);
         four->change = largest;
-        unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) {
-            v[k] = ((v[k] + four->axis[0][k] * changes[0]) + four->axis[1][k] * changes[1]) +
-                   four->axis[2][k] * changes[2];
-        });
-        a.store(v);
-        b.store(v + of_body);
+        add(*four, changes, v);
+        bodies.store(v);
     }
 }
 
@@ -157,16 +173,11 @@ void add_up_some(FourContacts* some, FourContacts* end, bool pushes) {
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void push_some(FourContacts* some, FourContacts* end, double* x) {
     for (FourContacts* four = some; four != end; ++four) {
-        const Bodies a(four->a, x), b(four->b, x);
+        const Pairs bodies(*four, x);
         Lanes v[2 * of_body];
-        a.load(v);
-        b.load(v + of_body);
-        unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) {
-            v[k] = ((v[k] + four->axis[0][k] * four->y[0]) + four->axis[1][k] * four->y[1]) +
-                   four->axis[2][k] * four->y[2];
-        });
-        a.store(v);
-        b.store(v + of_body);
+        bodies.load(v);
+        add(*four, four->y, v);
+        bodies.store(v);
     }
 }
 
@@ -174,8 +185,7 @@ PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void look_some(FourContacts* some, FourContacts* end, double* x) {
     for (FourContacts* four = some; four != end; ++four) {
         Lanes v[2 * of_body], moved[FourContacts::rows];
-        Bodies(four->a, x).load(v);
-        Bodies(four->b, x).load(v + of_body);
+        Pairs(*four, x).load(v);
         unrolled<FourContacts::rows>([&](auto i) __attribute__((always_inline)) {
             project(four->axis[i], v, moved[i]);
             moved[i] = four->y[i] + (four->t[i] - moved[i]);
@@ -206,10 +216,9 @@ void aim_some_apart(FourContacts* some, FourContacts* end, const Apart& apart, c
 PUSHFACTOR_FOR_EACH_INSTRUCTION_SET
 void push_some_apart(FourContacts* some, FourContacts* end, double* d) {
     for (FourContacts* four = some; four != end; ++four) {
-        const Bodies a(four->a, d), b(four->b, d);
+        const Pairs bodies(*four, d);
         Lanes v[2 * of_body], by_a, by_b;
-        a.load(v);
-        b.load(v + of_body);
+        bodies.load(v);
         dot(four->axis[0], v, by_a);
         dot(four->axis[0] + of_body, v + of_body, by_b);
         const Lanes wanted = four->y[0] + (four->t[0] - by_a - by_b);
@@ -217,8 +226,7 @@ void push_some_apart(FourContacts* some, FourContacts* end, double* d) {
         const Lanes change = moved - four->y[0];
         four->y[0] = moved;
         unrolled<2 * of_body>([&](auto k) __attribute__((always_inline)) { v[k] += four->axis[0][k] * change; });
-        a.store(v);
-        b.store(v + of_body);
+        bodies.store(v);
     }
 }
 

@@ -16,8 +16,9 @@ using renderer::Picture;
 constexpr glm::vec3 pale(0.84f, 0.855f, 0.875f);  // about that of the ground and the sky
 constexpr double slack = 1e-9;                    // s, for rounded times
 // Share of the distance from eye to target by which a ghost is behind the next younger one, and that behind the
-// body: where they are nearly at one place, the younger one is to be seen.
-constexpr float behind = 5e-4f;
+// body: where they are nearly at one place, the younger one is to be seen. The layers of body.vert, which are
+// against bodies that share a face, move a later body forwards by up to 3e-3 of it.
+constexpr float behind = 4e-3f;
 
 void move(renderer::Bar& bar, const renderer::Bar& from, float share) {
     bar.from = glm::mix(from.from, bar.from, share);

@@ -108,6 +108,26 @@ TEST_CASE("a saved run that goes on under another preset is not started again") 
     CHECK(on["options"]["start-kick"] == "off");
 }
 
+TEST_CASE("what names an open file is written to where that stands, and nothing is lost") {
+    const Folder folder;
+    folder.write("log", "precious\n");
+    for (const char* const name : {"/dev/stdout", "/dev/fd/1", "link"}) {
+        INFO(name);
+        REQUIRE(shell(folder,
+                      "ln -sf /dev/stdout link; echo header >both; { pushfactor run stack --seconds 0.1 --csv " +
+                          std::string(name) + "; echo footer; } >>both; pushfactor run stack --seconds 0.1 --csv " +
+                          name + " >>log")
+                    .status == 0);
+        const std::string both = folder.read("both");
+        CHECK(both.starts_with("header\nstep,"));
+        CHECK(both.ends_with("\nfooter\n"));
+        CHECK(folder.read("log").starts_with("precious\nstep,"));
+        CHECK_THAT(
+            shell(folder, std::string("pushfactor run stack --seconds 0.1 --trajectory - --csv ") + name).err,
+            Catch::Contains("must not be the file of --csv"));
+    }
+}
+
 TEST_CASE("a bad config file is refused by file, key and value") {
     const Folder folder;
     const auto said = [&](const std::string& config) {

@@ -1,5 +1,6 @@
 // What render adds to a picture: panels, overlays, captions, videos.
 #include "demos/text/json.h"
+#include "renderer/images/difference.h"
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
@@ -112,6 +113,10 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     refused("stack --frames off", "--frames off: must be with --video");
     refused("stack funnel --video x.mp4", "--video x.mp4: must be for one scene at a time");
     refused("pendulum-wave --overlay contacts --at 0", "has no contacts, so there is nothing to show");
+    refused("stack --overlay velocities:1e-300 --at 0",
+            "a scale like forces:50, trails seconds, from 1e-12 to 1e12");
+    refused("pendulum-wave --count 121 --at 0", "count 121: must be at most 120 at this amplitude");
+    refused("pendulum-wave --count 120 --amplitude 80 --at 0", "count 120: must be at most 111 at this amplitude");
     refused("stack --overlay contact", "--overlay contact: must be a comma-separated list of contacts");
     refused("stack --samples 1000", "--samples 1000: must be a whole number from 1 to 256");
     refused("stack --camera sideways", "--camera sideways: must be scene, a camera file");
@@ -180,6 +185,8 @@ TEST_CASE("without ffmpeg nothing is rendered in vain, and the message says what
 
 TEST_CASE("an ffmpeg that fails ends the run with its own words and leaves no video") {
     const Folder folder;
+    require_success(folder, "pushfactor render stack --at 0 --size 64x36 --out frames");
+    REQUIRE(std::filesystem::exists(folder / "frames/summary.json"));
     fake_ffmpeg(folder, "echo 'Unknown encoder' >&2; exit 1");
     const Ended ended = shell(folder,
                               "PATH=.:$PATH pushfactor render stack --seconds 1 --size 64x36 --out frames "
@@ -187,7 +194,19 @@ TEST_CASE("an ffmpeg that fails ends the run with its own words and leaves no vi
     CHECK(ended.status == 4);
     CHECK(ended.err.find("film.mp4: ffmpeg ended with status 1: Unknown encoder") != std::string::npos);
     CHECK(!std::filesystem::exists(folder / "film.mp4"));
-    CHECK(!std::filesystem::exists(folder / "film.mp4"));
+    // The summary of an earlier run would be taken for that of the one that failed.
+    CHECK(!std::filesystem::exists(folder / "frames/summary.json"));
+}
+
+TEST_CASE("a body is in front of its ghosts where they are nearly at one place") {
+    // More bodies than the layers of body.vert.
+    const std::string tower = "stack --count 20 --gap 0.01 --at 2 --rest off ";
+    const Folder alone, with_ghosts;
+    REQUIRE(render(alone, tower).status == 0);
+    REQUIRE(render(with_ghosts, tower + "--ghosts 0.5,1,1.5").status == 0);
+    CHECK(pushfactor::renderer::ImageDifference(image_in(alone, "frames/at_2s.png"),
+                                                image_in(with_ghosts, "frames/at_2s.png"))
+              .share_above(30) < 0.02);
 }
 
 TEST_CASE("every frame of a film is the still of its time, drawn by itself") {

@@ -187,9 +187,9 @@ TEST_CASE("a rod on a hinge that bounces on the ground comes back to epsilon squ
         for (std::size_t i = 1; i < heights.size(); ++i) {
             INFO("bounce " << i << ", epsilon " << epsilon);
             const double expected = lowest + (0.5 - lowest) * std::pow(epsilon, 2.0 * static_cast<double>(i));
-            // Five elastic bounces lose 2.06 mm, by the second order of steps between 4.0 mm (one part) and 1.2 mm
-            // (two). It was less while each change of their number added energy.
-            CHECK(heights[i] == Approx(expected).margin(0.0022));
+            // Five elastic bounces lose 2.30 mm, by the second order of steps between 4.0 mm (one part) and 1.2 mm
+            // (two). It was less while a change of their number added energy.
+            CHECK(heights[i] == Approx(expected).margin(0.0024));
         }
     }
 }

@@ -198,8 +198,8 @@ TEST_CASE("compared runs are named by what tells them apart, and each says its o
 
 TEST_CASE("a run whose bars give way or whose energy grows says which option helps, and with that it is silent") {
     for (const auto& [options, words, remedy] :
-         {std::tuple{"--end-mass 100", "bars were wrong by up to 5", "--substeps auto"},
-          std::tuple{"--end-mass 1000", "bars were wrong by up to 9", "--substeps auto"},
+         {std::tuple{"--end-mass 100", "bars were wrong by up to", "--substeps auto"},
+          std::tuple{"--end-mass 1000", "bars were wrong by up to", "--substeps auto"},
           std::tuple{"--end-mass 100 --scheme rattle", "without a source", "--substeps auto"},
           std::tuple{"--end-mass 100 --scheme rattle4", "not finite", "--substeps auto"},
           std::tuple{"--preset paper", "bars were wrong", "--substeps auto with --solver auto"}}) {

@@ -1,4 +1,5 @@
 // What falls onto structures: a blow takes energy and gives none, and heavy bodies rest on light ones.
+#include "engine/bodies/integrator.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
@@ -48,6 +49,38 @@ SceneDescription line_of_bars(int balls, double mass, double height, double off,
     return scene;
 }
 
+// Planks of 1 kg on hinges between two fixed points, hanging by `sag` [rad] at the ends, and a heavier ball above.
+SceneDescription line_of_planks(int planks, double sag, double mass, double height, double off) {
+    SceneDescription scene;
+    scene.name = "planks";
+    scene.contacts = true;
+    scene.gravity = {0, -gravity, 0};
+    constexpr double length = 0.5;
+    Vector3 point = Vector3::Zero();
+    DistanceDescription::End last{"world", point};
+    const auto join = [&](const DistanceDescription::End& a, const DistanceDescription::End& b) {
+        JointDescription joint{.a = a, .b = b};
+        joint.hinge = HingeDescription{.axis = Vector3::UnitZ()};
+        scene.joints.push_back(joint);
+    };
+    for (int k = 0; k < planks; ++k) {
+        const double slope = planks > 1 ? sag * (2.0 * k / (planks - 1) - 1.0) : 0.0;
+        const Vector3 along(std::cos(slope), std::sin(slope), 0);
+        scene.bodies.push_back({.name = number(k),
+                                .shape = BoxShape{{0.9 * length, 0.05, 1.0}},
+                                .mass = 1.0,
+                                .position = point + 0.5 * length * along,
+                                .orientation = engine::exponential(slope * Vector3::UnitZ()),
+                                .friction = 0.5});
+        join(last, {number(k), {-0.5 * length, 0, 0}});
+        last = {number(k), {0.5 * length, 0, 0}};
+        point += length * along;
+    }
+    join({"world", point}, last);
+    add_ball(scene, "heavy", mass, {0.5 * point.x() + off, height, 0});
+    return scene;
+}
+
 tests::Run run_of(const SceneDescription& scene, const Rational& dt) {
     Settings settings = tests::awake_settings("default");
     settings.dt = dt;
@@ -66,6 +99,20 @@ TEST_CASE("a ball that falls onto a line of bars or ropes gains no energy, howev
         tests::Run run = run_of(line_of_bars(balls, mass, height, random.in(-0.2, 0.2), acts), steps[trial % 2]);
         run.advance(2.0);
         INFO("trial " << trial << ", " << balls << " balls, " << mass << " kg");
+        CHECK(run.measurements.energy_gain() < 0.01 * mass * gravity * height);
+    }
+}
+
+TEST_CASE("a ball that falls onto planks on hinges between two fixed points gains no energy") {
+    tests::Random random(5);
+    constexpr std::array steps{Rational{1, 60}, Rational{1, 240}};
+    for (int trial = 0; trial < 24; ++trial) {
+        const int planks = 2 + trial % 7;
+        const double mass = std::pow(10.0, random.in(0.0, 2.0)), height = random.in(0.6, 1.5);
+        const double sag = random.in(0.02, 0.4);
+        tests::Run run = run_of(line_of_planks(planks, sag, mass, height, random.in(-0.2, 0.2)), steps[trial % 2]);
+        run.advance(2.0);
+        INFO("trial " << trial << ", " << planks << " planks, sag " << sag << ", " << mass << " kg");
         CHECK(run.measurements.energy_gain() < 0.01 * mass * gravity * height);
     }
 }

@@ -203,6 +203,31 @@ TEST_CASE("no solver makes a random problem worse, from any guess") {
     }
 }
 
+TEST_CASE("an island that was in small steps and is solved again has the forces of its last solution") {
+    const tests::Problem tower =
+        tests::tower_problem("tower", 4, 0.2, tests::weight_friction(), tests::single_frame);
+    const Frozen frozen = tower.frozen();
+    Step step(frozen);
+    const Island& island = step.islands.all().front();
+    SmallSteps small_steps;
+    IslandSolver::Bench bench{.small_steps = &small_steps};
+    std::vector<Lambda> ending(frozen.rows.size());
+    step.solver.take_small_steps(bench, frozen.system, tower.bodies, island, {}, step.lambda, step.forces, ending);
+    CHECK(step.outcome().method == IslandSolver::Method::in_small_steps);
+    const Columns exact = tests::solve("direct", frozen.system, frozen.zero(), usual);
+    Puppet again([&](const SystemEquation&, const Island&, const solvers::Termination&, Columns& lambda) {
+        lambda = exact;
+        return solvers::SolveCount{.iterations = 1, .exact = true};
+    });
+    step.solve(again);
+    CHECK(again.calls == 1);
+    CHECK(step.outcome().method == IslandSolver::Method::exact);
+    // What was solved exactly and is kept when it is looked at again still counts as solved exactly.
+    step.solve(again);
+    CHECK(again.calls == 1);
+    CHECK(step.outcome().method == IslandSolver::Method::exact);
+}
+
 TEST_CASE("a world with a solver that lies goes on, and says how often it was not solved") {
     for (const double force : {1e9, std::numeric_limits<double>::quiet_NaN()}) {
         const demos::SceneEntry& entry = *demos::find_scene("stack");
