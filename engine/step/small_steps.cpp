@@ -1,6 +1,7 @@
 #include "engine/step/small_steps.h"
 
 #include "engine/base/constants.h"
+#include "engine/base/index.h"
 #include "engine/base/overloaded.h"
 #include "engine/bodies/integrator.h"
 #include "engine/step/choice.h"
@@ -11,10 +12,6 @@
 namespace pushfactor::engine {
 
 namespace {
-
-const ConstraintRow& row_of(const SystemEquation& system, int row) {
-    return system.rows[static_cast<std::size_t>(row)];
-}
 
 // Momenta from x = M^(-1/2)^T p.
 Vector6 momenta_of(const InverseMass& inverse_mass, const Vector3& inverse_inertia, const Vector6& x) {
@@ -150,14 +147,14 @@ void SmallSteps::begin(const Step& step, const Part& part) {
     state.holding.clear();
     state.followed.clear();
     each_row(part.runs, state.sweeps.blocks(), [&](std::size_t number, int j) {
-        const ConstraintRow& source = row_of(step.system, j);
+        const ConstraintRow& source = step.system.rows[at(j)];
         solvers::UnitRow& row = rows_.rows[number];
         const double carried = step.system.carried_by(static_cast<std::size_t>(j));
         const ConstraintSource* const follows = step.sources.follower_of(j);
         if (follows) {
             const bool goes_on = !state.followed.empty() && state.followed.back().source == follows &&
                                  state.followed.back().of_step + state.followed.back().count == j &&
-                                 row_of(step.system, j - 1).label.point == source.label.point;
+                                 step.system.rows[at(j - 1)].label.point == source.label.point;
             if (goes_on) {
                 ++state.followed.back().count;
             } else {
@@ -352,7 +349,7 @@ void SmallSteps::plan_push(const Step& step, const Part& part) {
         if (own.open_side == 0.0) continue;
         solvers::UnitRow& row = rows_.rows[own.row];
         const double moved = moved_along(row) - apart.dt * own.carried;
-        const double correcting = row_of(step.system, own.of_step).push.correcting;
+        const double correcting = step.system.rows[at(own.of_step)].push.correcting;
         double want = 0.0;
         find_left(apart, own.open_side * own.start, own.open_side * moved, own.open_side * correcting,
                   row.y * row.scale, want);
