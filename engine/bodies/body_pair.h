@@ -12,10 +12,19 @@ struct BodyPair {
     const Body& body_b;
 };
 
-// w' of a body that nothing turns [rad/s^2], world frame: l = I w stays, and I turns with the body.
-inline Vector3 free_angular_acceleration(const Body& body) {
-    return world_inverse_inertia(body) * body.angular_momentum.cross(angular_velocity(body));
-}
+// How a body turns while nothing acts on it, world frame: l = I w stays, and I turns with the body.
+struct FreeTurn {
+    Vector3 w;             // rad/s
+    Vector3 acceleration;  // w' [rad/s^2]
+
+    explicit FreeTurn(const Body& body) : w(body.prescribed.angular_velocity), acceleration(Vector3::Zero()) {
+        if (body.is_static()) return;
+        const Vector3 l = body.orientation.conjugate() * body.angular_momentum;
+        const Vector3 own = l.cwiseProduct(body.inverse_inertia);
+        w = body.orientation * own;
+        acceleration = body.orientation * Vector3(l.cross(own).cwiseProduct(body.inverse_inertia));
+    }
+};
 
 // Velocity [m/s] and acceleration [m/s^2] of a point of b less those of a point of a, world frame.
 struct Parting {
@@ -29,9 +38,10 @@ struct Parting {
 
   private:
     Parting(const Body& body, const Vector3& point) {
-        const Vector3 r = point - body.position, w = angular_velocity(body), along = w.cross(r);
+        const FreeTurn turn(body);
+        const Vector3 r = point - body.position, along = turn.w.cross(r);
         velocity = engine::velocity(body) + along;
-        acceleration = w.cross(along) + free_angular_acceleration(body).cross(r);
+        acceleration = turn.w.cross(along) + turn.acceleration.cross(r);
     }
 };
 

@@ -15,13 +15,6 @@ double mobility_along(const Body& body, const Vector6& axis) {
 
 }  // namespace
 
-double speed_along(const Jacobian& jacobian, const Body& a, const Body& b) {
-    const auto half = [](const Vector6& axis, const Body& body) {
-        return axis.dot(stacked(velocity(body), angular_velocity(body)));
-    };
-    return half(jacobian.a, a) + half(jacobian.b, b);
-}
-
 void soften(const Body& a, const Body& b, ConstraintRow& row) {
     row.softness = constants::rows::softness_in_loops *
                    (mobility_along(a, row.jacobian.a) + mobility_along(b, row.jacobian.b));

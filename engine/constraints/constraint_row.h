@@ -56,9 +56,6 @@ struct RowLabel {
                        // how far they are open, for limits what is left
 };
 
-// j_c v of the velocities of both bodies [m/s].
-double speed_along(const Jacobian& jacobian, const Body& a, const Body& b);
-
 struct ConstraintRow {
     // Not defaulted: a vector would zero-fill the whole row before its members are set.
     ConstraintRow() {}  // NOLINT(modernize-use-equals-default)

@@ -36,11 +36,13 @@ Body moved(const Body& body, const Motion& motion, double time) {
 
 // State of a contact row before the step, for 8.2.
 Impact impact_of(const ConstraintRow& row, const BodyPair& pair, double restitution, double dt) {
+    const auto velocity_of = [](const Body& body) { return stacked(velocity(body), angular_velocity(body)); };
     const auto acceleration_of = [](const Body& body) {
         return stacked(body.inverse_mass * body.force, world_inverse_inertia(body) * body.torque);
     };
     const Jacobian& j = row.jacobian;
-    return {.speed = speed_along(j, pair.body_a, pair.body_b) - carried_speed(row, pair.body_a, pair.body_b, dt),
+    return {.speed = j.a.dot(velocity_of(pair.body_a)) + j.b.dot(velocity_of(pair.body_b)) -
+                     carried_speed(row, pair.body_a, pair.body_b, dt),
             .acceleration = j.a.dot(acceleration_of(pair.body_a)) + j.b.dot(acceleration_of(pair.body_b)),
             .gap = row.label.gap,
             .restitution = restitution,

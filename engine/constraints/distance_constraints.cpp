@@ -16,11 +16,11 @@ bool is_loose(const Distance& distance, double error) {
            (distance.acts == Distance::Acts::pushes && error > 0.0);
 }
 
-// Second derivative of the length [m/s^2] of a bar along `n` while its bodies keep their velocities.
-double curve_of(const BodyPair& bodies, const Vector3& p_a, const Vector3& p_b, const Vector3& n, double length) {
-    const Parting parting(bodies, p_a, p_b);
+// Of the length of a bar along `n`.
+HeldRates rates_of(const Parting& parting, const Vector3& n, double length) {
     const double across = parting.velocity.cross(n).squaredNorm();
-    return (across > 0.0 ? across / length : 0.0) + n.dot(parting.acceleration);
+    const double turning = across > 0.0 ? across / length : 0.0;
+    return {Rates{n.dot(parting.velocity), n.dot(parting.acceleration) + turning}};
 }
 
 Bounds distance_bounds(const Distance& distance) {
@@ -77,7 +77,7 @@ void DistanceConstraints::append_bar(std::size_t index, const BodyPair& bodies, 
         row.correction = &correction_;
     } else {
         push_held({rows.last(1), bodies, distance.length, dt}, correction_,
-                  [&](std::size_t) { return curve_of(bodies, p_a, p_b, n, length); });
+                  [&] { return rates_of(Parting(bodies, p_a, p_b), n, length); });
     }
     row.label = {.kind = RowKind::distance,
                  .point = static_cast<int>(index),

@@ -32,16 +32,16 @@ bool push_whole(const HeldRows& held, const Correction& correction) {
     return correction.kind == PushKind::curve && std::sqrt(squared) > unseen_speed(held);
 }
 
-void keep_in_common(const HeldRows& held, const std::array<double, 3>& by_curve) {
-    const Body &a = held.bodies.body_a, &b = held.bodies.body_b;
+void keep_in_common(const HeldRows& held, const HeldRates& rates) {
+    const bool is_moved = held.bodies.body_a.is_moved() || held.bodies.body_b.is_moved();
     std::array<double, 3> reversed{};
     double squared = 0.0, with_curve = 0.0, with_push = 0.0;
     for (std::size_t k = 0; k < held.rows.size(); ++k) {
-        const ConstraintRow& row = held.rows[k];
-        reversed[k] = a.is_moved() || b.is_moved() ? by_curve[k] : -speed_along(row.jacobian, a, b);
+        const double by_curve = -0.5 * held.dt * rates[k].second;
+        reversed[k] = is_moved ? by_curve : -rates[k].first;
         squared += reversed[k] * reversed[k];
-        with_curve += reversed[k] * by_curve[k];
-        with_push += reversed[k] * row.push.lasting;
+        with_curve += reversed[k] * by_curve;
+        with_push += reversed[k] * held.rows[k].push.lasting;
     }
     const double share = squared > 0.0 ? std::clamp(std::min(with_curve, with_push) / squared, 0.0, 1.0) : 0.0;
     double left = 0.0;
@@ -75,8 +75,11 @@ void append_point_rows(const BodyPair& bodies, const Vector3& on_a, const Vector
         if (b_moves) row.jacobian.b.tail<3>() -= couple - of_a;
         row.error = p_ab[axis];
     }
-    push_held({rows.last(3), bodies, size, dt}, correction, [&](std::size_t axis) {
-        return Parting(bodies, on_a, on_b).acceleration[static_cast<Eigen::Index>(axis)];
+    push_held({rows.last(3), bodies, size, dt}, correction, [&] {
+        const Parting parting(bodies, on_a, on_b);
+        HeldRates rates;
+        for (int axis = 0; axis < 3; ++axis) rates[at(axis)] = {parting.velocity[axis], parting.acceleration[axis]};
+        return rates;
     });
 }
 

@@ -32,8 +32,7 @@ Span span_of(const Item& item, std::span<const Body> bodies) {
     return span_of(item, pair_of(item, bodies));
 }
 
-// Consecutive rows, whose axes and errors are set, that hold one place of a bar or a joint in up to three
-// directions.
+// Consecutive rows, whose errors c are set, that hold one place of a bar or a joint in up to three directions.
 struct HeldRows {
     std::span<ConstraintRow> rows;
     const BodyPair& bodies;
@@ -41,13 +40,18 @@ struct HeldRows {
     double dt;    // s
 };
 
+// c' and c'' of a row while nothing acts on its bodies [m/s, m/s^2].
+struct Rates {
+    double first = 0.0, second = 0.0;
+};
+using HeldRates = std::array<Rates, 3>;
+
 // The parts of push_held(): the whole push, and whether some of it may have to be kept out of the momenta; and
 // that.
 bool push_whole(const HeldRows& held, const Correction& correction);
-void keep_in_common(const HeldRows& held, const std::array<double, 3>& by_curve);
+void keep_in_common(const HeldRows& held, const HeldRates& rates);
 
-// Gives the rows their push and `correction`, which must outlive them. `curve(k)` is the second derivative of the
-// error of row k while nothing acts on the bodies [m/s^2].
+// Gives the rows their push and `correction`, which must outlive them. `rates()` gives the rates of the rows.
 //
 // PushKind::curve (erratum 33): bodies go straight on where their path is curved, which leaves an error of
 // c'' dt^2 / 2, and the push that takes it back is the momentum with which they follow the curve: not to be kept
@@ -57,18 +61,14 @@ void keep_in_common(const HeldRows& held, const std::array<double, 3>& by_curve)
 //
 //   v              the push itself
 //   - c'' dt / 2   by the curve
-//   - j_c v1       by the velocities before the step, which belong half a step before the places: momenta change by
-//                  j_c^T lambda dt and energy by lambda dt . j_c (v1 + v2) / 2, so reversing them takes and gives
-//                  none
+//   - c'           by the velocities before the step, which belong half a step before the places: momenta change by
+//                  j_c^T lambda dt and energy by lambda dt (c'1 + c'2) / 2, so reversing them takes and gives none
 //
 // It is a share of the last one, or of the second where a body is moved (path.h), and the same in all directions.
 // Where what is left of the push is less than that, it is not worth a second column.
-template <typename Curve>
-void push_held(const HeldRows& held, const Correction& correction, const Curve& curve) {
-    if (!push_whole(held, correction)) return;
-    std::array<double, 3> by_curve{};
-    for (std::size_t k = 0; k < held.rows.size(); ++k) by_curve[k] = -0.5 * held.dt * curve(k);
-    keep_in_common(held, by_curve);
+template <typename RatesOfRows>
+void push_held(const HeldRows& held, const Correction& correction, const RatesOfRows& rates) {
+    if (push_whole(held, correction)) keep_in_common(held, rates());
 }
 
 // Appends three rows, along the world's x, y and z, that hold a point of each body together [m, world frame]: a

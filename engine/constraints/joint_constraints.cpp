@@ -108,11 +108,14 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     const Hinge& hinge = *joint.hinge;
     const double lever = lever_of(pair);
     const Quaternion turn = turn_of(joint, pair), &frame = pair.body_a.orientation;
-    const auto curve_about = [&](const Vector3& axis) {  // which turns with a
-        const Body &a = pair.body_a, &b = pair.body_b;
-        const Vector3 w_a = angular_velocity(a);
-        return (free_angular_acceleration(b) - free_angular_acceleration(a)).dot(axis) +
-               (angular_velocity(b) - w_a).dot(w_a.cross(axis));
+    // Of rows about some axes, which turn with a.
+    const auto rates_about = [&](std::span<const Vector3> axes) {
+        const FreeTurn a(pair.body_a), b(pair.body_b);
+        const Vector3 w = b.w - a.w, acceleration = b.acceleration - a.acceleration;
+        HeldRates rates;
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            rates[k] = {w.dot(axes[k]), acceleration.dot(axes[k]) + w.dot(a.w.cross(axes[k]))};
+        return rates;
     };
     // A row about `axis` that has the error `error` [m].
     const auto append = [&](const Vector3& axis, RowKind kind, double error) -> ConstraintRow& {
@@ -123,30 +126,34 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     };
 
     const Vector3 theta = rotation_between(hinge.axis, turn * hinge.axis);
-    const Vector3 first = hinge.axis.unitOrthogonal();
-    const std::array across{first, Vector3(hinge.axis.cross(first))};
-    for (const Vector3& t : across) append(lever * (frame * t), RowKind::joint, lever * theta.dot(t));
-    push_held({rows.last(2), pair, lever, dt}, correction_,
-              [&](std::size_t k) { return curve_about(lever * (frame * across[k])); });
+    const Vector3 across = hinge.axis.unitOrthogonal();
+    std::array<Vector3, 2> axes{across, hinge.axis.cross(across)};
+    for (Vector3& t : axes) {
+        const double error = lever * theta.dot(t);
+        t = lever * (frame * t);
+        append(t, RowKind::joint, error);
+    }
+    push_held({rows.last(2), pair, lever, dt}, correction_, [&] { return rates_about(axes); });
     const Vector3 axis = lever * (frame * hinge.axis);
     const double phi = needs_angle(joint) ? angle_near(index, pair) : 0.0;
     if (hinge.motor) append_motor(index, pair, dt, phi, rows);
     if (!hinge.limits) return;
     if (!(hinge.limits->low < hinge.limits->high)) {
         append(axis, RowKind::limit, lever * (phi - hinge.limits->low));
-        push_held({rows.last(1), pair, lever, dt}, correction_, [&](std::size_t) { return curve_about(axis); });
+        push_held({rows.last(1), pair, lever, dt}, correction_, [&] { return rates_about(std::span(&axis, 1)); });
         return;
     }
     for (const double side : {1.0, -1.0}) {
         const double gap = lever * gap_to(*hinge.limits, side, phi);
-        ConstraintRow& row = append(side * axis, RowKind::limit, gap);
+        const Vector3 outwards = side * axis;
+        ConstraintRow& row = append(outwards, RowKind::limit, gap);
         row.bounds.c_min = 0.0;
         if (gap > 0.0) {  // it has not reached its limit yet
             row.push.lasting = -gap / dt;
             row.correction = &correction_;
         } else {
             push_held({rows.last(1), pair, lever, dt}, correction_,
-                      [&](std::size_t) { return curve_about(side * axis); });
+                      [&] { return rates_about(std::span(&outwards, 1)); });
         }
     }
 }
