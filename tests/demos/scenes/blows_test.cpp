@@ -24,13 +24,19 @@ void add_ball(SceneDescription& scene, const std::string& name, double mass, con
         {.name = name, .shape = SphereShape{0.24}, .mass = mass, .position = position, .friction = 0.5});
 }
 
-// Balls of 1 kg on bars of 0.5 m, which hang in an arc between two fixed points, and a heavier one above.
-SceneDescription line_of_bars(int balls, double mass, double height, double off, engine::Distance::Acts acts) {
+constexpr double length = 0.5;  // m, of bars and planks
+
+SceneDescription empty_scene(const std::string& name) {
     SceneDescription scene;
-    scene.name = "line";
+    scene.name = name;
     scene.contacts = true;
     scene.gravity = {0, -gravity, 0};
-    constexpr double length = 0.5;
+    return scene;
+}
+
+// Balls of 1 kg on bars of 0.5 m, which hang in an arc between two fixed points, and a heavier one above.
+SceneDescription line_of_bars(int balls, double mass, double height, double off, engine::Distance::Acts acts) {
+    SceneDescription scene = empty_scene("line");
     Vector3 point = Vector3::Zero();
     DistanceDescription::End last{"world", point};
     const int bars = balls + 1;
@@ -51,11 +57,7 @@ SceneDescription line_of_bars(int balls, double mass, double height, double off,
 
 // Planks of 1 kg on hinges between two fixed points, hanging by `sag` [rad] at the ends, and a heavier ball above.
 SceneDescription line_of_planks(int planks, double sag, double mass, double height, double off) {
-    SceneDescription scene;
-    scene.name = "planks";
-    scene.contacts = true;
-    scene.gravity = {0, -gravity, 0};
-    constexpr double length = 0.5;
+    SceneDescription scene = empty_scene("planks");
     Vector3 point = Vector3::Zero();
     DistanceDescription::End last{"world", point};
     const auto join = [&](const DistanceDescription::End& a, const DistanceDescription::End& b) {
@@ -122,9 +124,7 @@ TEST_CASE("a heavy cube that lands on a few light ones rests on them, and not in
     for (int trial = 0; trial < 24; ++trial) {
         const int cubes = 1 + trial % 4;
         const double ratio = std::pow(10.0, random.in(1.5, 4.0));
-        SceneDescription scene;
-        scene.contacts = true;
-        scene.gravity = {0, -gravity, 0};
+        SceneDescription scene = empty_scene("cubes");
         scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
         const auto add = [&](const std::string& name, double mass, double x, double y) {
             scene.bodies.push_back(
