@@ -32,8 +32,7 @@ struct Job {
 Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     job.sequence.shard = request.shard.value_or(Shard{});
-    if (job.sequence.panels.front().choices.frames.at.empty()) note_cut_time(job.sequence.panels.front().choices);
-    note_idle(request.given, job.sequence.panels);
+    note_cut_time(job.sequence, request.given);
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
@@ -262,6 +261,9 @@ void carry_out(const Render& request) {
                 fmt::format("scene {}: must not share its folder {}", scene, jobs.back().folder.string()));
         }
     }
+    std::vector<ComparedRun> runs;
+    for (const Job& job : jobs) runs.insert(runs.end(), job.sequence.panels.begin(), job.sequence.panels.end());
+    note_idle(request.given, runs);
     for (const Job& job : jobs) make_folder(job.folder);
     std::optional<pictures::StageTimes> times;
     if (request.timing) times.emplace();

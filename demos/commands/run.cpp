@@ -56,7 +56,7 @@ void carry_out(const Run& request) {
                       .frames = std::vector<Frames>(1)};
     const Choices& choices = sequence.panels.front().choices;
     const long steps = whole_steps(choices.settings);
-    note_cut_time(choices);
+    note_cut_time(sequence, request.given);
     note_idle(request.given, sequence.panels);
     if (files.replay) sequence.frames = {pictures::replay_frames(choices)};
     std::vector<Frames> keys;  // of the glTF file

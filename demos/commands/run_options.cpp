@@ -141,9 +141,17 @@ void require_shown_overlays(const Words& words, const Shown& outputs) {
     }
 }
 
-void note_cut_time(const Choices& choices) {
-    const Settings& settings = choices.settings;
+void note_cut_time(const Sequence& sequence, const GivenOptions& given) {
+    const Settings& settings = sequence.panels.front().choices.settings;
     const long steps = whole_steps(settings);
+    const auto* const seconds = given.find("seconds");
+    if (sequence.frames.front().are_stills()) {
+        const long last = sequence.last_step(0);
+        if (last == steps || !seconds || !seconds->is_typed()) return;
+        note(fmt::format("{} {}: the run ends with the last of --at, after {} s", seconds->field, seconds->text,
+                         to_text(settings.dt * Rational{last, 1})));
+        return;
+    }
     const double time = static_cast<double>(steps) * settings.dt.value();
     if (std::abs(time - settings.seconds) <= 1e-9 * std::max(1.0, settings.seconds)) return;
     note(fmt::format("seconds {}: cut to {} {} of {} s, {:.6g} s", to_text(settings.seconds), steps,

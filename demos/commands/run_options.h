@@ -4,6 +4,7 @@
 #include "demos/commands/words.h"
 #include "demos/options/choices.h"
 #include "demos/runs/recorder.h"
+#include "demos/runs/session.h"
 
 #include <optional>
 #include <string>
@@ -37,8 +38,8 @@ struct Shown {
 // Throws UsageError for an overlay of the command line that none of the outputs shows.
 void require_shown_overlays(const Words& words, const Shown& outputs);
 
-// Says how long the run is if --seconds is no whole number of steps.
-void note_cut_time(const Choices& choices);
+// Says how long the run is if --seconds is no whole number of steps, or if it ends before with the last still.
+void note_cut_time(const Sequence& sequence, const GivenOptions& given);
 
 // Parameters of each scene, for help texts.
 std::string scene_parameters_help();

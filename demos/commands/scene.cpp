@@ -1,5 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
+#include "demos/options/comparison.h"
 #include "demos/platform/output_file.h"
 #include "demos/scenes/scene_file.h"
 
@@ -16,7 +17,9 @@ AnyCommand read_scene(Words& words) {
 }  // namespace
 
 void carry_out(const Scene& command) {
-    write_file("-", scene_file_text(spelled_out(understand(command.scene, command.given))));
+    const ComparedRun run{.label = "", .choices = understand(command.scene, command.given)};
+    note_idle(command.given, std::span(&run, 1));
+    write_file("-", scene_file_text(spelled_out(run.choices)));
 }
 
 Entry scene_entry() {

@@ -57,8 +57,8 @@ SectionContent pendulum_grid(FigureOutput& output, const Figure& figure) {
         "objects. From 2 s on a force of 60 N presses on one of the spheres; it pushes the pendulums aside and "
         "falls through. After 3.1 s {} objects are held. Default settings.",
         held.front(), held.back());
-    content.commands = {command_text("render", "pendulum-grid",
-                                     {{"poke", "60"}, {"poke-at", "2"}, {"seconds", "4"}, {"at", "2,2.8,3.1"}})};
+    content.commands = {
+        command_text("render", "pendulum-grid", {{"poke", "60"}, {"poke-at", "2"}, {"at", "2,2.8,3.1"}})};
     return content;
 }
 

@@ -51,7 +51,7 @@ SectionContent stack_over_time(FigureOutput& output, const Figure& figure) {
         "(single-frame push, contact caching); it is at {:.2f} m and stays there.",
         heights[0], heights[1]);
     content.commands = {command_text(
-        "render", "stack", {{"compare", "preset=paper,default"}, {"seconds", "72"}, {"at", "0,1,20,50,66,71"}})};
+        "render", "stack", {{"compare", "preset=paper,default"}, {"seconds", "71"}, {"at", "0,1,20,50,66,71"}})};
     return content;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace pushfactor::demos {
 
@@ -23,40 +24,88 @@ std::vector<std::string> comparable(const Choices& choices) {
     return names;
 }
 
+bool has_rows(const Choices& c) {
+    return c.description.contacts || !c.description.distances.empty() || !c.description.joints.empty();
+}
+
+bool has_contacts(const Choices& c) {
+    return c.description.contacts;
+}
+
+bool is_whole(const Choices& c) {
+    return !is_rattle(c.settings.scheme);
+}
+
+// Whether a coefficient of contacts is above zero anywhere: that of all bodies where it is given.
+bool any_surface(const Choices& c, const std::optional<double>& of_all, double BodyDescription::*of_body,
+                 std::optional<double> MaterialPairDescription::*of_pair) {
+    if (of_all) return *of_all > 0.0;
+    const auto above = [](const auto& what) { return [what](const auto& of) { return of.*what > 0.0; }; };
+    return std::ranges::any_of(c.description.bodies, above(of_body)) ||
+           std::ranges::any_of(c.description.materials, above(of_pair));
+}
+
+bool is_zero(const Choices& c, const std::string& parameter) {
+    return std::ranges::find(c.parameters, std::pair{parameter, std::string("0")}) != c.parameters.end();
+}
+
 struct Condition {
-    std::string_view option;
-    bool (*has_effect)(const Settings& settings);
+    std::vector<std::string> options;
+    bool (*has_effect)(const Choices& choices);
     std::string_view where;  // completes "has no effect ..."
 };
 
-constexpr std::array conditions{
-    Condition{"beta", [](const Settings& s) { return s.contacts.kind != engine::PushKind::none; },
+// The first one that does not hold is noted.
+const std::array conditions{
+    Condition{{"solver", "iterations", "tolerance", "warm-start", "small-steps"},
+              has_rows,
+              "without contacts, bars and joints"},
+    Condition{{"push", "beta", "max-push-speed", "slop", "margin", "row-order", "manifold-points", "friction",
+               "friction-model", "restitution", "restitution-model"},
+              has_contacts,
+              "without contacts"},
+    Condition{{"distance-push", "distance-beta"},
+              [](const Choices& c) { return !c.description.distances.empty() || !c.description.joints.empty(); },
+              "without bars and joints"},
+    Condition{{"distance-push", "distance-beta", "rest"}, is_whole, "in RATTLE steps"},
+    Condition{{"beta", "max-push-speed"},
+              [](const Choices& c) { return c.settings.contacts.kind != engine::PushKind::none; },
               "with --push none"},
-    Condition{"max-push-speed", [](const Settings& s) { return s.contacts.kind != engine::PushKind::none; },
-              "with --push none"},
-    Condition{"distance-push", [](const Settings& s) { return !is_rattle(s.scheme); }, "in RATTLE steps"},
-    Condition{"distance-beta",
-              [](const Settings& s) { return s.distances.kind != engine::PushKind::none && !is_rattle(s.scheme); },
-              "with --distance-push none and in RATTLE steps"},
-    Condition{"small-steps",
-              [](const Settings& s) {
-                  return s.scheme == Scheme::small_steps || (s.scheme == Scheme::automatic && s.solver == "auto");
+    Condition{{"distance-beta"},
+              [](const Choices& c) { return c.settings.distances.kind != engine::PushKind::none; },
+              "with --distance-push none"},
+    Condition{{"small-steps"},
+              [](const Choices& c) { return takes_small_steps(c.settings); },
+              "without --scheme small-steps, or --scheme auto with --solver auto and a --tolerance above 0"},
+    Condition{{"friction-model"},
+              [](const Choices& c) {
+                  return any_surface(c, c.settings.friction, &BodyDescription::friction,
+                                     &MaterialPairDescription::friction);
               },
-              "without --scheme small-steps, or --scheme auto with --solver auto"},
-    Condition{"friction-model", [](const Settings& s) { return s.friction != 0.0; }, "with --friction 0"},
+              "where all friction is 0"},
+    Condition{{"restitution-model"},
+              [](const Choices& c) {
+                  return any_surface(c, c.settings.restitution, &BodyDescription::restitution,
+                                     &MaterialPairDescription::restitution);
+              },
+              "where all restitution is 0"},
+    Condition{{"seed"}, [](const Choices& c) { return !is_zero(c, "jitter"); }, "with --jitter 0"},
+    Condition{{"poke-at"}, [](const Choices& c) { return !is_zero(c, "poke"); }, "with --poke 0"},
 };
 
 }  // namespace
 
 void note_idle(const GivenOptions& given, std::span<const ComparedRun> runs) {
     const auto& comparison = runs.front().choices.frames.compare;
+    std::set<std::string> noted;
     for (const Condition& condition : conditions) {
-        const bool compared = comparison && comparison->option == condition.option;
-        const auto* const typed = given.find(compared ? "compare" : condition.option);
-        if (!typed || !typed->is_typed()) continue;
-        const auto has_effect = [&](const ComparedRun& run) { return condition.has_effect(run.choices.settings); };
-        if (std::ranges::any_of(runs, has_effect)) continue;
-        note(fmt::format("{} {}: has no effect {}", typed->field, typed->text, condition.where));
+        for (const std::string& option : condition.options) {
+            const auto* const typed = given.find(comparison && comparison->option == option ? "compare" : option);
+            const auto has_effect = [&](const ComparedRun& run) { return condition.has_effect(run.choices); };
+            if (!typed || !typed->is_typed() || std::ranges::any_of(runs, has_effect)) continue;
+            if (!noted.insert(option).second) continue;
+            note(fmt::format("{} {}: has no effect {}", typed->field, typed->text, condition.where));
+        }
     }
 }
 

@@ -14,8 +14,8 @@ struct ComparedRun {
     Choices choices;
 };
 
-// Notes the options of the command line that have no effect in any of the runs, because of another option. They are
-// not refused: the commands of maps and pages name every option that they vary.
+// Notes the options of the command line that have no effect in any of the runs, because of the scene or of another
+// option. They are not refused: the commands of maps and pages name every option that they vary.
 void note_idle(const GivenOptions& given, std::span<const ComparedRun> runs);
 
 // One panel per value of --compare, or a single one without it. Throws UsageError as understand() does, and for an

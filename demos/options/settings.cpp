@@ -54,6 +54,11 @@ Settings exact() {
 
 }  // namespace
 
+bool takes_small_steps(const Settings& settings) {
+    if (settings.scheme == Scheme::small_steps) return true;
+    return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
+}
+
 std::span<const Preset> presets() {
     static constexpr std::array table{
         Preset{"default",

@@ -70,6 +70,9 @@ struct Preset {
     Settings (*settings)();
 };
 
+// With a fixed number of iterations or another solver than auto, the automatic scheme keeps steps whole.
+bool takes_small_steps(const Settings& settings);
+
 std::span<const Preset> presets();
 
 // Throws std::out_of_range when there is no such preset.

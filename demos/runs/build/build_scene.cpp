@@ -122,12 +122,6 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
     return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
 }
 
-// With a fixed number of iterations or another solver than auto, steps stay whole.
-bool takes_small_steps(const Settings& settings) {
-    if (settings.scheme == Scheme::small_steps) return true;
-    return settings.scheme == Scheme::automatic && settings.solver == "auto" && settings.tolerance_high > 0.0;
-}
-
 void add_solver(BuiltScene& scene, const Settings& settings) {
     if (scene.world.constraints.empty()) return;
     scene.world.solver = engine::solvers::make_solver(settings.solver);

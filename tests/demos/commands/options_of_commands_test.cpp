@@ -216,7 +216,8 @@ TEST_CASE("every option alone and in pairs, with every command, changes what is 
     }
 }
 
-TEST_CASE("an option that has no effect beside another one is noted, unless a panel or a file needs it") {
+TEST_CASE(
+    "an option without effect in the scene or beside another one is noted, unless a panel or a file needs it") {
     const Folder folder;
     const auto said = [&](const std::string& command) {
         const tests::Ended ended = tests::shell(folder, "pushfactor " + command);
@@ -226,23 +227,48 @@ TEST_CASE("an option that has no effect beside another one is noted, unless a pa
     const std::string note = "pushfactor: note: ", still = " --at 0 --size 64x64 --out s";
     const std::string small_steps =
         "--small-steps 4x4: has no effect without --scheme small-steps, or --scheme auto "
-        "with --solver auto\n";
+        "with --solver auto and a --tolerance above 0\n";
     CHECK(said("run stack --seconds 0 --push none --beta 0.3") ==
           note + "--beta 0.3: has no effect with --push none\n");
     CHECK(said("run stack --seconds 0 --push none --max-push-speed 2") ==
           note + "--max-push-speed 2: has no effect with --push none\n");
     CHECK(said("run chain --seconds 0 --distance-push none --distance-beta 0.3") ==
-          note + "--distance-beta 0.3: has no effect with --distance-push none and in RATTLE steps\n");
+          note + "--distance-beta 0.3: has no effect with --distance-push none\n");
     CHECK(said("run chain --seconds 0 --scheme rattle4 --distance-push none") ==
           note + "--distance-push none: has no effect in RATTLE steps\n");
     CHECK(said("run stack --seconds 0 --scheme whole --small-steps 4x4") == note + small_steps);
     CHECK(said("run stack --seconds 0 --solver pgs --small-steps 4x4") == note + small_steps);
     CHECK(said("run stack --seconds 0 --friction 0 --friction-model cone") ==
-          note + "--friction-model cone: has no effect with --friction 0\n");
+          note + "--friction-model cone: has no effect where all friction is 0\n");
     CHECK(said("render stack --push none --compare beta=0.1,0.2" + still) ==
           note + "--compare beta=0.1,0.2: has no effect with --push none\n");
     CHECK(said("render stack --compare push=none,persistent --beta 0.3" + still).empty());
     CHECK(said("scene stack > my.json && pushfactor run my.json --push none --seconds 0").empty());
+
+    CHECK(said("run pendulum-wave --seconds 0 --friction 0.3 --row-order reverse") ==
+          note + "--row-order reverse: has no effect without contacts\n" + note +
+              "--friction 0.3: has no effect without contacts\n");
+    CHECK(said("run stack --seconds 0 --distance-beta 0.3") ==
+          note + "--distance-beta 0.3: has no effect without bars and joints\n");
+    CHECK(said("run stack --seconds 0 --restitution-model sum") ==
+          note + "--restitution-model sum: has no effect where all restitution is 0\n");
+    CHECK(said("run stack --seconds 0 --restitution-model sum --restitution 0.5").empty());
+    CHECK(said("run stack --seconds 0 --seed 3") == note + "--seed 3: has no effect with --jitter 0\n");
+    CHECK(said("run stack --seconds 0 --seed 3 --jitter 0.1").empty());
+    CHECK(said("run funnel --seconds 0 --seed 3").empty());
+    CHECK(said("scene pendulum-grid --poke-at 3") == note + "--poke-at 3: has no effect with --poke 0\n");
+    CHECK(said("run chain --seconds 0 --scheme rattle4 --rest on") ==
+          note + "--rest on: has no effect in RATTLE steps\n");
+    folder.write("free.json",
+                 R"({"version": 1, "bodies": [{"name": "b", "shape": "sphere", "radius_m": 1, "mass_kg": 1}]})");
+    CHECK(said("run free.json --seconds 0 --solver pgs") ==
+          note + "--solver pgs: has no effect without contacts, bars and joints\n");
+    // One of several scenes needs it, and those of files are not typed.
+    CHECK(said("render stack chain --beta 0.3" + still).empty());
+    folder.write("c.json", R"({"friction": 0.3, "distance-beta": 0.3, "seed": 3})");
+    CHECK(said("run stack --config c.json --seconds 0").empty());
+    CHECK(said("render stack --seconds 5 --save-state end.json" + still) ==
+          note + "--seconds 5: the run ends with the last of --at, after 0 s\n");
 }
 
 TEST_CASE("options before the command are refused, -- ends the options, and a value is never an option") {
