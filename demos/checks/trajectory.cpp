@@ -32,7 +32,7 @@ void TrajectoryCheck::observe(const Simulation& simulation) {
 
 void TrajectoryCheck::compare(const Simulation& simulation) {
     ++lines_;
-    const auto& [time, pose] = *next_;
+    const auto& [time, pose, hash] = *next_;
     const auto& bodies = simulation.scene().world.bodies;
     const auto& described = simulation.scene().bodies;
     if (pose.body >= bodies.size()) {

@@ -95,7 +95,7 @@ void make_frames(const Job& job, const Render& request, Session& session, Record
 // Without a simulation there is no summary.
 void render_trajectory(Job& job, const Render& request, pictures::OffscreenRenderer& offscreen,
                        pictures::StageTimes* times) {
-    Trajectory trajectory(*request.from_trajectory);
+    Trajectory trajectory(*request.from_trajectory, motion_hash(job.sequence.panels.front().choices));
     const Session::GoTo go_to = [&](Simulation& run, long step) {
         if (run.sample().step == 0) trajectory.place(run, 0);  // is it of this run?
         trajectory.place(run, step);

@@ -228,6 +228,15 @@ SceneDescription spelled_out(const Choices& choices) {
 }
 
 std::string film_mark(const Choices& choices, const GivenOptions& given) {
+std::uint32_t motion_hash(const Choices& choices) {
+    SceneDescription description = spelled_out(choices);
+    description.name.clear();
+    description.has_camera = false;
+    for (BodyDescription& body : description.bodies) body.colour.reset();
+    for (const char* const name : {"preset", "seconds", "threads"}) description.options.erase(name);
+    return static_cast<std::uint32_t>(text_hash(scene_file_text(description)));
+}
+
     if (!choices.frames.at.empty()) return "";
     Json config = Json::parse(config_text(choices, given));
     // Frames are the same bytes with any of these.

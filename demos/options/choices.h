@@ -7,6 +7,7 @@
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_description.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -71,6 +72,9 @@ void require_parameters(const std::string& scene, const GivenOptions& given);
 
 // The description with every option spelled out, so that its meaning does not depend on presets.
 SceneDescription spelled_out(const Choices& choices);
+
+// Hash of what decides the motion: the scene but for its looks, and the options but for duration and threads.
+std::uint32_t motion_hash(const Choices& choices);
 
 // Hash of what decides the pictures of a film, to tell its frames from those of another; empty for stills.
 std::string film_mark(const Choices& choices, const GivenOptions& given);

@@ -30,7 +30,7 @@ Recorder::Recorder(const Session& session, const RunFiles& files, bool timing, s
     if (files.trajectory) {
         const FrameChoices& frames = session.choices(0).frames;
         const long every = frames.fps ? steps_a_frame(*frames.fps, run.settings().dt, frames.play_speed) : 1;
-        records_.push_back(trajectory_record(*files.trajectory, every, run));
+        records_.push_back(trajectory_record(*files.trajectory, every, motion_hash(session.choices(0)), run));
     }
     if (files.rows) records_.push_back(rows_record(*files.rows));
     if (files.errors) {

@@ -67,10 +67,12 @@ class StepsRecord : public CsvRecord {
 
 class TrajectoryRecord : public CsvRecord {
   public:
-    TrajectoryRecord(const std::filesystem::path& path, long every, const Simulation& start)
+    TrajectoryRecord(const std::filesystem::path& path, long every, std::uint32_t hash, const Simulation& start)
         : CsvRecord(path, std::string(pose_columns) +
-                              ",vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s"),
-          every_(every) {
+                              ",vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s" +
+                              hash_column),
+          every_(every),
+          hash_(hash) {
         observe(start);
     }
 
@@ -82,14 +84,16 @@ class TrajectoryRecord : public CsvRecord {
             const Body& body = bodies[i];
             const Vector3 v = velocity(body);
             const Vector3 w = angular_velocity(body);
-            line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", simulation.sample().time, i, body.position.x(),
-                 body.position.y(), body.position.z(), body.orientation.w(), body.orientation.x(),
-                 body.orientation.y(), body.orientation.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z());
+            line("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", simulation.sample().time, i,
+                 body.position.x(), body.position.y(), body.position.z(), body.orientation.w(),
+                 body.orientation.x(), body.orientation.y(), body.orientation.z(), v.x(), v.y(), v.z(), w.x(),
+                 w.y(), w.z(), hash_);
         }
     }
 
   private:
     long every_;
+    std::uint32_t hash_;
 };
 
 std::string_view name_of(engine::RowKind kind) {
@@ -157,8 +161,9 @@ std::unique_ptr<Record> steps_record(const std::filesystem::path& path, bool tim
     return std::make_unique<StepsRecord>(path, timing);
 }
 
-std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every, const Simulation& start) {
-    return std::make_unique<TrajectoryRecord>(path, every, start);
+std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every, std::uint32_t hash,
+                                          const Simulation& start) {
+    return std::make_unique<TrajectoryRecord>(path, every, hash, start);
 }
 
 std::unique_ptr<Record> rows_record(const std::filesystem::path& path) {

@@ -20,7 +20,8 @@ class Record {
 std::unique_ptr<Record> steps_record(const std::filesystem::path& path, bool timing);
 
 // One line per movable body and `every` steps, the start included; velocities from the stored momenta.
-std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every, const Simulation& start);
+std::unique_ptr<Record> trajectory_record(const std::filesystem::path& path, long every, std::uint32_t hash,
+                                          const Simulation& start);
 
 // One line per row and step; with substeps those of the last engine step.
 std::unique_ptr<Record> rows_record(const std::filesystem::path& path);

@@ -12,8 +12,11 @@ bool is_recorded(const BuiltScene& scene, std::size_t body) {
     return !scene.world.bodies[body].is_static() || (body < scene.bodies.size() && scene.bodies[body].motion);
 }
 
-Trajectory::Trajectory(const std::filesystem::path& file)
-    : reader_("--from-trajectory ", file), next_(reader_.next()) {}
+Trajectory::Trajectory(const std::filesystem::path& file, std::uint32_t hash)
+    : reader_("--from-trajectory ", file), next_(reader_.next()) {
+    if (!next_ || next_->hash.empty() || next_->hash == std::to_string(hash)) return;
+    reader_.refuse("must be of the same scene and options, but for its looks, --seconds and --threads");
+}
 
 // Empty if the file has no such instant.
 std::vector<BodyPose> Trajectory::poses_at(double time) {

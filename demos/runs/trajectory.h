@@ -15,8 +15,8 @@ bool is_recorded(const BuiltScene& scene, std::size_t body);
 
 class Trajectory {
   public:
-    // Throws UsageError for a file that is no trajectory.
-    explicit Trajectory(const std::filesystem::path& file);
+    // Throws UsageError for a file that is no trajectory, or of a run with another motion_hash() than `hash`.
+    Trajectory(const std::filesystem::path& file, std::uint32_t hash);
 
     // Places the bodies of a run, which must not be advanced any more, as they were after this step. Reads on from
     // the last place, or from the start for an earlier step. Numbers are exact, so that pictures are the same as of

@@ -32,6 +32,7 @@ void PoseReader::rewind() {
     if (!has_line || !text_.starts_with(pose_columns)) {
         refuse(fmt::format("line 1: must begin with {}", pose_columns));
     }
+    has_hash_ = text_.ends_with(hash_column);
     line_ = 1;
 }
 
@@ -58,7 +59,8 @@ std::optional<PoseLine> PoseReader::next() {
     return PoseLine{.time = values[0],
                     .pose = {.body = static_cast<std::size_t>(values[1]),
                              .position = {values[2], values[3], values[4]},
-                             .orientation = orientation}};
+                             .orientation = orientation},
+                    .hash = has_hash_ ? text_.substr(text_.rfind(',') + 1) : ""};
 }
 
 }  // namespace pushfactor::demos

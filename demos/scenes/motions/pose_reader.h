@@ -13,6 +13,9 @@ namespace pushfactor::demos {
 // First columns of the file; others may follow, such as velocities.
 inline constexpr const char* pose_columns = "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz";
 
+// The last column of a run's own: its motion_hash(). Files of earlier versions have none.
+inline constexpr const char* hash_column = ",motion_hash";
+
 // Where a body of the world is.
 struct BodyPose {
     std::size_t body = 0;
@@ -23,6 +26,7 @@ struct BodyPose {
 struct PoseLine {
     double time = 0.0;  // s
     BodyPose pose;
+    std::string hash{};  // empty without the column
 };
 
 class PoseReader {
@@ -43,6 +47,7 @@ class PoseReader {
     std::string name_;
     std::ifstream stream_;
     long line_ = 0;
+    bool has_hash_ = false;
     std::string text_;
 };
 

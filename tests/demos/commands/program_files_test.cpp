@@ -43,7 +43,7 @@ TEST_CASE("the CSV files have the columns of the design and one line for each th
     const std::string bodies = folder.read("bodies.csv");
     CHECK(first_line(bodies) ==
           "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,"
-          "wy_rad_per_s,wz_rad_per_s");
+          "wy_rad_per_s,wz_rad_per_s,motion_hash");
     CHECK(lines(bodies) == 1 + 31 * 2);
     const std::string rows = folder.read("rows.csv");
     CHECK(first_line(rows) ==

@@ -96,10 +96,19 @@ TEST_CASE("what poses do not tell, and a trajectory of another run, are refused 
                   "--shutter: must not be with --from-trajectory");
     check_refused(folder, render + "t.csv --csv x.csv", "--csv x.csv: must be without --from-trajectory");
     check_refused(folder, render + "t.csv --compare beta=0.1,0.2", "must be for one run, not with --compare");
-    check_refused(folder, render + "t.csv --count 4",
+    // Some of these make a difference only after the first frames.
+    for (const char* const option : {"--friction 0.1", "--preset paper", "--count 4", "--dt 1/120 --fps 120"}) {
+        check_refused(folder, render + "t.csv " + option, "t.csv: must be of the same scene and options, but for");
+    }
+    require_success(folder,
+                    "pushfactor scene stack --preset default > other-looks.json && pushfactor render "
+                    "other-looks.json --seconds 0.05 --threads 1 --size 64x36 --from-trajectory t.csv");
+    // Files of earlier versions do not say of what they are.
+    require_success(folder, "sed 's/,[^,]*$//' t.csv > old.csv");
+    check_refused(folder, render + "old.csv --count 4",
                   "must have one line for each body that moves, 4 at 0 s, not 5");
-    check_refused(folder, render + "t.csv --gap 0.05", "must be of the same scene and options: body ");
-    check_refused(folder, render + "t.csv --dt 1/120 --fps 120", "must have the poses at ");
+    check_refused(folder, render + "old.csv --gap 0.05", "must be of the same scene and options: body ");
+    check_refused(folder, render + "old.csv --dt 1/120 --fps 120", "must have the poses at ");
     check_refused(folder, render + "words.csv", "line 1: must begin with time_s,body,");
     check_refused(folder, render + "torn.csv", "torn.csv: ");
     check_refused(folder, render + "nowhere.csv", "nowhere.csv: cannot be read");
