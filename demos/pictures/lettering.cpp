@@ -21,6 +21,10 @@ float letter_size(int height) {
     return std::clamp(static_cast<float>(height) / 36.0f, 11.0f, 64.0f);
 }
 
+float legend_height(std::size_t lines, float size) {
+    return (1.5f * static_cast<float>(lines) + 1.5f) * size;
+}
+
 Lettering::Lettering() : font_(font_file()) {}
 
 std::string Lettering::font_file() {
@@ -66,8 +70,8 @@ void Lettering::caption(Image& image, const Rectangle& in, const std::string& te
     plate(image, in, text, size, true);
 }
 
-void Lettering::legend(Image& image, const Rectangle& in, const std::vector<LegendLine>& lines, float size) const {
-    if (lines.empty()) return;
+float Lettering::legend(Image& image, const Rectangle& in, const std::vector<LegendLine>& lines, float size) const {
+    if (lines.empty()) return 0.0f;
     const float space = 0.5f * size;
     const float line_height = 1.5f * size;
     const float thickness = std::max(1.5f, 0.16f * size);
@@ -92,6 +96,7 @@ void Lettering::legend(Image& image, const Rectangle& in, const std::vector<Lege
         }
         font_.draw(image, lines[i].text, {right + space, middle + 0.36f * size}, size, ink);
     }
+    return width + space;
 }
 
 }  // namespace pushfactor::demos::pictures

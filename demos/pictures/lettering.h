@@ -26,11 +26,12 @@ class Lettering {
 
     // Text on a light plate in a corner of the rectangle [pixels]: its name at the top left, a caption at the
     // bottom left, a legend at the bottom right. `size` is the font size in pixels. Text that is too long is cut:
-    // a caption ends in "…", a name begins with it, because panels differ in the ends of their names.
+    // a caption ends in "…", a name begins with it, because panels differ in the ends of their names. A legend
+    // returns the width that it takes.
     void name(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
     void caption(renderer::Image& image, const renderer::Rectangle& in, const std::string& text, float size) const;
-    void legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
-                float size) const;
+    float legend(renderer::Image& image, const renderer::Rectangle& in, const std::vector<LegendLine>& lines,
+                 float size) const;
 
     static constexpr glm::vec3 ink_colour{0.13f, 0.14f, 0.17f};  // sRGB
 
@@ -50,5 +51,8 @@ class Lettering {
 
 // Readable font size for a picture of this height [pixels].
 float letter_size(int height);
+
+// Height that so many lines of a legend take, or a caption, which is one line.
+float legend_height(std::size_t lines, float size);
 
 }  // namespace pushfactor::demos::pictures

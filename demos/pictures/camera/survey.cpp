@@ -40,6 +40,7 @@ class Surveyor : public Observer {
         extents_.add_places();
         for (const OverlayItem& item : choices_.overlay) {
             double most = 0.0;
+            if (item.kind == OverlayKind::trails) found_.shown.insert({item.kind, 0});
             for (const Quantity& quantity : quantities(run_.scene(), item.kind)) {
                 const double size = quantity.value.norm();
                 most = std::max(most, size);

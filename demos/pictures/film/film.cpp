@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pushfactor::demos::pictures {
 
@@ -38,9 +39,15 @@ Film::Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& sur
         across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
         up = std::max(up, half_tangent(view));
     }
-    const Size sheet{choices_.width, choices_.height};
+    const float size = letter_size(choices_.height);
+    if (panels.size() > 1 && (choices_.caption || legend_lines() > 0)) {
+        strip_ = static_cast<int>(std::ceil(legend_height(std::max<std::size_t>(legend_lines(), 1), size)));
+        if (strip_ > choices_.height / 2) strip_ = 0;  // a thumbnail
+    }
+    const Size sheet{choices_.width, choices_.height - strip_};
     layout_ = choices_.camera.fit ? closest_layout(sheet)
                                   : best_layout(sheet, static_cast<int>(panels.size()), across, up);
+    layout_.sheet.height = choices_.height;
     for (std::size_t i = 0; i < panels.size(); ++i) {
         views_.push_back(place_camera(scene(i), panels.size() > 1 ? across : 0.0));
     }
@@ -62,7 +69,8 @@ Layout Film::closest_layout(const Size& sheet) const {
 // With room for what is written into a cell.
 Subject Film::subject_in(const Size& cell) const {
     const double line = 1.9 * letter_size(choices_.height) / cell.height;
-    const double lines_below = (choices_.caption ? 1.0 : 0.0) + static_cast<double>(choices_.overlay.size());
+    const double lines_below =
+        strip_ > 0 ? 0.0 : (choices_.caption ? 1.0 : 0.0) + static_cast<double>(legend_lines());
     return with_room(survey_.subject, labels_.front().empty() ? 0.0 : line, lines_below * line);
 }
 
@@ -120,28 +128,42 @@ std::vector<LegendLine> Film::legend(const View& view) const {
             lines.push_back(legend_line(entries[i], scale, view, layout_.cell.height));
         }
     }
+    if (!choices_.ghosts.empty()) {
+        std::string times;
+        for (const Rational& time : choices_.ghosts) times += (times.empty() ? "" : ", ") + to_text(time);
+        lines.push_back({.colour = *find_colour(colour_of_none), .text = fmt::format("paler: at {} s", times)});
+    }
     return lines;
+}
+
+std::size_t Film::legend_lines() const {
+    return survey_.shown.size() + (choices_.ghosts.empty() ? 0 : 1);
 }
 
 void Film::write(renderer::Image& sheet, double time) const {
     const Lettering& lettering = offscreen_.lettering();
     const float size = letter_size(sheet.height);
-    const renderer::Rectangle all{0.0f, 0.0f, static_cast<float>(sheet.width), static_cast<float>(sheet.height)};
+    const auto width = static_cast<float>(sheet.width), height = static_cast<float>(sheet.height);
+    const auto strip = static_cast<float>(strip_ > 0 ? strip_ : sheet.height);
+    renderer::Rectangle below{0.0f, height - strip, width, strip};
     for (std::size_t i = 0; i < labels_.size(); ++i) {
         if (!labels_[i].empty()) lettering.name(sheet, layout_.place(i), labels_[i], size);
     }
-    if (choices_.caption) {
-        lettering.caption(sheet, all, fmt::format("t = {:.2f} s   {}", time, caption_), size);
-    }
-    if (scales_.empty()) return;
     // Arrows in the legend have their length at the camera's target; if the cameras of the panels differ, each
     // panel has a legend.
     const bool alike = std::all_of(views_.begin(), views_.end(), [&](const View& view) {
         return distance_of(view) == distance_of(views_.front()) &&
                view.field_of_view == views_.front().field_of_view;
     });
-    for (std::size_t i = alike ? views_.size() - 1 : 0; i < views_.size(); ++i) {
-        lettering.legend(sheet, layout_.place(i), legend(views_[i]), size);
+    if (alike) {
+        below.width -= lettering.legend(sheet, below, legend(views_.front()), size);
+    } else {
+        for (std::size_t i = 0; i < views_.size(); ++i) {
+            lettering.legend(sheet, layout_.place(i), legend(views_[i]), size);
+        }
+    }
+    if (choices_.caption) {
+        lettering.caption(sheet, below, fmt::format("t = {:.2f} s   {}", time, caption_), size);
     }
 }
 

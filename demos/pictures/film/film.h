@@ -44,6 +44,7 @@ class Film {
     renderer::Picture look(std::size_t panel) const;
     void draw_panel(const Snapshot& moment, std::size_t panel, renderer::Image& image) const;
     std::vector<LegendLine> legend(const View& view) const;
+    std::size_t legend_lines() const;
     void write(renderer::Image& sheet, double time) const;
 
     OffscreenRenderer& offscreen_;
@@ -53,6 +54,7 @@ class Film {
     std::string caption_;
     Survey survey_;
     Layout layout_;
+    int strip_ = 0;            // pixels below several panels, for what belongs to all of them
     std::vector<View> views_;  // of the panels, at the start
     std::vector<Scale> scales_;
     std::vector<Motion> motions_;  // of the panels

@@ -13,7 +13,8 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
                     {"joint force", colour("orange"), "N"},
                     {"force from outside", colour("blue"), "N"}};
         case OverlayKind::torques:
-            return {{"torque from outside", colour("blue"), "N m"}, {"torque of a motor", colour("orange"), "N m"}};
+            return {{"torque from outside", colour("blue"), "N m"},
+                    {"torque of a motor", colour("vermilion"), "N m"}};
         case OverlayKind::push:
             return {{"push for this frame only", colour("orange"), "m/s"},
                     {"push that lasts", colour("vermilion"), "m/s"}};
@@ -30,7 +31,7 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
             return {{"do not touch each other", colour("vermilion"), ""},
                     {"one group, whose bodies do not touch", colour("blue"), ""}};
         case OverlayKind::trails:
-            return {};
+            return {{"path of a centre, in its colour", colour(colour_of_none), ""}};
         case OverlayKind::velocities:
             break;
     }

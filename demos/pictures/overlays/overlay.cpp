@@ -105,6 +105,9 @@ void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer:
     }
 }
 
+// Speed [m/s] below which a body stands still: what solves leave, by the default tolerance, and rounding.
+constexpr double unsolved = 1e-8;
+
 }  // namespace
 
 std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
@@ -112,6 +115,9 @@ std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
     if (kind == OverlayKind::velocities) {
         add_velocities(scene, found);
         add_moved_velocities(scene, 1, found);
+        for (Quantity& velocity : found) {
+            if (velocity.value.norm() < unsolved) velocity.value.setZero();
+        }
     }
     if (kind == OverlayKind::forces) add_applied_forces(scene, 3, found);
     if (kind == OverlayKind::torques) add_applied_torques(scene, 0, found);

@@ -32,7 +32,7 @@ TEST_CASE("panels, overlays, cameras and captions each change the picture, and e
     const std::vector<std::string> variants{"",
                                             "--caption off",
                                             "--compare push=none,persistent",
-                                            "--overlay velocities",
+                                            "--overlay contacts",
                                             "--camera orbit:30",
                                             "--camera scene",
                                             "--samples 3"};
@@ -56,6 +56,40 @@ TEST_CASE("panels, overlays, cameras and captions each change the picture, and e
             CHECK(pictures[i] != pictures[j]);
         }
     }
+}
+
+TEST_CASE("captions and legends cross neither panels nor each other, and ghosts have a legend") {
+    const Folder folder;
+    const auto differing = [&](const std::string& with, const std::string& without) {
+        const pushfactor::renderer::ImageDifference difference(image_in(folder, with + "/at_0.5s.png"),
+                                                               image_in(folder, without + "/at_0.5s.png"));
+        return difference.pixels_above(0);
+    };
+    const std::string render = "pushfactor render intersecting-stack --at 0.5 --size 640x360 --camera scene ";
+    const std::string panels = render + "--compare push=none,persistent,single-frame ";
+    require_success(folder, panels + "--overlay contacts,forces --out panels");
+    // Below the panels there is nothing but letters on white.
+    const auto sheet = image_in(folder, "panels/at_0.5s.png");
+    const auto white_from = [&](int x) {
+        int y = sheet.height;
+        while (y > 0 && sheet.pixel(x, y - 1)[0] == 255) --y;
+        return y;
+    };
+    CHECK(white_from(2) < sheet.height - 30);
+    CHECK(white_from(2) == white_from(sheet.width - 3));
+
+    require_success(folder, render +
+                                "--overlay contacts,forces --out long --preset paper --beta 0.31 --slop 0.0011 "
+                                "--margin 0.0123 --iterations 31 --max-push-speed 12.3456789 --warm-start on");
+    require_success(folder, render +
+                                "--overlay contacts,forces --out longer --preset paper --beta 0.31 --slop 0.0011 "
+                                "--margin 0.0123 --iterations 31 --max-push-speed 12.3456789 --warm-start on "
+                                "--threads 1");
+    CHECK(differing("long", "longer") == 0);  // what is cut is not under the legend
+
+    require_success(folder, render + "--ghosts 0.5 --out ghosts");
+    require_success(folder, render + "--out plain");
+    CHECK(differing("ghosts", "plain") > 100);
 }
 
 TEST_CASE("the summary of compared runs has one of each, and their states are those of the runs alone") {
@@ -202,11 +236,16 @@ TEST_CASE("a body is in front of its ghosts where they are nearly at one place")
     // More bodies than the layers of body.vert.
     const std::string tower = "stack --count 20 --gap 0.01 --at 2 --rest off ";
     const Folder alone, with_ghosts;
-    REQUIRE(render(alone, tower).status == 0);
+    REQUIRE(render(alone, tower + "--ghosts 2").status == 0);  // none, and as much room for the legend
     REQUIRE(render(with_ghosts, tower + "--ghosts 0.5,1,1.5").status == 0);
-    CHECK(pushfactor::renderer::ImageDifference(image_in(alone, "frames/at_2s.png"),
-                                                image_in(with_ghosts, "frames/at_2s.png"))
-              .share_above(30) < 0.02);
+    const auto above_legend = [](const Folder& folder) {
+        pushfactor::renderer::Image image = image_in(folder, "frames/at_2s.png");
+        image.height -= 40;
+        image.rgb.resize(3 * static_cast<std::size_t>(image.width * image.height));
+        return image;
+    };
+    CHECK(pushfactor::renderer::ImageDifference(above_legend(alone), above_legend(with_ghosts)).share_above(30) <
+          0.02);
 }
 
 TEST_CASE("every frame of a film is the still of its time, drawn by itself") {

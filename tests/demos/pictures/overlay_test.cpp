@@ -177,6 +177,27 @@ TEST_CASE("islands: bodies have the colour of their island, another one than the
     CHECK_NOTHROW(require_shown(run.scene(), {{.kind = OverlayKind::islands}}));
 }
 
+TEST_CASE("a body that stands has no arrow of its velocity, whatever solves and rounding have left of it") {
+    Simulation run = after(run_of("stack", {}), 600);
+    const auto fastest = [&] {
+        double most = 0.0;
+        for (const Quantity& of : quantities(run.scene(), OverlayKind::velocities))
+            most = std::max(most, of.value.norm());
+        return most;
+    };
+    CHECK(fastest() == 0.0);  // of 2e-15 m/s before
+    const Choices choices = run_of("stack", {{"overlay", "velocities"}, {"at", "10"}});
+    CHECK(survey({{.label = "", .choices = choices}}, {std::vector<Frame>{{600, ""}}}).shown.empty());
+}
+
+TEST_CASE("the torque of a motor has another colour than every force, and trails have an entry in the legend") {
+    const Colour motor = entries_of(OverlayKind::torques)[1].colour;
+    for (const LegendEntry& force : entries_of(OverlayKind::forces)) CHECK(force.colour.name != motor.name);
+    const Choices choices = run_of("chain", {{"overlay", "trails"}, {"at", "0"}});
+    CHECK(survey({{.label = "", .choices = choices}}, {std::vector<Frame>{{0, ""}}}).shown.size() == 1);
+    CHECK(entries_of(OverlayKind::trails).size() == 1);
+}
+
 TEST_CASE("a panel too narrow for its name shows the end, by which panels differ, and a caption its beginning") {
     const Lettering lettering;
     const renderer::Rectangle narrow{0.0f, 0.0f, 80.0f, 40.0f};
