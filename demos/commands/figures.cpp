@@ -77,6 +77,23 @@ void write_latex(Section& section, const Print& print, const std::filesystem::pa
     }
 }
 
+// The page loses no figure that it had: those that were not made again are as they were.
+void keep_others(const std::string& page, std::vector<Section>& sections) {
+    std::vector<Section> made;
+    made.swap(sections);
+    for (const figures::Figure& figure : figures::all_figures()) {
+        const std::string name(figure.name);
+        const auto now = std::ranges::find(made, name, &Section::name);
+        SectionContent before;
+        before.kept = section_on(page, name);
+        if (now != made.end()) {
+            sections.push_back(*now);
+        } else if (!before.kept.empty()) {
+            sections.push_back({name, std::string(figure.title), before});
+        }
+    }
+}
+
 std::vector<Option> figures_options() {
     return {
         {"out", "DIR", "folder for the page and its pictures [out/figures]"},
@@ -128,6 +145,7 @@ void carry_out(const Figures& command) {
         bar.show(static_cast<long>(sections.size()));
     }
     if (format.print) write_file(folder / "pushfactor.bib", bibliography());
+    keep_others(read_bytes_of(folder / "index.html").value_or(""), sections);
     write_index(
         folder,
         page_text("Pushfactor: figures",

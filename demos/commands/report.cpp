@@ -63,7 +63,11 @@ reports::Study find_study(const std::string& name) {
 void make_report(const Report& request, const std::vector<std::filesystem::path>& merged) {
     const reports::Study study = find_study(request.name);
     const auto& shard = request.shard;
-    const std::filesystem::path folder = request.out.value_or("out/report-" + study.name);
+    // A part has a folder of its own: its page and tables would replace those of the whole.
+    const std::string part = request.grid            ? "-grid"
+                             : request.parts.empty() ? ""
+                                                     : fmt::format("-{}", fmt::join(request.parts, "-"));
+    const std::filesystem::path folder = request.out.value_or("out/report-" + study.name + part);
     const auto count = make_study(
         study, {.folder = folder,
                 .quick = request.quick,
@@ -89,7 +93,8 @@ std::vector<Option> report_options() {
     const std::string pieces = "Shards of report error, stability and atlas, for report merge";
     const std::string grid = "A map of your own (report atlas)", group = "Options";
     return {
-        {"out", "DIR", "folder for the page, its pictures and tables [out/report-NAME]"},
+        {"out", "DIR",
+         "folder for the page, its pictures and tables [out/report-NAME, and -PART or -grid for less than all]"},
         {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
         {"only", "PART,...",
          "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "

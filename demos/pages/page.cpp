@@ -102,6 +102,7 @@ std::string replays_of(const Section& section) {
 }
 
 std::string section_text(const Section& section, const std::string& anchor, bool has_contents) {
+    if (!section.content.kept.empty()) return section.content.kept;
     const std::string marks = marks_of(section);
     return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n",
                        anchor, shown(section.heading)) +
@@ -112,6 +113,13 @@ std::string section_text(const Section& section, const std::string& anchor, bool
 }
 
 }  // namespace
+
+std::string section_on(const std::string& page, const std::string& name) {
+    const std::string end = "</section>\n";
+    const std::size_t from = page.find(fmt::format("<section id=\"{}\"", html::anchor(name)));
+    const std::size_t to = page.find(end, from);
+    return to == std::string::npos ? "" : page.substr(from, to + end.size() - from);
+}
 
 std::string document(const std::string& title, const std::string& opening, const std::string& body,
                      std::span<const std::string> assets) {

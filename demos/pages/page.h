@@ -17,6 +17,7 @@ struct SectionContent {
     std::string caption;                 // settings and measured numbers
     std::vector<std::string> commands;   // that reproduce it with the program
     TextTable table{};
+    std::string kept{};  // HTML of the whole section on an earlier page, instead of all this
 };
 
 struct Section {
@@ -29,6 +30,9 @@ struct Section {
 // text, `body` HTML. Throws OutputError if an asset is missing.
 std::string document(const std::string& title, const std::string& opening, const std::string& body,
                      std::span<const std::string> assets);
+
+// The HTML of a section on a page that page_text() made; empty if it has none of that name.
+std::string section_on(const std::string& page, const std::string& name);
 
 // The HTML text, with style and script from assets/pages; numbers have four digits. Throws OutputError if these are
 // missing.

@@ -65,6 +65,20 @@ TEST_CASE("without gnuplot the plots' data and all other figures are there, and 
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 602);
 }
 
+TEST_CASE("a figure that is made again takes its place on the page, which keeps all others") {
+    const Folder folder;
+    for (const char* const name : {"figure_07", "figure_05", "figure_07"}) {
+        require_success(folder, std::string("pushfactor figures --out . --width 400 --samples 1 ") + name);
+    }
+    const std::string page = folder.read("index.html");
+    check_page(page);
+    const std::size_t before = page.find("<img src=\"figure_05.png\""),
+                      after = page.find("<img src=\"figure_07.png\"");
+    CHECK(before < after);
+    CHECK(after < page.size());
+    CHECK(page.find("<img src=\"figure_07.png\"", after + 1) == std::string::npos);
+}
+
 TEST_CASE("a gnuplot that fails is an error with its own words") {
     const Folder folder;
     folder.write("gnuplot", "#!/bin/sh\necho 'line 3: undefined variable' >&2\nexit 1\n");

@@ -62,6 +62,12 @@ TEST_CASE("a map over a scene file has page, table and replays, and its commands
     }
 }
 
+TEST_CASE("a map of one's own does not replace the page of the atlas") {
+    const Folder folder;
+    const Ended ended = shell(folder, "pushfactor report atlas --grid stack --x count=1,2 --y seconds=0,0.1");
+    CHECK(ended.out == "out/report-atlas-grid/index.html\n");
+}
+
 TEST_CASE("a cell whose summary lacks the number is empty and keeps its outcome") {
     const Folder folder;
     const Ended ended = shell(folder,
