@@ -2,17 +2,21 @@
 #include "demos/commands/run_options.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/caption.h"
+#include "demos/pictures/draw_list.h"
 #include "demos/pictures/film/frame_writer.h"
 #include "demos/pictures/film/take_frames.h"
 #include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/recorded_session.h"
 #include "demos/platform/messages.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/recorder.h"
+#include "demos/runs/scene.h"
 #include "demos/runs/trajectory.h"
 #include "demos/text/errors.h"
+#include "demos/text/json.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +37,13 @@ Job understand_job(const std::string& scene, const Render& request) {
     Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
     job.sequence.shard = request.shard.value_or(Shard{});
     note_cut_time(job.sequence, request.given);
+    // Before there is a folder for it.
+    for (const ComparedRun& panel : job.sequence.panels) {
+        const BuiltScene scene = build_scene(panel.choices);
+        if (!request.png && !request.video) continue;
+        pictures::require_drawable(scene);
+        pictures::require_shown(scene, panel.choices.frames.overlay);
+    }
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
     job.film = film_mark(job.sequence.panels.front().choices, request.given);
@@ -71,6 +82,12 @@ void prepare_folder(const Job& job, const Render& request) {
                          strangers == 1 ? "file" : "files"));
     }
     const fs::path file = job.folder / "config.json";
+    const std::string& scene = job.sequence.panels.front().choices.scene;
+    const Json before = Json::parse(read_bytes_of(file).value_or(""), nullptr, false);
+    if (before.is_object() && before.contains("scene") && before["scene"].is_string() && before["scene"] != scene) {
+        note(fmt::format("{} had the pictures of scene {}, and gets those of {}", job.folder.string(),
+                         before["scene"].get<std::string>(), scene));
+    }
     const std::string text = config_text(job.sequence.panels.front().choices, request.given);
     if (!request.shard) {
         write_file(file, text);

@@ -172,6 +172,22 @@ TEST_CASE("options that cannot go together are refused before anything is writte
     CHECK(!std::filesystem::exists(folder / "frames/config.json"));
 }
 
+TEST_CASE("what is refused leaves no folder, and a folder that gets another scene is named") {
+    const Folder folder;
+    for (const char* const render : {"chain --overlay contacts", "stack --scheme rattle4"}) {
+        check_refused(folder, std::string("pushfactor render --at 0 ") + render, "s");
+        CHECK(!std::filesystem::exists(folder / "out"));
+    }
+    const auto said = [&](const std::string& scene) {
+        return shell(folder, "pushfactor render --at 0 --size 64x64 " + scene).err;
+    };
+    CHECK(said("stack").empty());
+    CHECK(shell(folder, "pushfactor scene stack --count 2 > stack.json").status == 0);
+    CHECK(said("stack.json") ==
+          "pushfactor: note: out/stack had the pictures of scene stack, and gets those of stack.json\n");
+    CHECK(said("stack.json").empty());
+}
+
 TEST_CASE("outputs and scenes never have the names of the files that render writes") {
     const Folder folder;
     require_success(folder,
