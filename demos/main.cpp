@@ -7,6 +7,7 @@
 #include "engine/base/invalid_input.h"
 
 #include <csignal>
+#include <filesystem>
 
 namespace {
 
@@ -17,16 +18,28 @@ int complain(const std::exception& error, ExitStatus status) {
     return status;
 }
 
+// An error of a file names the option that gave it.
+std::string with_option(const std::string& message, const std::optional<CommandLine>& line) {
+    if (!line) return message;
+    for (const auto& [field, name] : line->outputs) {
+        if (message.starts_with(name + ": ")) return field + message.substr(name.size());
+        const std::string folder = std::filesystem::path(name).parent_path();
+        if (message.starts_with((folder.empty() ? "." : folder) + ": ")) return field + ": " + message;
+    }
+    return message;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     keep_standard_streams();
     note_interrupts();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that is too large then fails in write() instead of killing the program
+    std::optional<CommandLine> line;
     try {
-        const auto line = parse_command_line({argv + 1, argv + argc});
+        line = parse_command_line({argv + 1, argv + argc});
         if (!line) return done;
-        make_folders_of(line->outputs);
+        for (const NamedFile& file : line->outputs) make_folder_of(file.name);
         std::visit([](const auto& command) { commands::carry_out(command); }, line->command);
         return done;
     } catch (const UsageError& error) {
@@ -36,7 +49,7 @@ int main(int argc, char** argv) {
     } catch (const CheckError& error) {
         return complain(error, check_failed);
     } catch (const OutputError& error) {
-        return complain(error, output_failed);
+        return complain(std::runtime_error(with_option(error.what(), line)), output_failed);
     } catch (const NonFiniteError& error) {
         return complain(error, not_finite);
     } catch (const std::exception& error) {

@@ -12,7 +12,7 @@ namespace pushfactor::demos {
 // A command with what it reads, and the files that it will write.
 struct CommandLine {
     commands::AnyCommand command;
-    std::vector<std::string> outputs;
+    std::vector<NamedFile> outputs;
 };
 
 std::vector<commands::Entry> command_entries();

@@ -98,7 +98,14 @@ GivenOptions take_simulation(Words& words, std::vector<std::string>& scenes, boo
         if (const auto text = words.peek(name)) given.add(name, *text, "--" + name);
     }
     if (const auto config = words.take("config")) add_config(*config, given);
-    if (const auto* named = given.find("scene"); named && scenes.empty()) scenes.push_back(named->text);
+    if (const auto* named = given.find("scene")) {
+        if (scenes.empty()) {
+            scenes.push_back(named->text);
+        } else if (std::ranges::find(scenes, named->text) == scenes.end()) {
+            note(fmt::format("{} {}: has no effect, the command names {}", named->field, named->text,
+                             scenes.front()));
+        }
+    }
     if (scenes.empty()) throw UsageError("a scene is missing (see `pushfactor list`)");
     for (const std::string& scene : scenes) {
         if (!find_scene(scene)) words.reads(scene);
@@ -153,7 +160,7 @@ void note_cut_time(const Sequence& sequence, const GivenOptions& given) {
         return;
     }
     const double time = static_cast<double>(steps) * settings.dt.value();
-    if (std::abs(time - settings.seconds) <= 1e-9 * std::max(1.0, settings.seconds)) return;
+    if (std::abs(time - settings.seconds) <= 1e-9 * settings.seconds) return;
     note(fmt::format("seconds {}: cut to {} {} of {} s, {:.6g} s", to_text(settings.seconds), steps,
                      steps == 1 ? "step" : "steps", to_text(settings.dt), time));
 }

@@ -220,19 +220,13 @@ void Words::refuse_rest(std::string_view command) const {
                 throw UsageError(fmt::format("{}: must not be the file of {}", writes_[i].field, writes_[k].field));
             }
         }
-        for (const File& input : reads_) {
+        for (const NamedFile& input : reads_) {
             if (input.name != "-" && are_one_file(writes_[i].name, input.name)) {
                 throw UsageError(
                     fmt::format("{}: must not be a file that is read, {}", writes_[i].field, input.field));
             }
         }
     }
-}
-
-std::vector<std::string> Words::outputs() const {
-    std::vector<std::string> files;
-    for (const File& file : writes_) files.push_back(file.name);
-    return files;
 }
 
 std::string help_of(const std::vector<Option>& options) {

@@ -30,6 +30,11 @@ struct Option {
     OptionKind kind = OptionKind::value;
 };
 
+struct NamedFile {
+    std::string field;  // "--csv a.csv"
+    std::string name;
+};
+
 class Words {
   public:
     // Throws UsageError for an option that is not in the table, a missing value, or an option given twice.
@@ -61,17 +66,12 @@ class Words {
     // `command` says in which combination: "render --join".
     void refuse_rest(std::string_view command) const;
 
-    // Files of the options that were taken.
-    std::vector<std::string> outputs() const;
+    // Files that the options that were taken write.
+    const std::vector<NamedFile>& outputs() const { return writes_; }
 
     const std::string& line() const { return line_; }  // as typed, quoted where a shell needs it
 
   private:
-    struct File {
-        std::string field;  // "--csv a.csv"
-        std::string name;
-    };
-
     const Option& known(std::string_view option) const;
     [[noreturn]] void refuse_unknown(const std::string& word) const;
     std::string field(const std::string& option) const;  // "--csv a.csv"
@@ -81,7 +81,7 @@ class Words {
     std::vector<std::string> names_;
     std::set<std::string, std::less<>> taken_;
     bool names_taken_ = false;
-    std::vector<File> reads_, writes_;
+    std::vector<NamedFile> reads_, writes_;
     std::string line_;
 };
 

@@ -210,6 +210,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
 
 void require_parameters(const std::string& scene, const GivenOptions& given) {
     require_scene(scene);
+    if (!find_scene(scene) && scene != "-" && !std::filesystem::exists(scene)) return;  // reading it says so
     refuse_foreign_parameters(scene, find_scene(scene), given);
 }
 
@@ -227,7 +228,6 @@ SceneDescription spelled_out(const Choices& choices) {
     return description;
 }
 
-std::string film_mark(const Choices& choices, const GivenOptions& given) {
 std::uint32_t motion_hash(const Choices& choices) {
     SceneDescription description = spelled_out(choices);
     description.name.clear();
@@ -237,6 +237,7 @@ std::uint32_t motion_hash(const Choices& choices) {
     return static_cast<std::uint32_t>(text_hash(scene_file_text(description)));
 }
 
+std::string film_mark(const Choices& choices, const GivenOptions& given) {
     if (!choices.frames.at.empty()) return "";
     Json config = Json::parse(config_text(choices, given));
     // Frames are the same bytes with any of these.

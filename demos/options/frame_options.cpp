@@ -121,12 +121,12 @@ const std::array frame_table{
                 [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); },
                 of_pictures | of_models},
     FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
-                "a number above 0", set_fps,
+                "a number above 0 and up to 1e6", set_fps,
                 [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); },
                 of_film | of_shutter | of_trajectory | of_models | of_run},
     FrameOption{"play-speed", "X",
                 "simulated seconds per second of video; slow motion (1/4) needs steps that are small enough [1]",
-                "a number above 0", set_play_speed,
+                "a number above 0 and up to 1e6", set_play_speed,
                 [](const FrameChoices& c) {
                     return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
                 },
@@ -152,7 +152,8 @@ const std::array frame_table{
                 "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
                 "turned where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list "
                 "of these [scene; fit for stills and comparisons]",
-                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND, or a comma-separated list of these, each "
+                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND (up to 1e4), or a comma-separated list of "
+                "these, each "
                 "once, with scene or a file",
                 set_camera,
                 [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },

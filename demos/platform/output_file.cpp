@@ -200,12 +200,10 @@ fs::path write_new_file(const fs::path& folder, const std::string& stem, const s
                       " files of this name");
 }
 
-void make_folders_of(const std::vector<std::string>& files) {
-    for (const std::string& file : files) {
-        if (is_stream(file)) continue;
-        const fs::path folder = followed(file).parent_path();
-        make_folder(folder.empty() ? "." : folder);
-    }
+void make_folder_of(const fs::path& file) {
+    if (is_stream(file)) return;
+    const fs::path folder = followed(file).parent_path();
+    make_folder(folder.empty() ? "." : folder);
 }
 
 void make_folder(const fs::path& folder) {

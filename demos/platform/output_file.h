@@ -92,8 +92,8 @@ bool write_first(const std::filesystem::path& path, std::string_view bytes);
 // The bytes of a regular file; none if there is no such file or it cannot be read.
 std::optional<std::string> read_bytes_of(const std::filesystem::path& path);
 
-// Makes the folders of these files, and refuses those that cannot be written in.
-void make_folders_of(const std::vector<std::string>& files);
+// Makes the folder of a file. Throws OutputError if files cannot be created in it.
+void make_folder_of(const std::filesystem::path& file);
 
 // Creates the folder and its parents. Throws OutputError if files cannot be created in it.
 void make_folder(const std::filesystem::path& folder);

@@ -40,11 +40,12 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     bool number_integer(number_integer_t) override { return value(); }
     bool number_unsigned(number_unsigned_t) override { return value(); }
     bool number_float(number_float_t, const string_t&) override { return value(); }
-    bool string(string_t&) override { return value(); }
+    bool string(string_t& text) override { return has_no_zero(text) && value(); }
     bool binary(binary_t&) override { return value(); }
     bool start_object(std::size_t) override { return open({.key = {}, .index = -1}); }
     bool key(string_t& name) override {
         levels_.back().key = name;
+        if (!has_no_zero(name)) return false;
         if (levels_.back().keys.insert(name).second) return true;
         fault_ = "must be given once";
         return false;
@@ -67,6 +68,12 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
         levels_.push_back(level);
         if (levels_.size() <= most_levels) return true;
         fault_ = fmt::format("must have at most {} levels", most_levels);
+        return false;
+    }
+    // It ends the name of a file.
+    bool has_no_zero(const string_t& text) {
+        if (text.find('\0') == string_t::npos) return true;
+        fault_ = "must be without \\u0000";
         return false;
     }
     bool close() {

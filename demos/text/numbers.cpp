@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -28,7 +29,10 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<int> parse_integer(std::string_view text) {
-    return parse<int>(text);
+    const auto value = parse_number(text);
+    return value && *value == static_cast<int>(std::clamp(*value, -2147483648.0, 2147483647.0))
+               ? std::optional(static_cast<int>(*value))
+               : std::nullopt;
 }
 
 std::optional<double> parse_length_mm(std::string_view text) {

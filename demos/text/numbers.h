@@ -8,7 +8,7 @@
 namespace pushfactor::demos {
 
 std::optional<double> parse_number(std::string_view text);  // finite
-std::optional<int> parse_integer(std::string_view text);
+std::optional<int> parse_integer(std::string_view text);    // also as 25.0 or 1e3
 
 // In millimetres; units are mm, cm, in and pt (1/72 inch). Nothing without a number and a unit.
 std::optional<double> parse_length_mm(std::string_view text);

@@ -263,6 +263,7 @@ TEST_CASE(
                  R"({"version": 1, "bodies": [{"name": "b", "shape": "sphere", "radius_m": 1, "mass_kg": 1}]})");
     CHECK(said("run free.json --seconds 0 --solver pgs") ==
           note + "--solver pgs: has no effect without contacts, bars and joints\n");
+    CHECK(said("run stack --seconds 1e-320").find("1e-320: cut to 0 steps of 1/60 s, 0 s") != std::string::npos);
     // One of several scenes needs it, and those of files are not typed.
     CHECK(said("render stack chain --beta 0.3" + still).empty());
     folder.write("c.json", R"({"friction": 0.3, "distance-beta": 0.3, "seed": 3})");

@@ -143,6 +143,16 @@ TEST_CASE("a bad config file is refused by file, key and value") {
     CHECK_THAT(said("{\"beta\": "), Catch::Contains("is not JSON"));
     CHECK_THAT(said("[1]"), Catch::Contains("must be an object"));
     CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
+    CHECK_THAT(said("{\"solver\": \"p\\u0000\"}"), Catch::Contains("solver: must be without \\u0000"));
+}
+
+TEST_CASE("the scene of a config file is noted where the command names another one") {
+    const Folder folder;
+    folder.write("my.json", R"({"scene": "chain", "seconds": 0})");
+    CHECK(shell(folder, "pushfactor run stack --config my.json").err ==
+          "pushfactor: note: scene in my.json chain: has no effect, the command names stack\n");
+    CHECK(shell(folder, "pushfactor run chain --config my.json").err.empty());
+    CHECK(shell(folder, "pushfactor run --config my.json").err.empty());
 }
 
 TEST_CASE("the integrator in files of earlier versions is the scheme, and euler has no meaning any more") {

@@ -118,6 +118,20 @@ TEST_CASE("values out of range are refused by option, value and what is allowed"
     check_refusal("run stack --seconds -1", 2, {"--seconds -1"});
     check_refusal("run stack --friction inf", 2, {"--friction inf"});
     check_refusal("render stack --size 0x0", 2, {"--size 0x0", "from 16 to 4096"});
+    check_refusal("render stack --fps 1e9", 2, {"--fps 1e9", "up to 1e6"});
+    check_refusal("render stack --play-speed 1e9", 2, {"--play-speed 1e9", "up to 1e6"});
+    check_refusal("render stack --camera orbit:1e9", 2, {"orbit:1e9", "up to 1e4"});
+    check_refusal("run stack --iterations 25.5", 2, {"--iterations 25.5", "whole number"});
+    check_refusal("run stack --iterations 1e10", 2, {"--iterations 1e10", "whole number"});
+    check_refusal("run nowhere.json --count 5", 2, {"nowhere.json: cannot be read"});
+}
+
+TEST_CASE("a whole number may be written as a decimal, in options as in parameters of scenes") {
+    const Folder folder;
+    const std::string run = "pushfactor run stack --seconds 0.1 ";
+    CHECK(shell(folder, run + "--count 4.0 --iterations 3e1").out ==
+          shell(folder, run + "--count 4 --iterations 30").out);
+    CHECK(shell(folder, run + "--iterations 3e1").status == 0);
 }
 
 TEST_CASE("a frame that falls between two steps is refused with the rates and times that fit") {
@@ -127,11 +141,11 @@ TEST_CASE("a frame that falls between two steps is refused with the rates and ti
     check_refusal("run stack --fps 25 --trajectory x.csv", 2, {"--fps 25"});
 }
 
-TEST_CASE("outputs that cannot be written end with status 4 and name the path") {
-    check_refusal("run stack --seconds 1 --csv /proc/no/x.csv", 4, {"/proc/no", "No such file"});
+TEST_CASE("outputs that cannot be written end with status 4 and name option and path") {
+    check_refusal("run stack --seconds 1 --csv /proc/no/x.csv", 4, {"--csv /proc/no/x.csv", "No such file"});
     check_refusal("run stack --seconds 1 --junit /proc/no/x.xml", 2, {"--junit"});
-    check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"/dev/full", "No space left"});
-    check_refusal("run stack --seconds 1 --summary .", 4, {".", "directory"});
+    check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"--csv /dev/full", "No space left"});
+    check_refusal("run stack --seconds 1 --summary .", 4, {"--summary .", "directory"});
     check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});
 }
 

@@ -229,7 +229,7 @@ TEST_CASE("without ffmpeg nothing is rendered in vain, and the message says what
                               "PATH=/nowhere pushfactor render stack --seconds 0.1 --fps 10 --size 64x36 "
                               "--out frames --video film.mp4 --frames off");
     CHECK(ended.status == 4);
-    CHECK(ended.err == "pushfactor: film.mp4: ffmpeg is not installed; on Debian: apt install ffmpeg\n");
+    CHECK(ended.err == "pushfactor: --video film.mp4: ffmpeg is not installed; on Debian: apt install ffmpeg\n");
     CHECK(folder.files().empty());
 }
 
