@@ -30,6 +30,11 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     // A motor may give its speed in the first step.
     const auto is_driven = [](const engine::Joint& joint) { return joint.hinge && joint.hinge->motor; };
     if (scene.joints && std::ranges::any_of(scene.joints->joints(), is_driven)) return false;
+    // What is taken at the start from a force that ends is given back by nothing.
+    const auto ends = [](const engine::PokeForce* force) {
+        return force->acts_at(0.0) && force->poke().until < engine::infinity;
+    };
+    if (std::ranges::any_of(scene.pokes, ends)) return false;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
         return body.linear_momentum.isZero(0.0) && body.angular_momentum.isZero(0.0);
     });

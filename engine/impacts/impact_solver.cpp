@@ -49,9 +49,11 @@ ImpactSolver::ImpactSolver() : solver_(solvers::make_auto()) {}
 void ImpactSolver::aim(ImpactProblem& problem) {
     aims_.clear();
     fastest_ = 0.0;
+    auto pair = problem.pairs.begin();
     for (std::size_t j = 0; j < problem.rows.size(); ++j) {
         ConstraintRow& row = problem.rows[j];
-        const bool is_own = j < problem.own_rows, slides = row.label.kind == RowKind::friction;
+        while (pair != problem.pairs.end() && j == pair->rows_end) ++pair;
+        const bool is_own = pair != problem.pairs.end(), slides = row.label.kind == RowKind::friction;
         const double belt = slides ? row.push.lasting : 0.0;
         const double before = unconstrained(system_, j) - belt;
         aims_.push_back({.before = before});
@@ -60,8 +62,9 @@ void ImpactSolver::aim(ImpactProblem& problem) {
         if (is_own) fastest_ = std::max(fastest_, -before);
         if (opening > (is_own ? 0.0 : lies * fastest_)) row.bounds.c_min = row.bounds.c_max = 0.0;
         row.push = {.correcting = 0.0, .lasting = is_own ? 0.0 : before};
-        const double rebound = -problem.restitution * before;
-        if (is_own && rebound > problem.least_rebound) aims_.back().rebounds = rebound;
+        if (!is_own) continue;
+        const double rebound = -pair->restitution * before;
+        if (rebound > pair->least_rebound) aims_.back().rebounds = rebound;
     }
 }
 

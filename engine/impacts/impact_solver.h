@@ -1,4 +1,5 @@
-// The impulses of one impact: of two bodies, and of all that holds them.
+// The impulses of one impact: of two bodies, or of all pairs that hit each other at once, and of all that holds
+// them.
 //
 // Each point that approaches fast enough leaves with epsilon times the speed of its approach, Newton's law (8.2.1),
 // in the system equation of 6.2.9 with impulses in the place of forces. What holds the bodies takes part: joints
@@ -27,15 +28,19 @@
 
 namespace pushfactor::engine {
 
-// An impact as rows: first those of the pair's contact points and their friction, then those that hold. Body
+// An impact as rows: first those of the contact points and their friction, pair by pair, then those that hold. Body
 // indices are those of `bodies`, which have the momenta before the impact.
 struct ImpactProblem {
+    struct Pair {
+        std::size_t rows_end = 0;    // behind its last row
+        double restitution = 0.0;    // epsilon
+        double least_rebound = 0.0;  // m/s, what is slower does not rebound
+    };
+
     std::vector<Body> bodies{};
     RowList rows{};
-    std::size_t own_rows = 0;       // of the pair
+    std::vector<Pair> pairs{};
     std::vector<double> carried{};  // m/s, by row, see SystemEquation
-    double restitution = 0.0;       // epsilon of the pair
-    double least_rebound = 0.0;     // m/s, what is slower does not rebound
 };
 
 class ImpactSolver {
@@ -61,7 +66,7 @@ class ImpactSolver {
     std::unique_ptr<solvers::Solver> solver_;
     SystemEquation system_;
     std::vector<Aim> aims_;  // by row
-    double fastest_ = 0.0;   // m/s, approach of the pair
+    double fastest_ = 0.0;   // m/s, approach of the pairs
     Columns impulses_, stopped_;
     std::vector<Vector6> on_bodies_, on_bodies_stopped_;
     double external_work_ = 0.0;

@@ -13,6 +13,9 @@ namespace pushfactor::engine {
 
 namespace {
 
+// Time between impacts that count as one, as a share of the step: more than what finding them leaves.
+constexpr double at_once = 1e-6;
+
 bool is_closed(const ConstraintRow& row) {
     return row.bounds.c_min >= 0.0 ? row.error <= 0.0 : row.bounds.c_max <= 0.0 ? row.error >= 0.0 : true;
 }
@@ -52,7 +55,7 @@ bool Impacts::fly(const StepStart& step, const RowSources& sources, std::span<co
             is_cut_short_ = true;
             break;
         }
-        strike(std::get<int>(*next_.begin()), rows);
+        strike(rows);
         if (!resting_.empty()) return true;
     }
     for (const int body : flying_) {
@@ -253,18 +256,63 @@ const ConstraintRow& Impacts::row_at(int row, double time, std::span<const Const
     return item_[at(row - begin)];
 }
 
-// Appends the rows that hold bodies of the groups of the pair.
-void Impacts::add_what_holds(const collision::Touch& touch, double time, std::span<const ConstraintRow> rows) {
-    const int group_a = group_of(touch.body_a), group_b = group_of(touch.body_b);
+// The meetings that are next, and those at the same time between bodies of their groups.
+void Impacts::find_struck() {
+    const double latest = std::get<double>(*next_.begin()) + at_once * step_.dt;
+    struck_.clear();
+    struck_groups_.clear();
+    const auto groups_of = [&](const Meeting& meeting) {
+        std::vector<int> groups;
+        for (const int body : {meeting.touch.body_a, meeting.touch.body_b}) {
+            if (!step_.bodies[at(body)].is_static()) groups.push_back(group_of(body));
+        }
+        return groups;
+    };
+    const auto is_struck = [&](int group) {
+        return std::ranges::find(struck_groups_, group) != struck_groups_.end();
+    };
+    for (bool more = true; more;) {
+        more = false;
+        for (const auto& [time, pair, number] : next_) {
+            if (time > latest) break;
+            if (std::ranges::find(struck_, number) != struck_.end()) continue;
+            const std::vector<int> groups = groups_of(meetings_[at(number)]);
+            if (!struck_.empty() && std::ranges::none_of(groups, is_struck)) continue;
+            more = true;
+            struck_.push_back(number);
+            struck_groups_.insert(struck_groups_.end(), groups.begin(), groups.end());
+        }
+    }
+}
+
+// Appends the rows of a pair that hits each other.
+void Impacts::add_pair(int number, double time) {
+    const Meeting& meeting = meetings_[at(number)];
+    collision::Touch touch = meeting.touch;
+    touch.normal = manifold_.normal;
+    touch.points = manifold_.points();
+    const int a = add_to_problem(touch.body_a, time), b = add_to_problem(touch.body_b, time);
+    const Body body_a = problem_.bodies[at(a)], body_b = problem_.bodies[at(b)];
+    contacts_.append_impact_rows(touch, {a, b, body_a, body_b}, step_, problem_.rows);
+    const Vector3 fall_a = flight_of(touch.body_a).fall(), fall_b = flight_of(touch.body_b).fall();
+    problem_.pairs.push_back({.rows_end = problem_.rows.size(),
+                              .restitution = touch.restitution,
+                              .least_rebound = meeting.limits.least_speed(touch.normal, fall_a, fall_b)});
+}
+
+// Appends the rows that hold bodies of the groups of the pairs.
+void Impacts::add_what_holds(double time, std::span<const ConstraintRow> rows) {
     int normal = -1;  // of the last contact
     item_begin_ = -1;
     for (const int j : holding_) {
         const ConstraintRow& row = rows[at(j)];
         const int movable = step_.bodies[at(row.body_a)].is_static() ? row.body_b : row.body_a;
-        const int group = group_of(movable);
-        if (group != group_a && group != group_b) continue;
-        const bool is_own = (row.body_a == touch.body_a && row.body_b == touch.body_b) ||
-                            (row.body_a == touch.body_b && row.body_b == touch.body_a);
+        if (std::ranges::find(struck_groups_, group_of(movable)) == struck_groups_.end()) continue;
+        const bool is_own = std::ranges::any_of(struck_, [&](int number) {
+            const collision::Touch& touch = meetings_[at(number)].touch;
+            return (row.body_a == touch.body_a && row.body_b == touch.body_b) ||
+                   (row.body_a == touch.body_b && row.body_b == touch.body_a);
+        });
         const bool is_contact = row.label.kind == RowKind::contact, slides = row.label.kind == RowKind::friction;
         if (is_own && (is_contact || slides)) continue;  // of the start of the step
         if (is_contact) normal = static_cast<int>(problem_.rows.size());
@@ -286,36 +334,35 @@ void Impacts::add_what_holds(const collision::Touch& touch, double time, std::sp
     }
 }
 
-void Impacts::strike(int number, std::span<const ConstraintRow> rows) {
-    Meeting& meeting = meetings_[at(number)];
-    const double time = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
-                                    meeting.time, manifold_);
-    expect(number, never);
-    if (time == never) return;
-    ++count_;
-    collision::Touch touch = meeting.touch;
-    touch.normal = manifold_.normal;
-    touch.points = manifold_.points();
-
+void Impacts::strike(std::span<const ConstraintRow> rows) {
+    find_struck();
     for (const int body : members_) number_[at(body)] = -1;
     members_.clear();
     problem_.bodies.clear();
     problem_.rows.clear();
+    problem_.pairs.clear();
     problem_.carried.clear();
-    const int a = add_to_problem(touch.body_a, time), b = add_to_problem(touch.body_b, time);
-    const Body body_a = problem_.bodies[at(a)], body_b = problem_.bodies[at(b)];
-    contacts_.append_impact_rows(touch, {a, b, body_a, body_b}, step_, problem_.rows);
-    problem_.own_rows = problem_.rows.size();
+    double time = never, size = infinity;
+    for (const int number : struck_) {
+        Meeting& meeting = meetings_[at(number)];
+        const double met = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
+                                       meeting.time, manifold_);
+        expect(number, never);
+        if (met == never) continue;
+        if (time == never) time = met;
+        ++count_;
+        add_pair(number, time);
+        meeting.left *= meeting.touch.restitution;
+        size = std::min(size, meeting.touch.size);
+    }
+    if (time == never) return;
+    const std::size_t own_members = members_.size();
     carried_speeds(problem_.bodies, step_.dt, problem_.rows.all(), problem_.carried);
-    add_what_holds(touch, time, rows);
-    problem_.restitution = touch.restitution;
-    problem_.least_rebound =
-        meeting.limits.least_speed(touch.normal, flight_of(touch.body_a).fall(), flight_of(touch.body_b).fall());
+    add_what_holds(time, rows);
     for (const int body : members_) {
         if (!step_.bodies[at(body)].is_static() && !awake_->has(body)) resting_.push_back(body);
     }
     if (!resting_.empty()) return;
-    meeting.left *= touch.restitution;
 
     const std::span<const Vector6> impulses = solver_.solve(problem_);
     external_work_ += solver_.external_work();
@@ -325,8 +372,7 @@ void Impacts::strike(int number, std::span<const ConstraintRow> rows) {
         if (body.is_static() || impulses[k].isZero(0.0)) continue;
         fly_body(members_[k]).hit(time, impulses[k]);
         const double way = (step_.dt - time) * acceleration_by(body, impulses[k]).head<3>().norm();
-        const bool is_own = k < 2;
-        if (is_own || way > constants::impacts::noticed * touch.size) changed_.push_back(members_[k]);
+        if (k < own_members || way > constants::impacts::noticed * size) changed_.push_back(members_[k]);
     }
     set_off(time);
 }

@@ -3,7 +3,9 @@
 // If some pair with restitution is about to meet, the bodies around it fly through the step before its rows are
 // written: whenever two of them hit each other, that one impact is solved (impact_solver.h), they fly on with other
 // velocities, and what they meet next is searched anew. So one body may take part in many impacts of a step, a row
-// of touching balls passes a blow on from ball to ball, and none flies through another one.
+// of touching balls passes a blow on from ball to ball, and none flies through another one. Impacts of a body, or
+// of bodies that hold each other, at the same time are one: in turn, the first would turn the body away from the
+// others.
 //
 // What is left for the rows of the step is what does not hit anything but is held or lies: the bodies that were hit
 // enter it with their new momenta, and with the place where they end if nothing holds them.
@@ -73,9 +75,11 @@ class Impacts {
     void foresee(int meeting, double from);
     void expect(int meeting, double time);
     int add_to_problem(int body, double time);
-    void add_what_holds(const collision::Touch& touch, double time, std::span<const ConstraintRow> rows);
+    void add_pair(int meeting, double time);
+    void add_what_holds(double time, std::span<const ConstraintRow> rows);
     const ConstraintRow& row_at(int row, double time, std::span<const ConstraintRow> rows);
-    void strike(int meeting, std::span<const ConstraintRow> rows);
+    void find_struck();
+    void strike(std::span<const ConstraintRow> rows);
 
     ContactConstraints& contacts_;
     ImpactSolver solver_;
@@ -110,8 +114,10 @@ class Impacts {
     RowList item_;         // rows of one bar or joint, where its bodies are
     int item_begin_ = -1;  // its first row of the step; -1: none
 
-    std::vector<int> number_;   // by body, in the problem; -1: none
-    std::vector<int> members_;  // bodies of the problem, by number
+    std::vector<int> struck_;         // meetings of the problem
+    std::vector<int> struck_groups_;  // of their bodies
+    std::vector<int> number_;         // by body, in the problem; -1: none
+    std::vector<int> members_;        // bodies of the problem, by number
 };
 
 }  // namespace pushfactor::engine

@@ -259,7 +259,7 @@ void SmallSteps::follow(const Step& step, const Followed& own, PartState& state)
 void SmallSteps::small_step(const Step& step, int number, Team& team) {
     const double begun = number * step.h, ended = begun + step.h;
     each_body(team, [this](std::size_t i) { base_[i] = rows_.velocity[i] + pull_[i]; });
-    if (number > 0) dissection_.by_rounds(team, [&](const Part& part) { follow(step, part); });
+    dissection_.by_rounds(team, [&](const Part& part) { follow(step, part); });
     const bool strays = !detours_.empty();
     each_body(team, [&](std::size_t i) {
         rows_.velocity[i] = base_[i] + impulse_[i];

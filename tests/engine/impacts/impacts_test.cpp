@@ -7,6 +7,7 @@
 #include "tests/engine/contact_scene.h"
 #include "tests/random.h"
 
+#include <array>
 #include <cmath>
 
 using namespace pushfactor::engine;
@@ -227,4 +228,44 @@ TEST_CASE("bodies at rest that are hit wake in that step") {
     CHECK(rested);
     CHECK(!scene.world.rest->is_at_rest(1));
     CHECK(velocity(scene.world.bodies[1]).x() > 1.0);
+}
+
+TEST_CASE("a ball that hits two at once, or both sides of a groove, goes straight back") {
+    for (const bool swapped : {false, true}) {
+        ContactScene scene;
+        scene.add_ball(0.5, {-3, 0, 0}, {10, 0, 0}, elastic);
+        for (const double side : swapped ? std::array{-0.5, 0.5} : std::array{0.5, -0.5})
+            scene.add_ball(0.5, {0, 0, side}, {0, 0, 0}, elastic);
+        scene.build(Vector3::Zero());
+        for (int n = 0; n < 60; ++n) scene.world.step(ContactScene::dt);
+        // Both impulses together reverse the approach of both pairs.
+        CHECK((velocity(scene.world.bodies[0]) - Vector3(-2, 0, 0)).norm() < 1e-9);
+        const double side = swapped ? -1.0 : 1.0;
+        CHECK((velocity(scene.world.bodies[1]) - Vector3(6, 0, side * std::sqrt(12.0))).norm() < 1e-9);
+        CHECK((velocity(scene.world.bodies[2]) - Vector3(6, 0, -side * std::sqrt(12.0))).norm() < 1e-9);
+    }
+    for (const double restitution : {0.3, 0.9}) {
+        const Surface surface{.friction = 0.0, .restitution = restitution};
+        ContactScene scene;
+        for (const double angle : {0.7, -0.7}) {
+            scene.add_ground(surface);
+            scene.world.bodies.back().orientation = Eigen::AngleAxisd(angle, Vector3::UnitZ());
+        }
+        scene.add_ball(0.3, {0, 2, 0}, {0, 0, 0}, surface);
+        scene.build({0, -9.81, 0});
+        for (int n = 0; n < 120; ++n) scene.world.step(ContactScene::dt);
+        CHECK(std::abs(scene.world.bodies[2].position.x()) < 1e-9);
+    }
+}
+
+TEST_CASE("a plank that lands flat on two blocks does not turn") {
+    const Surface surface{.friction = 0.5, .restitution = 0.5};
+    ContactScene plank;
+    for (const double x : {-1.0, 1.0}) plank.add_plate({1, 1, 1}, {x, 0, 0}, surface);
+    plank.add_box({3, 0.2, 1}, {0, 1.6, 0}, {0, 0, 0}, surface);
+    plank.build({0, -9.81, 0});
+    for (int n = 0; n < 120; ++n) {
+        plank.world.step(ContactScene::dt);
+        CHECK(angular_velocity(plank.world.bodies[2]).norm() < 1e-9);
+    }
 }

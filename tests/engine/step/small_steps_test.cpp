@@ -233,3 +233,34 @@ TEST_CASE("what swings in small steps swings neither wider nor less wide with ti
     }
     CHECK(widest == Approx(width).epsilon(0.03));  // without the kick at once 2.2 times as wide
 }
+
+TEST_CASE(
+    "springs and dampers between free bodies are as stiff in small steps as they are: implicit Euler of each") {
+    for (const Spring& spring : {Spring{100, 0}, Spring{100, 3}, Spring{0, 5}, Spring{1e6, 0}}) {
+        for (const int steps : {1, 4, 16}) {
+            World world;
+            world.bodies = {ball_body(1.0, 0.1, {0, 0, 0}), ball_body(3.0, 0.1, {1.1, 0, 0})};
+            world.bodies[1].linear_momentum = {3.0, 0, 0};
+            world.constraints.push_back(std::make_unique<DistanceConstraints>(
+                std::vector{Distance{.body_a = 0, .body_b = 1, .length = 1.0, .spring = spring}}, Correction{},
+                true));
+            world.solver = solvers::make_solver("pgs");
+            world.termination = {.iterations = 1, .tolerance_high = 0.0, .tolerance_low = 0.0};
+            world.small_steps = std::make_unique<SmallSteps>(Division{steps, 1});
+            const double mass = 1.0 / (1.0 + 1.0 / 3.0), dt = 1.0 / 60.0, h = dt / steps;
+            double x = 0.1, v = 1.0;
+            for (int n = 0; n < 60 * steps; ++n) {
+                if (n % steps == 0) {
+                    INFO(spring.stiffness << " N/m, " << spring.damping << " N s/m, " << steps << " small steps");
+                    const Vector3 apart = world.bodies[1].position - world.bodies[0].position;
+                    REQUIRE(apart.x() - 1.0 == Approx(x).margin(1e-9));
+                    world.step(dt);
+                    REQUIRE(is_in_small_steps(world, world.islands().all().front()));
+                }
+                v = (v - h * spring.stiffness / mass * x) /
+                    (1.0 + h * spring.damping / mass + h * h * spring.stiffness / mass);
+                x += h * v;
+            }
+        }
+    }
+}
