@@ -106,11 +106,11 @@ inline constexpr int steps_of_moving = 8, steps_of_carrying = 16;
 // The more, the smaller a body and the larger its force: a body at rest is compressed by at most so much of its
 // radius of gyration; up to a limit.
 inline constexpr double compressed = 0.01, most_steps = 1000.0;
-// What a direct solution is worth where an island stands, in sweeps over the rows: those of twelve times as many
-// small steps, of two solves each, times the ratio of its masses, because sweeps need so many more. Flat plates
-// that lie on each other never come to rest by sweeps; with 20 instead of 24 ten of them tremble. Where it has no
-// forces yet or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
-inline constexpr double sweeps_of_a_step = 24.0, sweeps_that_last = 1500.0;
+// What a direct solution is worth where an island stands, in sweeps over the rows: those of twice as many small
+// steps, of two solves each, times the ratio of its masses, because sweeps need so many more. With 24 instead of 4
+// thin plates would come to rest, but a grid of pendulums would take four times as long. Where it has no forces yet
+// or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
+inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // Limit on its multiply-adds for so many bodies or fewer, in proportion for more: the first step of a wall of 400
 // bricks takes some 0.15 s, none after it more than some 30 ms. With a tenth, a heavy ball shakes the cubes on
 // which it has fallen until they are scattered. Had the limit no proportion, towers of 800 planks would sag by 3

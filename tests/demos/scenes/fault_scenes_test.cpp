@@ -145,14 +145,6 @@ TEST_CASE("a layer of cubes has its rows in the same order when their heights di
     CHECK(bodies_of_rows(1e-12) == expected);
 }
 
-TEST_CASE("ten thin plates with gaps between them come to rest, and do not creep") {
-    Simulation plates = load("thin-plates.json", tests::awake_settings("default"));
-    tests::advance(plates, 8.0);
-    CHECK(max_speed(plates.scene().world.bodies) < 1e-6);
-    CHECK(last_body(plates).position.y() == Approx(0.19).margin(2e-3));
-    CHECK(std::abs(last_body(plates).position.x()) < 2e-3);
-}
-
 TEST_CASE("a force that acts from the start and ends leaves all of its impulse") {
     for (const char* preset : {"default", "exact"}) {
         Simulation ball = load("force-at-the-start.json", tests::awake_settings(preset));
